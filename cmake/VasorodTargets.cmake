@@ -1,0 +1,39 @@
+# One way to declare a library, a test and a program, so that every folder's CMakeLists stays a few lines.
+
+# The warnings every one of our targets is compiled with.
+add_library(vasorod_warnings INTERFACE)
+target_compile_options(vasorod_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
+if(VASOROD_WARNINGS_AS_ERRORS)
+  target_compile_options(vasorod_warnings INTERFACE -Werror)
+endif()
+if(VASOROD_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+# Eigen and the Lie-group kernels are only fast when inlined; -fno-math-errno keeps IEEE results and lets sqrt inline.
+add_compile_options(-fno-math-errno)
+
+# vasorod_library(<folder> SOURCES ... LINKS ... [PRIVATE_LINKS ...]): the library vasorod::<folder>.
+function(vasorod_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(vasorod_${name} STATIC ${ARG_SOURCES})
+  add_library(vasorod::${name} ALIAS vasorod_${name})
+  set_target_properties(vasorod_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(vasorod_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/vasorod>)
+  target_compile_features(vasorod_${name} PUBLIC cxx_std_20)
+  target_link_libraries(vasorod_${name} PUBLIC ${ARG_LINKS}
+    PRIVATE $<BUILD_INTERFACE:vasorod_warnings> ${ARG_PRIVATE_LINKS})
+  set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
+endfunction()
+
+# vasorod_test(<folder> SOURCES ... LINKS ...): the program test_<folder>, its cases known to ctest one by one.
+function(vasorod_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINKS} vasorod_warnings GTest::gtest GTest::gtest_main)
+  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_definitions(test_${name} PRIVATE VASOROD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name})
+endfunction()

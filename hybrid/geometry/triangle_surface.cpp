@@ -1,0 +1,188 @@
+#include "geometry/triangle_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
+
+#include "geometry/error.h"
+
+namespace vasorod {
+
+std::vector<Edge> edges_of(const Triangles& triangles) {
+  struct Half {
+    int a, b, triangle, opposite;
+  };
+  std::vector<Half> halves;
+  halves.reserve(static_cast<size_t>(triangles.rows()) * 3);
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int i = triangles(t, k), j = triangles(t, (k + 1) % 3), o = triangles(t, (k + 2) % 3);
+      halves.push_back({std::min(i, j), std::max(i, j), t, o});
+    }
+  std::sort(halves.begin(), halves.end(), [](const Half& l, const Half& r) {
+    return l.a != r.a ? l.a < r.a : (l.b != r.b ? l.b < r.b : l.triangle < r.triangle);
+  });
+  std::vector<Edge> edges;
+  edges.reserve(halves.size() / 2 + 1);
+  for (const Half& h : halves) {
+    if (edges.empty() || edges.back().a != h.a || edges.back().b != h.b) {
+      Edge e;
+      e.a = h.a;
+      e.b = h.b;
+      e.triangle[0] = h.triangle;
+      e.opposite[0] = h.opposite;
+      edges.push_back(e);
+    } else if (edges.back().boundary()) {
+      edges.back().triangle[1] = h.triangle;
+      edges.back().opposite[1] = h.opposite;
+    } else {
+      throw InputError("non-manifold edge: points " + std::to_string(h.a) + " and " + std::to_string(h.b) +
+                       " are joined by three or more triangles, expected at most two");
+    }
+  }
+  return edges;
+}
+
+std::vector<std::vector<int>> boundary_loops(const Triangles& triangles) {
+  std::unordered_map<int, int> next;  // the boundary's direction in its triangles
+  for (const Edge& e : edges_of(triangles)) {
+    if (!e.boundary()) continue;
+    const int t = e.triangle[0];
+    int from = e.a, to = e.b;
+    for (int k = 0; k < 3; ++k)
+      if (triangles(t, k) == e.b && triangles(t, (k + 1) % 3) == e.a) std::swap(from, to);
+    if (!next.emplace(from, to).second)
+      throw InputError("non-manifold boundary: two boundary loops meet in point " + std::to_string(from));
+  }
+  std::vector<int> starts;
+  starts.reserve(next.size());
+  for (const auto& [from, to] : next) starts.push_back(from);
+  std::sort(starts.begin(), starts.end());
+  std::vector<std::vector<int>> loops;
+  for (const int start : starts) {
+    if (!next.contains(start)) continue;
+    std::vector<int> loop;
+    int at = start;
+    while (next.contains(at)) {
+      loop.push_back(at);
+      const int to = next.at(at);
+      next.erase(at);
+      at = to;
+    }
+    if (at != start)
+      throw InputError("inconsistent orientation: the boundary through point " + std::to_string(start) +
+                       " does not close");
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+int euler_number(const Triangles& triangles) {
+  if (triangles.rows() == 0) return 0;
+  std::vector<char> used(static_cast<size_t>(triangles.maxCoeff()) + 1, 0);
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) used[static_cast<size_t>(triangles(t, k))] = 1;
+  const int vertices = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  return vertices - static_cast<int>(edges_of(triangles).size()) + static_cast<int>(triangles.rows());
+}
+
+std::vector<int> components(const Triangles& triangles, int vertex_count) {
+  std::vector<int> parent(static_cast<size_t>(vertex_count));
+  std::iota(parent.begin(), parent.end(), 0);
+  auto find = [&](int i) {
+    while (parent[static_cast<size_t>(i)] != i) {
+      auto& p = parent[static_cast<size_t>(i)];
+      p = parent[static_cast<size_t>(p)];
+      i = p;
+    }
+    return i;
+  };
+  std::vector<char> used(static_cast<size_t>(vertex_count), 0);
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      used[static_cast<size_t>(triangles(t, k))] = 1;
+      const int a = find(triangles(t, k)), b = find(triangles(t, (k + 1) % 3));
+      parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  std::vector<int> label(static_cast<size_t>(vertex_count), -1);
+  std::map<int, int> number;
+  for (int i = 0; i < vertex_count; ++i) {
+    if (!used[static_cast<size_t>(i)]) continue;
+    const int root = find(i);
+    const int next_number = static_cast<int>(number.size());
+    label[static_cast<size_t>(i)] = number.emplace(root, next_number).first->second;
+  }
+  return label;
+}
+
+Eigen::VectorXd triangle_areas(const TriangleSurface& surface) {
+  Eigen::VectorXd area(surface.triangles.rows());
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    const Vec3 a = surface.points.row(surface.triangles(t, 0)), b = surface.points.row(surface.triangles(t, 1)),
+               c = surface.points.row(surface.triangles(t, 2));
+    area[t] = 0.5 * (b - a).cross(c - a).norm();
+  }
+  return area;
+}
+
+Eigen::VectorXd vertex_areas(const TriangleSurface& surface) {
+  const Eigen::VectorXd area = triangle_areas(surface);
+  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(surface.points.rows());
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) lumped[surface.triangles(t, k)] += area[t] / 3;
+  return lumped;
+}
+
+Points vertex_normals(const TriangleSurface& surface) {
+  Points normals = Points::Zero(surface.points.rows(), 3);
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    std::array<Vec3, 3> p;
+    for (size_t k = 0; k < 3; ++k) p[k] = surface.points.row(surface.triangles(t, static_cast<int>(k)));
+    const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double length = n.norm();
+    if (length == 0) continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3 e = p[(k + 1) % 3] - p[k], f = p[(k + 2) % 3] - p[k];
+      const double angle = std::atan2(length, e.dot(f));
+      normals.row(surface.triangles(t, static_cast<int>(k))) += (angle / length) * n.transpose();
+    }
+  }
+  for (int i = 0; i < normals.rows(); ++i) {
+    const double length = normals.row(i).norm();
+    if (length > 0) normals.row(i) /= length;
+  }
+  return normals;
+}
+
+double mean_edge_length(const TriangleSurface& surface) {
+  const auto edges = edges_of(surface.triangles);
+  double sum = 0;
+  for (const Edge& e : edges) sum += (surface.points.row(e.a) - surface.points.row(e.b)).norm();
+  return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
+}
+
+double total_area(const TriangleSurface& surface) { return triangle_areas(surface).sum(); }
+
+Vec3 area_vector(const Points& points, const std::vector<int>& loop) {
+  Vec3 sum = Vec3::Zero();
+  const Vec3 origin = points.row(loop.front());
+  for (size_t k = 0; k < loop.size(); ++k) {
+    const Vec3 p = points.row(loop[k]).transpose() - origin;
+    const Vec3 q = points.row(loop[(k + 1) % loop.size()]).transpose() - origin;
+    sum += 0.5 * p.cross(q);
+  }
+  return sum;
+}
+
+double perimeter(const Points& points, const std::vector<int>& loop) {
+  double sum = 0;
+  for (size_t k = 0; k < loop.size(); ++k)
+    sum += (points.row(loop[(k + 1) % loop.size()]) - points.row(loop[k])).norm();
+  return sum;
+}
+
+}  // namespace vasorod

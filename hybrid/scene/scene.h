@@ -1,0 +1,140 @@
+// A scene as typed data (interface.md, "Scene file"); what the reader promises is that everything here is checked.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace vasorod {
+
+/// The scene's units. Everything below is in them; forces are stress * length^2.
+struct Units {
+  std::string length = "mm", stress = "MPa";
+  double metres = 1e-3;   ///< metres per length unit
+  double pascals = 1e6;   ///< pascals per stress unit
+};
+
+/// The wall's material. Isotropic when `transverse_young` is empty; else transversely isotropic about the axis.
+struct Wall {
+  double thickness = 0;  ///< length
+  double young = 0;      ///< E (isotropic) or E_axial, stress
+  double poisson = 0;    ///< nu (isotropic) or nu_TT
+  std::optional<double> shear;             ///< G_axial, stress; absent: E / (2 (1 + nu))
+  std::optional<double> transverse_young;  ///< E_T, stress
+  double coupling = 0;                     ///< nu_LT
+  double shear_modulus() const { return shear ? *shear : young / (2 * (1 + poisson)); }
+  bool isotropic() const { return !transverse_young && !shear; }
+};
+
+/// k_c, k_b, k_s of the paper's energies [7-9], force / length.
+struct Coefficients {
+  double binding = 0, bending = 0, stretching = 0;
+};
+
+/// A generated tube: mid-wall radius, along +z from the origin unless placed.
+struct TubeSpec {
+  double length = 0, radius = 0;
+  int around = 48, along = 80;
+  double bend_deg = 0;                      ///< total angle of the circular axis, turning towards `normal`
+  std::optional<double> end_radius, end_thickness;
+  Vec3 position = Vec3::Zero(), tangent = Vec3::UnitZ(), normal = Vec3::UnitX();
+};
+
+/// One piece of a bare rod: strains and stiffness constant, or tapering linearly to `end_stiffness`.
+struct RodPiece {
+  double length = 0;
+  Vec3 curvature = Vec3::Zero();  ///< drawn (u1, u2, u3), 1/length; v = (0, 0, 1)
+  int elements = 1;
+  Mat6 stiffness = Mat6::Zero();  ///< order v1 v2 v3 u1 u2 u3
+  std::optional<Mat6> end_stiffness;
+  std::optional<Vec6> natural;    ///< unstressed strain (v, u) where it is not the drawn one
+};
+
+/// A bare rod (fidelity rod). With a parent, position, tangent and normal are relative to the parent's end frame.
+struct RodSpec {
+  std::optional<std::string> parent;
+  Vec3 position = Vec3::Zero(), tangent = Vec3::UnitX(), normal = Vec3::UnitY();  ///< d3 and d1 at its start
+  std::vector<RodPiece> pieces;
+};
+
+enum class Role { deformable, obstacle };
+enum class SurfaceIs { mid, outer, inner };  ///< which face of the wall the given surface is
+enum class Law { biot, svk };
+enum class Fidelity { rod, skin, paper, coupled };
+
+std::string to_string(Role);
+std::string to_string(Fidelity);
+
+/// One vessel: exactly one of `surface`, `tube`, `rod`.
+struct VesselSpec {
+  std::string name;
+  std::optional<std::filesystem::path> surface;  ///< resolved against the scene file's folder
+  std::optional<TubeSpec> tube;
+  std::optional<RodSpec> rod;
+  std::optional<double> remesh;                  ///< target edge, length
+  SurfaceIs surface_is = SurfaceIs::outer;       ///< generated tubes: mid
+  bool check = true;                             ///< radius plausibility
+  std::optional<Wall> wall;                      ///< required unless obstacle or bare rod
+  Law law = Law::biot;
+  std::optional<Coefficients> coefficients;
+  Role role = Role::deformable;
+};
+
+/// Which end of a vessel.
+struct EndSelector {
+  enum class Kind { start, end, near, at } kind = Kind::start;
+  Vec3 near = Vec3::Zero();  ///< kind near
+  double at = 0;             ///< kind at: fraction of a bare rod's length
+};
+
+/// One entry of `ends:`.
+struct EndCondition {
+  std::string vessel;
+  EndSelector end;
+  bool hold = false;
+  std::optional<Vec3> rotate_deg;  ///< rotation vector in degrees, space axes; angles beyond 360 are meant
+  std::optional<Vec3> move;        ///< length
+  std::optional<Vec3> force;       ///< dead, space axes, stress length^2
+  std::optional<Vec3> moment;      ///< stress length^3
+  bool moment_in_body = false;
+  std::array<bool, 6> fix{};       ///< x y z rx ry rz in the section's rest frame (d1, d2, d3)
+  bool soft_section = false;       ///< only the section's mean pose is held
+  int line = 0;                    ///< in the scene file, for messages
+};
+
+/// The operation (design.md section 2).
+struct GlennSpec {
+  std::string svc, rpa;
+  Vec3 cut = Vec3::Zero(), incision = Vec3::Zero();
+  std::optional<double> rotation_deg;  ///< added to what auto finds; absent: auto
+  Vec3 keep_near = Vec3::Zero();       ///< near the end of the cut SVC that goes on
+  int line = 0;
+};
+
+struct ExploreRange { double from = 0, to = 0; int steps = 1; };
+struct ExploreSpec { std::optional<ExploreRange> cut_along, incision_along, rotation_deg; };
+
+struct Scene {
+  std::filesystem::path file;
+  std::string name;
+  Units units;
+  std::vector<VesselSpec> vessels;
+  std::vector<EndCondition> ends;
+  std::optional<std::vector<std::array<std::string, 2>>> contact;  ///< absent: every pair within reach
+  std::optional<GlennSpec> glenn;
+  std::optional<Fidelity> fidelity;     ///< absent with `accuracy`
+  std::optional<double> accuracy;       ///< RMS distance over R
+  std::optional<ExploreSpec> explore;
+
+  const VesselSpec& vessel(const std::string& vessel_name) const;  ///< throws InputError when there is none
+};
+
+/// Reads and checks a scene file. Throws InputError ("file:line: field: found ..., expected ...").
+Scene read_scene(const std::filesystem::path& file);
+
+}  // namespace vasorod

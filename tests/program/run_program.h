@@ -1,0 +1,54 @@
+// Runs a built program as a user would and keeps what it said.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace vasorod::testing {
+
+struct ProgramRun {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+inline std::string contents_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// A folder of this test's own, empty, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "vasorod-test-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// `command`: program and arguments as a shell reads them.
+inline ProgramRun run_program(const std::string& command) {
+  const ScratchFolder scratch;
+  const auto out = scratch / "out", err = scratch / "err";
+  const int status =
+      std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null").c_str());  // NOLINT(cert-env33-c)
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
+}
+
+/// The built `vasorod`, quoted; VASOROD_PROGRAM is set by tests/program/CMakeLists.txt.
+inline std::string vasorod(const std::string& arguments) { return "'" VASOROD_PROGRAM "' " + arguments; }
+
+}  // namespace vasorod::testing

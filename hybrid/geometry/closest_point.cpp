@@ -1,0 +1,162 @@
+#include "geometry/closest_point.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangle3 = Kernel::Triangle_3;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle3>::const_iterator>;
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 to_cgal(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Parameter of the point of segment a-b closest to p.
+double closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double squared = (b - a).squaredNorm();
+  return squared > 0 ? std::clamp((p - a).dot(b - a) / squared, 0.0, 1.0) : 0.0;
+}
+
+Vec3 closest_on_edges(const Vec3& p, const std::array<Vec3, 3>& corner) {
+  Vec3 best = Vec3::UnitX();
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t l = (k + 1) % 3;
+    const double t = closest_on_segment(p, corner[k], corner[l]);
+    const double distance = (p - (1 - t) * corner[k] - t * corner[l]).squaredNorm();
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best.setZero();
+    best[static_cast<int>(k)] = 1 - t;
+    best[static_cast<int>(l)] = t;
+  }
+  return best;
+}
+
+}  // namespace
+
+Vec3 closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
+  const double squared = n.squaredNorm();
+  if (squared > 0) {
+    const double v = (p - a).cross(ac).dot(n) / squared, w = ab.cross(p - a).dot(n) / squared;
+    if (v > 0 && w > 0 && v + w < 1) return {1 - v - w, v, w};
+  }
+  return closest_on_edges(p, {a, b, c});
+}
+
+struct ClosestPoint::Tree {
+  explicit Tree(const TriangleSurface& surface) : points(surface.points), triangles(surface.triangles) {
+    if (triangles.rows() == 0) throw InputError("a surface without triangles has no closest point");
+    const auto count = static_cast<size_t>(triangles.rows());
+    neighbour.assign(count, {-1, -1, -1});
+    on_boundary.assign(static_cast<size_t>(points.rows()), 0);
+    for (const Edge& e : edges_of(triangles)) {
+      if (e.boundary()) on_boundary[static_cast<size_t>(e.a)] = on_boundary[static_cast<size_t>(e.b)] = 1;
+      for (size_t side = 0; side < 2; ++side) {
+        if (e.triangle[side] < 0) continue;
+        for (int k = 0; k < 3; ++k)  // neighbour[k] lies across the edge opposite to corner k
+          if (triangles(e.triangle[side], k) == e.opposite[side])
+            neighbour[static_cast<size_t>(e.triangle[side])][static_cast<size_t>(k)] = e.triangle[1 - side];
+      }
+    }
+    rebuild();
+  }
+
+  void rebuild() {
+    const auto count = static_cast<size_t>(triangles.rows());
+    soup.clear();
+    soup.reserve(count);
+    normals.resize(triangles.rows(), 3);
+    for (int t = 0; t < triangles.rows(); ++t) {
+      const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+      soup.emplace_back(to_cgal(a), to_cgal(b), to_cgal(c));
+      const Vec3 n = (b - a).cross(c - a);
+      const double length = n.norm();
+      normals.row(t) = (length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero())).transpose();
+    }
+    vertex_normal = vertex_normals({points, triangles});
+    aabb.clear();
+    aabb.insert(soup.cbegin(), soup.cend());
+    aabb.build();
+    aabb.accelerate_distance_queries();
+  }
+
+  Vec3 corner(int t, int k) const { return points.row(triangles(t, k)); }
+
+  AabbTree aabb;
+  std::vector<Triangle3> soup;
+  Points points;
+  Triangles triangles;
+  Points normals;        // unit, per triangle; zero where degenerate
+  Points vertex_normal;  // unit, angle-weighted
+  std::vector<std::array<int, 3>> neighbour;
+  std::vector<char> on_boundary;  // per vertex
+};
+
+ClosestPoint::ClosestPoint(const TriangleSurface& surface) : tree_(std::make_unique<Tree>(surface)) {}
+ClosestPoint::~ClosestPoint() = default;
+ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
+ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
+
+ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
+  const Tree& tree = *tree_;
+  Hit hit;
+  const auto found = tree.aabb.closest_point_and_primitive(to_cgal(point));
+  hit.triangle = static_cast<int>(found.second - tree.soup.cbegin());
+  const int t = hit.triangle;
+  hit.barycentric = closest_in_triangle(point, tree.corner(t, 0), tree.corner(t, 1), tree.corner(t, 2));
+  hit.point = hit.barycentric[0] * tree.corner(t, 0) + hit.barycentric[1] * tree.corner(t, 1) +
+              hit.barycentric[2] * tree.corner(t, 2);
+
+  const auto zeros = (hit.barycentric.array() <= 0).count();
+  const auto& neighbour = tree.neighbour[static_cast<size_t>(t)];
+  if (zeros == 0) {
+    hit.normal = tree.normals.row(t);
+  } else if (zeros == 1) {
+    int k = 0;
+    hit.barycentric.minCoeff(&k);
+    const int across = neighbour[static_cast<size_t>(k)];
+    hit.on_boundary = across < 0;
+    hit.normal = tree.normals.row(t);
+    if (across >= 0) hit.normal += tree.normals.row(across).transpose();
+  } else {
+    int k = 0;
+    hit.barycentric.maxCoeff(&k);
+    const int vertex = tree.triangles(t, k);
+    hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
+    hit.normal = tree.vertex_normal.row(vertex);
+  }
+  // A degenerate triangle, or two folded onto each other, has no normal of its own: its vertices have.
+  if (hit.normal.squaredNorm() < 1e-24) {
+    int k = 0;
+    hit.barycentric.maxCoeff(&k);
+    hit.normal = tree.vertex_normal.row(tree.triangles(t, k));
+  }
+  if (hit.normal.squaredNorm() > 0) hit.normal.normalize();
+  const Vec3 away = point - hit.point;
+  hit.signed_distance = away.dot(hit.normal) < 0 ? -away.norm() : away.norm();
+  return hit;
+}
+
+void ClosestPoint::refit(const Points& points) {
+  tree_->points = points;
+  tree_->rebuild();
+}
+
+}  // namespace vasorod

@@ -1,0 +1,104 @@
+#include "geometry/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "geometry/error.h"
+#include "geometry/noisy_tube.h"
+
+namespace vasorod {
+namespace {
+
+TriangleSurface cube() {
+  TriangleSurface s;
+  s.points.resize(8, 3);
+  s.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
+  s.triangles.resize(12, 3);
+  s.triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1,
+      3, 5, 3, 7, 5;
+  return s;
+}
+
+TEST(ClosestPoint, DistanceToACubeIsExactOnEverySideOfItsFacesEdgesAndCorners) {
+  const ClosestPoint closest(cube());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 2);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p(uniform(random), uniform(random), uniform(random));
+    const Vec3 clamped = p.cwiseMax(0).cwiseMin(1);
+    double expected = (p - clamped).norm();
+    if (expected == 0) expected = -std::min(p.minCoeff(), (Vec3::Ones() - p).minCoeff());
+    const auto hit = closest.query(p);
+    EXPECT_NEAR(hit.signed_distance, expected, 1e-12);
+    EXPECT_FALSE(hit.on_boundary);
+    EXPECT_NEAR(hit.normal.norm(), 1, 1e-12);
+    EXPECT_NEAR(hit.barycentric.sum(), 1, 1e-12);
+  }
+}
+
+TEST(ClosestPoint, FindsWhatTryingEveryTriangleFinds) {
+  testing::TubeShape shape;
+  shape.bend = 1.2;
+  shape.jitter = 0.25;
+  auto tube = testing::noisy_tube(shape);
+  ClosestPoint closest(tube);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-15, 45);
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p(uniform(random), uniform(random), uniform(random));
+      double best = std::numeric_limits<double>::infinity();
+      for (int t = 0; t < tube.triangles.rows(); ++t) {
+        const Vec3 a = tube.points.row(tube.triangles(t, 0)), b = tube.points.row(tube.triangles(t, 1)),
+                   c = tube.points.row(tube.triangles(t, 2));
+        const Vec3 w = closest_in_triangle(p, a, b, c);
+        best = std::min(best, (p - w[0] * a - w[1] * b - w[2] * c).norm());
+      }
+      const auto hit = closest.query(p);
+      EXPECT_NEAR(std::abs(hit.signed_distance), best, 1e-12 * (1 + best));
+      EXPECT_NEAR((p - hit.point).norm(), best, 1e-12 * (1 + best));
+    }
+    tube.points = (tube.points * 1.3).eval();
+    closest.refit(tube.points);
+  }
+}
+
+TEST(ClosestPoint, ClosestInTriangleBeatsEverySampleAlsoWhenDegenerate) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  auto draw = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 a = draw(), b = draw(), p = 2 * draw();
+    const Vec3 c =
+        i % 3 == 0 ? Vec3(0.3 * a + 0.7 * b) : (i % 3 == 1 ? a : draw());  // a line, a segment, a triangle
+    const Vec3 w = closest_in_triangle(p, a, b, c);
+    ASSERT_TRUE(w.allFinite());
+    EXPECT_GE(w.minCoeff(), 0);
+    EXPECT_NEAR(w.sum(), 1, 1e-12);
+    const double distance = (p - w[0] * a - w[1] * b - w[2] * c).norm();
+    for (int u = 0; u <= 20; ++u)
+      for (int v = 0; u + v <= 20; ++v) {
+        const Vec3 sample = (u * a + v * b + (20 - u - v) * c) / 20;
+        EXPECT_LE(distance, (p - sample).norm() + 1e-9);
+      }
+  }
+}
+
+TEST(ClosestPoint, SignAndRimOfAnOpenTube) {
+  testing::TubeShape shape;
+  shape.jitter = 0.2;
+  const ClosestPoint closest(testing::noisy_tube(shape));
+  EXPECT_GT(closest.query({6, 0, 20}).signed_distance, 0.9);
+  EXPECT_LT(closest.query({3, 0, 20}).signed_distance, -1.9);
+  EXPECT_FALSE(closest.query({3, 0, 20}).on_boundary);
+  EXPECT_TRUE(closest.query({5, 0, 43}).on_boundary);
+}
+
+TEST(ClosestPoint, ASurfaceWithoutTrianglesIsRefused) {
+  EXPECT_THROW(ClosestPoint(TriangleSurface{}), InputError);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,4 +1,5 @@
-// A result as data (interface.md, "Result folder"). Knows no solver; the writers in this folder turn it into files.
+// A result as data (interface.md, "Result folder"). Knows no solver; the writers in this folder turn it into
+// files.
 #pragma once
 
 #include <array>
@@ -12,8 +13,17 @@
 
 namespace vasorod {
 
-enum class Status { converged, equilibrium_only, unstable, buckled, not_unique, iteration_limit, interrupted };
+enum class Status {
+  converged,
+  equilibrium_only,
+  unstable,
+  buckled,
+  not_unique,
+  iteration_limit,
+  interrupted
+};
 std::string to_string(Status);
+std::optional<Status> status_named(const std::string& name);  ///< empty: no such status
 
 /// Not-a-number is written as null.
 struct Certificate {
@@ -45,7 +55,8 @@ struct Balance {
   Vec3 support = Vec3::Zero(), load = Vec3::Zero(), join = Vec3::Zero(), contact = Vec3::Zero();
   double residual = 0;
   std::optional<Vec3> binding;  ///< `paper`: what the rod does to the surface through the binding
-  std::optional<Vec3> rod_unbalanced;  ///< `paper`: what the surface leaves on the rod, which was solved first
+  std::optional<Vec3>
+      rod_unbalanced;  ///< `paper`: what the surface leaves on the rod, which was solved first
 };
 
 struct ContactReport {
@@ -64,7 +75,7 @@ struct VesselMetrics {
   double largest_curvature = 0;         ///< length of (u1, u2), 1/length
   double smallest_lumen_ratio = 1;      ///< lumen area over rest
   double largest_pressure = 0, contact_area = 0;
-  std::map<std::string, Vec3> where;    ///< keys: the names above
+  std::map<std::string, Vec3> where;  ///< keys: the names above
 };
 
 struct ModelReport {
@@ -82,35 +93,54 @@ struct Environment {
 
 struct GlennReport {
   std::string svc, rpa;
-  struct { double fraction = 0, perimeter = 0; Vec3 point = Vec3::Zero(), normal = Vec3::Zero(); } cut;
-  struct { double length = 0; std::array<Vec3, 2> ends{}; double opened_area = 0; } incision;
-  struct { int pairs = 0; double rotation_deg = 0, largest_gap = 0, rms_gap = 0; } join;
+  struct {
+    double fraction = 0, perimeter = 0;
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+  } cut;
+  struct {
+    double length = 0;
+    std::array<Vec3, 2> ends{};
+    double opened_area = 0;
+  } incision;
+  struct {
+    int pairs = 0;
+    double rotation_deg = 0, largest_gap = 0, rms_gap = 0;
+  } join;
+};
+
+/// `vasorod-fem` only.
+struct Discretisation {
+  long dofs = 0;
+  int degree = 0;
+  std::optional<double> error_estimate, observed_order;  ///< empty: one mesh only
 };
 
 /// A rod as it is written to NAME_centerline.vtp; one row per node, polylines by branch.
 struct CenterlineResult {
   Points rest, current;
-  std::vector<double> abscissa, radius;               ///< arc length from the branch's root; radius may be empty
-  std::vector<Mat3> directors;                        ///< current, columns d1 d2 d3
-  std::vector<Vec3> u, v, u0, v0;                     ///< strains averaged to nodes
-  std::vector<std::vector<int>> lines;                ///< node indices per branch
+  std::vector<double> abscissa, radius;  ///< arc length from the branch's root; radius may be empty
+  std::vector<Mat3> directors;           ///< current, columns d1 d2 d3
+  std::vector<Vec3> u, v, u0, v0;        ///< strains averaged to nodes
+  std::vector<std::vector<int>> lines;   ///< node indices per branch
 };
 
-/// One vessel as it is written. Per-vertex fields may be empty where they were not modelled (written as zero).
+/// One vessel as it is written. Per-vertex fields may be empty where they were not modelled (written as
+/// zero).
 struct VesselResult {
   std::string name;
   bool obstacle = false;
   Points rest, current;
   Triangles triangles;
-  Eigen::VectorXd axial_stretch, twist_shear, contact_pressure;  ///< per vertex; stretch 1 and 0, 0 where empty
-  std::vector<NamedArray> point_arrays, cell_arrays;             ///< the input's own, rows as above
-  std::optional<CenterlineResult> centerline;                    ///< obstacles have none
-  std::optional<TriangleSurface> stump;                          ///< closed
+  Eigen::VectorXd axial_stretch, twist_shear,
+      contact_pressure;                               ///< per vertex; stretch 1 and 0, 0 where empty
+  std::vector<NamedArray> point_arrays, cell_arrays;  ///< the input's own, rows as above
+  std::optional<CenterlineResult> centerline;         ///< obstacles have none
+  std::optional<TriangleSurface> stump;               ///< closed
 };
 
 /// A view of the vessels at one stage of an operation, for report.html only.
 struct Stage {
-  std::string title;    ///< "rest", "cut", "incision", "result"
+  std::string title;  ///< "rest", "cut", "incision", "result"
   std::vector<TriangleSurface> surfaces;
   std::vector<std::string> names;
 };
@@ -127,10 +157,11 @@ struct Result {
   std::vector<ContactReport> contact;
   std::vector<VesselMetrics> metrics;
   ModelReport model;
-  std::map<std::string, double> seconds;      ///< read, fit, factor, solve, write, total
-  std::map<std::string, int> iterations;      ///< rod, surface
+  std::map<std::string, double> seconds;  ///< read, fit, factor, solve, write, total
+  std::map<std::string, int> iterations;  ///< rod, surface
   Environment environment;
   std::optional<GlennReport> glenn;
+  std::optional<Discretisation> discretisation;
   std::vector<VesselResult> vessels;
   std::vector<Stage> stages;
 };

@@ -13,7 +13,8 @@ struct NamedArray {
   std::string name;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
   bool integer = false;
-  std::string type;  ///< as VTK's XML names it (Float32, Int32, UInt8, ...); empty: Float64, or Int32 / Int64 if integer
+  std::string type;  ///< as VTK's XML names it (Float32, Int32, UInt8, ...); empty: Float64, or Int32 / Int64
+                     ///< if integer
 };
 
 }  // namespace vasorod

@@ -1,4 +1,5 @@
-// A scene as typed data (interface.md, "Scene file"); what the reader promises is that everything here is checked.
+// A scene as typed data (interface.md, "Scene file"); what the reader promises is that everything here is
+// checked.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/tube.h"
 #include "geometry/types.h"
 
 namespace vasorod {
@@ -15,15 +17,16 @@ namespace vasorod {
 /// The scene's units. Everything below is in them; forces are stress * length^2.
 struct Units {
   std::string length = "mm", stress = "MPa";
-  double metres = 1e-3;   ///< metres per length unit
-  double pascals = 1e6;   ///< pascals per stress unit
+  double metres = 1e-3;  ///< metres per length unit
+  double pascals = 1e6;  ///< pascals per stress unit
 };
 
-/// The wall's material. Isotropic when `transverse_young` is empty; else transversely isotropic about the axis.
+/// The wall's material. Isotropic when `transverse_young` is empty; else transversely isotropic about the
+/// axis.
 struct Wall {
-  double thickness = 0;  ///< length
-  double young = 0;      ///< E (isotropic) or E_axial, stress
-  double poisson = 0;    ///< nu (isotropic) or nu_TT
+  double thickness = 0;                    ///< length
+  double young = 0;                        ///< E (isotropic) or E_axial, stress
+  double poisson = 0;                      ///< nu (isotropic) or nu_TT
   std::optional<double> shear;             ///< G_axial, stress; absent: E / (2 (1 + nu))
   std::optional<double> transverse_young;  ///< E_T, stress
   double coupling = 0;                     ///< nu_LT
@@ -36,15 +39,6 @@ struct Coefficients {
   double binding = 0, bending = 0, stretching = 0;
 };
 
-/// A generated tube: mid-wall radius, along +z from the origin unless placed.
-struct TubeSpec {
-  double length = 0, radius = 0;
-  int around = 48, along = 80;
-  double bend_deg = 0;                      ///< total angle of the circular axis, turning towards `normal`
-  std::optional<double> end_radius, end_thickness;
-  Vec3 position = Vec3::Zero(), tangent = Vec3::UnitZ(), normal = Vec3::UnitX();
-};
-
 /// One piece of a bare rod: strains and stiffness constant, or tapering linearly to `end_stiffness`.
 struct RodPiece {
   double length = 0;
@@ -52,10 +46,11 @@ struct RodPiece {
   int elements = 1;
   Mat6 stiffness = Mat6::Zero();  ///< order v1 v2 v3 u1 u2 u3
   std::optional<Mat6> end_stiffness;
-  std::optional<Vec6> natural;    ///< unstressed strain (v, u) where it is not the drawn one
+  std::optional<Vec6> natural;  ///< unstressed strain (v, u) where it is not the drawn one
 };
 
-/// A bare rod (fidelity rod). With a parent, position, tangent and normal are relative to the parent's end frame.
+/// A bare rod (fidelity rod). With a parent, position, tangent and normal are relative to the parent's end
+/// frame.
 struct RodSpec {
   std::optional<std::string> parent;
   Vec3 position = Vec3::Zero(), tangent = Vec3::UnitX(), normal = Vec3::UnitY();  ///< d3 and d1 at its start
@@ -69,6 +64,8 @@ enum class Fidelity { rod, skin, paper, coupled };
 
 std::string to_string(Role);
 std::string to_string(Fidelity);
+std::string to_string(SurfaceIs);
+std::string to_string(Law);
 
 /// One vessel: exactly one of `surface`, `tube`, `rod`.
 struct VesselSpec {
@@ -76,13 +73,15 @@ struct VesselSpec {
   std::optional<std::filesystem::path> surface;  ///< resolved against the scene file's folder
   std::optional<TubeSpec> tube;
   std::optional<RodSpec> rod;
-  std::optional<double> remesh;                  ///< target edge, length
-  SurfaceIs surface_is = SurfaceIs::outer;       ///< generated tubes: mid
-  bool check = true;                             ///< radius plausibility
-  std::optional<Wall> wall;                      ///< required unless obstacle or bare rod
+  std::optional<double> remesh;             ///< target edge, length
+  SurfaceIs surface_is = SurfaceIs::outer;  ///< generated tubes: mid
+  bool check = true;                        ///< radius plausibility
+  std::optional<Wall> wall;                 ///< required unless obstacle or bare rod
   Law law = Law::biot;
   std::optional<Coefficients> coefficients;
   Role role = Role::deformable;
+  std::optional<double> pressure;  ///< lumen pressure, stress; only the finite-element reference takes it
+  int line = 0;                    ///< in the scene file, for messages
 };
 
 /// Which end of a vessel.
@@ -91,6 +90,7 @@ struct EndSelector {
   Vec3 near = Vec3::Zero();  ///< kind near
   double at = 0;             ///< kind at: fraction of a bare rod's length
 };
+std::string to_string(const EndSelector&);  ///< as result.json names it: start, end, near(x, y, z) or at(f)
 
 /// One entry of `ends:`.
 struct EndCondition {
@@ -102,9 +102,9 @@ struct EndCondition {
   std::optional<Vec3> force;       ///< dead, space axes, stress length^2
   std::optional<Vec3> moment;      ///< stress length^3
   bool moment_in_body = false;
-  std::array<bool, 6> fix{};       ///< x y z rx ry rz in the section's rest frame (d1, d2, d3)
-  bool soft_section = false;       ///< only the section's mean pose is held
-  int line = 0;                    ///< in the scene file, for messages
+  std::array<bool, 6> fix{};  ///< x y z rx ry rz in the section's rest frame (d1, d2, d3)
+  bool soft_section = false;  ///< only the section's mean pose is held
+  int line = 0;               ///< in the scene file, for messages
 };
 
 /// The operation (design.md section 2).
@@ -116,8 +116,13 @@ struct GlennSpec {
   int line = 0;
 };
 
-struct ExploreRange { double from = 0, to = 0; int steps = 1; };
-struct ExploreSpec { std::optional<ExploreRange> cut_along, incision_along, rotation_deg; };
+struct ExploreRange {
+  double from = 0, to = 0;
+  int steps = 1;
+};
+struct ExploreSpec {
+  std::optional<ExploreRange> cut_along, incision_along, rotation_deg;
+};
 
 struct Scene {
   std::filesystem::path file;
@@ -127,14 +132,19 @@ struct Scene {
   std::vector<EndCondition> ends;
   std::optional<std::vector<std::array<std::string, 2>>> contact;  ///< absent: every pair within reach
   std::optional<GlennSpec> glenn;
-  std::optional<Fidelity> fidelity;     ///< absent with `accuracy`
-  std::optional<double> accuracy;       ///< RMS distance over R
+  std::optional<Fidelity> fidelity;  ///< absent with `accuracy`
+  std::optional<double> accuracy;    ///< RMS distance over R
   std::optional<ExploreSpec> explore;
 
   const VesselSpec& vessel(const std::string& vessel_name) const;  ///< throws InputError when there is none
 };
 
+struct ReadOptions {
+  bool accept_pressure =
+      false;  ///< true in the finite-element reference only: the hybrid model knows no lumen pressure
+};
+
 /// Reads and checks a scene file. Throws InputError ("file:line: field: found ..., expected ...").
-Scene read_scene(const std::filesystem::path& file);
+Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace vasorod

@@ -1,0 +1,261 @@
+#include "scene/field.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+#include "geometry/error.h"
+
+namespace vasorod {
+
+namespace {
+
+// Edit distance, for suggestions.
+int letters_off(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::string shortest(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+// The whole text as a finite number, or nothing. YAML's own .inf and .nan are no numbers here.
+std::optional<double> parse_number(const std::string& text) {
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// A quoted scalar is a text, whatever it spells.
+bool plain(const YAML::Node& node) {
+  return node.IsScalar() && node.Tag() == "?";
+}
+
+}  // namespace
+
+std::string in_quotes(const std::string& text) {
+  constexpr size_t longest = 60;
+  std::string out = "\"";
+  for (const char c : text.substr(0, longest))
+    out += static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
+  return out + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string out;
+  for (size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return out;
+}
+
+std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  std::optional<std::string> best;
+  int least = 3;
+  if (word.size() > 100) return best;
+  for (const std::string& candidate : known) {
+    const int off = letters_off(word, candidate);
+    if (off < least && off < static_cast<int>(candidate.size())) {
+      least = off;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+Field::Field(std::string file, std::string key, YAML::Node node)
+    : file_(std::move(file)), key_(std::move(key)), node_(std::move(node)), line_(node_.Mark().line + 1) {}
+
+void Field::refuse(const std::string& what, const std::string& expected) const {
+  throw InputError(file_ + ":" + std::to_string(line_) + ": " + (key_.empty() ? "" : key_ + ": ") + "found " +
+                   what + ", expected " + expected);
+}
+
+std::string Field::found() const {
+  switch (node_.Type()) {
+    case YAML::NodeType::Scalar:
+      return plain(node_) ? in_quotes(node_.Scalar()) : "the text " + in_quotes(node_.Scalar());
+    case YAML::NodeType::Sequence:
+      return "a list of " + std::to_string(node_.size());
+    case YAML::NodeType::Map:
+      return "a map of keys";
+    default:
+      return "nothing";
+  }
+}
+
+void Field::check_keys(const std::vector<std::string>& known) const {
+  if (!node_.IsMap()) refuse(found(), "a map of " + listed(known));
+  std::vector<std::string> seen;
+  for (const auto& entry : node_) {
+    const Field key(file_, key_, entry.first);
+    if (!entry.first.IsScalar()) key.refuse(key.found() + " as a key", listed(known));
+    const std::string& name = entry.first.Scalar();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const auto meant = nearest_word(name, known);
+      key.refuse("the unknown key " + in_quotes(name), meant ? in_quotes(*meant) : listed(known));
+    }
+    if (std::find(seen.begin(), seen.end(), name) != seen.end())
+      key.refuse("the key " + in_quotes(name) + " a second time", "it once");
+    seen.push_back(name);
+  }
+}
+
+bool Field::has(const std::string& name) const {
+  return find(name).has_value();
+}
+
+std::optional<Field> Field::find(const std::string& name) const {
+  if (!node_.IsMap()) return std::nullopt;
+  for (const auto& entry : node_)
+    if (entry.first.IsScalar() && entry.first.Scalar() == name) {
+      Field field(file_, key_.empty() ? name : key_ + "." + name, entry.second);
+      if (field.line_ <= 0)
+        field.line_ = entry.first.Mark().line + 1;  // an empty value has no place of its own
+      return field;
+    }
+  return std::nullopt;
+}
+
+Field Field::at(const std::string& name, const std::string& expected) const {
+  if (auto field = find(name)) return *field;
+  renamed(key_.empty() ? name : key_ + "." + name).refuse("nothing", expected);
+}
+
+Field Field::renamed(std::string key) const {
+  Field field = *this;
+  field.key_ = std::move(key);
+  return field;
+}
+
+std::string Field::text(const std::string& expected) const {
+  if (!node_.IsScalar() || node_.Scalar().empty()) refuse(found(), expected);
+  return node_.Scalar();
+}
+
+std::string Field::one_of(const std::vector<std::string>& words) const {
+  if (!node_.IsScalar() || std::find(words.begin(), words.end(), node_.Scalar()) == words.end())
+    refuse(found(), listed(words));
+  return node_.Scalar();
+}
+
+bool Field::boolean() const {
+  if (plain(node_)) {
+    const std::string& word = node_.Scalar();
+    if (word == "true" || word == "True" || word == "TRUE") return true;
+    if (word == "false" || word == "False" || word == "FALSE") return false;
+  }
+  refuse(found(), "true or false");
+}
+
+double Field::number(const std::string& expected) const {
+  if (plain(node_))
+    if (const auto value = parse_number(node_.Scalar())) return *value;
+  refuse(found(), expected);
+}
+
+double Field::positive() const {
+  const double value = number("a number above 0");
+  if (value <= 0) refuse(node_.Scalar(), "a number above 0");
+  return value;
+}
+
+double Field::not_negative() const {
+  const double value = number("a number of at least 0");
+  if (value < 0) refuse(node_.Scalar(), "a number of at least 0");
+  return value;
+}
+
+double Field::number_in(double lowest, double highest) const {
+  const std::string expected = "a number from " + shortest(lowest) + " to " + shortest(highest);
+  const double value = number(expected);
+  if (value < lowest || value > highest) refuse(node_.Scalar(), expected);
+  return value;
+}
+
+int Field::integer_in(int lowest, int highest) const {
+  const std::string expected =
+      "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+  const double value = number(expected);
+  if (value != std::floor(value) || value < lowest || value > highest) refuse(node_.Scalar(), expected);
+  return static_cast<int>(value);
+}
+
+std::vector<Field> Field::list(const std::string& expected) const {
+  if (!node_.IsSequence()) refuse(found(), expected);
+  std::vector<Field> items;
+  for (const auto& item : node_) {
+    Field field(file_, key_ + "[" + std::to_string(items.size()) + "]", item);
+    if (field.line_ <= 0) field.line_ = line_;
+    items.push_back(std::move(field));
+  }
+  return items;
+}
+
+Vec3 Field::vec3() const {
+  const std::string expected = "three numbers [x, y, z]";
+  const auto items = list(expected);
+  if (items.size() != 3) refuse(found(), expected);
+  return {items[0].number(), items[1].number(), items[2].number()};
+}
+
+Field read_yaml(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    throw InputError(file + ": found no such file, expected a scene file");
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw InputError(file + ": found a folder or device, expected a scene file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file + ": found a file that may not be read, expected a scene file");
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(stream);
+  } catch (const YAML::Exception& error) {
+    throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": found a YAML error in column " +
+                     std::to_string(error.mark.column + 1) + " (" + error.msg +
+                     "), expected a scene in YAML");
+  }
+  if (documents.empty() || documents.front().IsNull())
+    throw InputError(file + ":1: found an empty file, expected a scene");
+  if (documents.size() > 1)
+    throw InputError(file + ":" + std::to_string(documents[1].Mark().line + 1) +
+                     ": found a second YAML document, expected one scene");
+  return {file, "", documents.front()};
+}
+
+void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {
+  if (tangent.norm() == 0) place.at("tangent", "a direction").refuse("[0, 0, 0]", "a direction");
+  if (normal.norm() == 0) place.at("normal", "a direction").refuse("[0, 0, 0]", "a direction");
+  tangent.normalize();
+  normal.normalize();
+  const double cosine = tangent.dot(normal);
+  // 1e-3: three written digits are enough; anything more is a mistake rather than rounding.
+  if (std::abs(cosine) > 1e-3)
+    place.refuse("a normal at " + shortest(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI) +
+                     " degrees to the tangent",
+                 "90 degrees, tangent and normal given together");
+  normal = (normal - cosine * tangent).normalized();
+}
+
+}  // namespace vasorod

@@ -1,0 +1,72 @@
+// One value of a scene file together with the place it stands: every way of reading it checks type and range,
+// and throws InputError "FILE:LINE: KEY: found X, expected Y".
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace vasorod {
+
+/// Text as it is shown in a message: in quotes, shortened, and without what would break the line.
+std::string in_quotes(const std::string& text);
+
+/// "a, b or c".
+std::string listed(const std::vector<std::string>& words);
+
+/// The word of `known` that `word` was probably meant to be (at most two letters off), or nothing.
+std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
+
+class Field {
+ public:
+  Field(std::string file, std::string key, YAML::Node node);
+
+  const std::string& key() const { return key_; }
+  int line() const { return line_; }
+  bool is_map() const { return node_.IsMap(); }
+  bool is_list() const { return node_.IsSequence(); }
+
+  [[noreturn]] void refuse(const std::string& found, const std::string& expected) const;
+  /// What stands here, in words.
+  std::string found() const;
+
+  /// Checks that this is a map with no other keys than `known` and none twice.
+  void check_keys(const std::vector<std::string>& known) const;
+  bool has(const std::string& name) const;
+  /// A key of this map; refused when it is missing.
+  Field at(const std::string& name, const std::string& expected) const;
+  std::optional<Field> find(const std::string& name) const;
+
+  std::string text(const std::string& expected) const;
+  std::string one_of(const std::vector<std::string>& words) const;
+  bool boolean() const;
+  double number(const std::string& expected = "a number") const;
+  double positive() const;
+  double not_negative() const;
+  /// lowest <= value <= highest.
+  double number_in(double lowest, double highest) const;
+  int integer_in(int lowest, int highest) const;
+  Vec3 vec3() const;
+  /// The items of a list, with keys "key[0]", ...
+  std::vector<Field> list(const std::string& expected) const;
+  /// The same field under a key that says more (a vessel's name instead of its number).
+  Field renamed(std::string key) const;
+
+ private:
+  std::string file_, key_;
+  YAML::Node node_;
+  int line_ = 0;
+};
+
+/// The whole file as one map. Throws InputError when it cannot be read, or is not YAML with one document.
+Field read_yaml(const std::string& file);
+
+/// d3, d1 given at a place: both not zero, at right angles within 1e-3; returns them orthonormal.
+void check_directions(const Field& place, Vec3& tangent, Vec3& normal);
+
+}  // namespace vasorod

@@ -1,0 +1,147 @@
+#include <sstream>
+
+#include "scene/read_parts.h"
+
+namespace vasorod {
+
+namespace {
+
+EndSelector read_selector(const Field& entry, const VesselSpec& vessel) {
+  EndSelector selector;
+  const bool rod = vessel.rod.has_value();
+  const std::string expected =
+      rod ? "start, end, {near: [x, y, z]} or {at: fraction}" : "start, end or {near: [x, y, z]}";
+  std::optional<Field> at = entry.find("at");
+  const auto end = entry.find("end");
+  if (at && end) at->refuse("it beside end", "one or the other");
+  if (!at && !end) entry.at("end", expected);
+  if (end && end->is_map()) {
+    end->check_keys(rod ? std::vector<std::string>{"near", "at"} : std::vector<std::string>{"near"});
+    at = end->find("at");
+    const auto near = end->find("near");
+    if (near.has_value() == at.has_value()) end->refuse(end->found(), expected);
+    if (near) {
+      selector.kind = EndSelector::Kind::near;
+      selector.near = near->vec3();
+    }
+  } else if (end) {
+    if (end->is_list()) end->refuse(end->found(), expected);
+    const std::string word = end->text(expected);
+    if (word != "start" && word != "end") end->refuse(end->found(), expected);
+    selector.kind = word == "start" ? EndSelector::Kind::start : EndSelector::Kind::end;
+  }
+  if (at) {
+    if (!rod) at->refuse("it on a vessel with a surface", "start, end or {near: [x, y, z]}");
+    selector.kind = EndSelector::Kind::at;
+    selector.at = at->number_in(0, 1);
+  }
+  return selector;
+}
+
+std::array<bool, 6> read_fix(const Field& field) {
+  const std::vector<std::string> words = {"x", "y", "z", "rx", "ry", "rz"};
+  std::array<bool, 6> fixed{};
+  const auto items = field.list("a list of some of x, y, z, rx, ry, rz");
+  if (items.empty()) field.refuse("an empty list", "at least one of x, y, z, rx, ry, rz");
+  for (const Field& item : items) {
+    const std::string word = item.one_of(words);
+    for (size_t k = 0; k < 6; ++k) {
+      if (words[k] != word) continue;
+      if (fixed[k]) item.refuse(in_quotes(word) + " a second time", "it once");
+      fixed[k] = true;
+    }
+  }
+  return fixed;
+}
+
+bool moves(const EndCondition& end) {
+  return end.hold || end.rotate_deg || end.move;
+}
+bool loads(const EndCondition& end) {
+  return end.force || end.moment;
+}
+bool fixes(const EndCondition& end) {
+  return end.fix != std::array<bool, 6>{};
+}
+
+void check_sense(const Field& entry, const EndCondition& end) {
+  if (end.hold && (end.rotate_deg || end.move))
+    entry.refuse("hold beside rotate_deg or move", "one of the two, as a moved end is held on its path");
+  if (moves(end) && fixes(end)) entry.refuse("fix beside hold, rotate_deg or move", "one of the two");
+  if (moves(end) && loads(end))
+    entry.refuse("a force or moment on an end that is held or moved", "either a motion or a load");
+  if (!moves(end) && !loads(end) && !fixes(end))
+    entry.refuse("an end without a condition", "hold, rotate_deg, move, force, moment or fix");
+}
+
+bool same_place(const EndCondition& a, const EndCondition& b) {
+  return a.vessel == b.vessel && a.end.kind == b.end.kind && a.end.near == b.end.near && a.end.at == b.end.at;
+}
+
+// Two entries may share an end when one fixes what the other does not load twice; a motion stands alone.
+void check_shared(const Field& entry, const EndCondition& end, const std::vector<EndCondition>& before) {
+  for (const EndCondition& other : before) {
+    if (!same_place(end, other)) continue;
+    if (moves(end) || moves(other) || (loads(end) && loads(other)) || (fixes(end) && fixes(other)))
+      entry.refuse("a second condition for the end of line " + std::to_string(other.line),
+                   "one motion, or one load and one fix, for each end");
+  }
+}
+
+EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels) {
+  entry.check_keys({"vessel", "end", "at", "hold", "rotate_deg", "move", "force", "moment", "moment_frame",
+                    "fix", "section"});
+  EndCondition end;
+  end.line = entry.line();
+  const Field name = entry.at("vessel", "a vessel's name");
+  const VesselSpec& vessel = named_vessel(name, vessels);
+  end.vessel = vessel.name;
+  if (vessel.role == Role::obstacle)
+    name.refuse("the obstacle " + in_quotes(vessel.name), "a deformable vessel, as obstacles never move");
+  end.end = read_selector(entry, vessel);
+  if (const auto hold = entry.find("hold")) end.hold = hold->boolean();
+  if (const auto rotate = entry.find("rotate_deg")) end.rotate_deg = rotate->vec3();
+  if (const auto move = entry.find("move")) end.move = move->vec3();
+  if (const auto force = entry.find("force")) end.force = force->vec3();
+  if (const auto moment = entry.find("moment")) end.moment = moment->vec3();
+  if (const auto frame = entry.find("moment_frame")) {
+    end.moment_in_body = frame->one_of({"space", "body"}) == "body";
+    if (!end.moment) frame->refuse("it without a moment", "a moment beside it");
+  }
+  if (const auto fix = entry.find("fix")) end.fix = read_fix(*fix);
+  if (const auto section = entry.find("section"))
+    end.soft_section = section->one_of({"rigid", "soft"}) == "soft";
+  check_sense(entry, end);
+  return end;
+}
+
+}  // namespace
+
+std::string to_string(const EndSelector& selector) {
+  std::ostringstream out;
+  switch (selector.kind) {
+    case EndSelector::Kind::start:
+      return "start";
+    case EndSelector::Kind::end:
+      return "end";
+    case EndSelector::Kind::near:
+      out << "near(" << selector.near.x() << ", " << selector.near.y() << ", " << selector.near.z() << ")";
+      break;
+    case EndSelector::Kind::at:
+      out << "at(" << selector.at << ")";
+      break;
+  }
+  return out.str();
+}
+
+std::vector<EndCondition> read_ends(const Field& field, const std::vector<VesselSpec>& vessels) {
+  std::vector<EndCondition> ends;
+  for (const Field& entry : field.list("a list of ends")) {
+    EndCondition end = read_end(entry, vessels);
+    check_shared(entry, end, ends);
+    ends.push_back(std::move(end));
+  }
+  return ends;
+}
+
+}  // namespace vasorod

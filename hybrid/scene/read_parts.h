@@ -1,0 +1,24 @@
+// The parts of a scene file, each read and checked on its own; read_scene puts them together.
+#pragma once
+
+#include "scene/field.h"
+#include "scene/scene.h"
+
+namespace vasorod {
+
+Units read_units(const Field& units);
+std::vector<VesselSpec> read_vessels(const Field& vessels, const std::filesystem::path& folder,
+                                     const ReadOptions& options);
+Wall read_wall(const Field& wall);
+TubeSpec read_tube(const Field& tube);
+RodSpec read_rod(const Field& rod);
+std::vector<EndCondition> read_ends(const Field& ends, const std::vector<VesselSpec>& vessels);
+std::vector<std::array<std::string, 2>> read_contact(const Field& contact,
+                                                     const std::vector<VesselSpec>& vessels);
+GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels);
+ExploreSpec read_explore(const Field& explore);
+
+/// The vessel a field names; refused, with the nearest name, when there is none.
+const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);
+
+}  // namespace vasorod

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <set>
+
+#include "scene/read_parts.h"
+
+namespace vasorod {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<VesselSpec>& vessels) {
+  std::vector<std::string> names;
+  for (const VesselSpec& vessel : vessels) names.push_back(vessel.name);
+  return names;
+}
+
+bool good_name(const std::string& name) {
+  return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+Coefficients read_coefficients(const Field& field) {
+  field.check_keys({"binding", "bending", "stretching"});
+  // Without binding nothing ties the surface to the rod; the other two terms may be switched off.
+  return {field.at("binding", "k_c").positive(), field.at("bending", "k_b").not_negative(),
+          field.at("stretching", "k_s").not_negative()};
+}
+
+void read_shape(const Field& field, const std::filesystem::path& folder, VesselSpec& vessel) {
+  int shapes = 0;
+  for (const char* shape : {"surface", "tube", "rod"}) shapes += field.has(shape) ? 1 : 0;
+  if (shapes != 1)
+    field.refuse(shapes == 0 ? "none of surface, tube and rod" : "more than one of surface, tube and rod",
+                 "exactly one");
+  if (const auto surface = field.find("surface")) {
+    const std::filesystem::path path = surface->text("the name of a VTP, STL, PLY or OBJ file");
+    vessel.surface = path.is_absolute() ? path : folder / path;
+  }
+  if (const auto tube = field.find("tube")) {
+    vessel.tube = read_tube(*tube);
+    vessel.surface_is = SurfaceIs::mid;
+  }
+  if (const auto rod = field.find("rod")) vessel.rod = read_rod(*rod);
+  for (const char* key : {"remesh", "surface_is", "check"})
+    if (const auto found = field.find(key); found && !vessel.surface)
+      found->refuse("it on a vessel without a surface file", "it beside surface only");
+  if (const auto remesh = field.find("remesh")) vessel.remesh = remesh->positive();
+  if (const auto check = field.find("check")) vessel.check = check->boolean();
+  if (const auto is = field.find("surface_is")) {
+    const std::string word = is->one_of({"mid", "outer", "inner"});
+    vessel.surface_is = word == "mid"     ? SurfaceIs::mid
+                        : word == "outer" ? SurfaceIs::outer
+                                          : SurfaceIs::inner;
+  }
+}
+
+void read_material(const Field& field, VesselSpec& vessel) {
+  if (vessel.rod) {
+    for (const char* key : {"wall", "law", "coefficients", "pressure"})
+      if (const auto found = field.find(key))
+        found->refuse("it on a bare rod", "the stiffness of the rod's pieces instead");
+    if (vessel.role == Role::obstacle)
+      field.at("role", "").refuse("obstacle", "a surface or a tube for an obstacle");
+    return;
+  }
+  if (const auto wall = field.find("wall")) {
+    vessel.wall = read_wall(*wall);
+  } else if (vessel.role == Role::deformable) {
+    field.at("wall", "the wall of a deformable vessel");
+  }
+  if (const auto law = field.find("law"))
+    vessel.law = law->one_of({"biot", "svk"}) == "biot" ? Law::biot : Law::svk;
+  if (const auto coefficients = field.find("coefficients"))
+    vessel.coefficients = read_coefficients(*coefficients);
+  if (vessel.tube && vessel.tube->end_thickness && !vessel.wall)
+    field.at("tube", "")
+        .at("end_thickness", "")
+        .refuse("it without a wall", "wall.thickness for the tube's start");
+  if (vessel.tube && vessel.wall) {
+    const TubeSpec& tube = *vessel.tube;
+    if (vessel.wall->thickness >= 2 * tube.radius ||
+        tube.end_thickness.value_or(vessel.wall->thickness) >= 2 * tube.end_radius.value_or(tube.radius))
+      field.refuse("a wall of at least twice the tube's mid-wall radius",
+                   "a thinner wall, so that a lumen is left");
+  }
+}
+
+VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder, const ReadOptions& options) {
+  VesselSpec vessel;
+  field.check_keys({"name", "surface", "tube", "rod", "remesh", "surface_is", "check", "wall", "law",
+                    "coefficients", "role", "pressure"});
+  const Field name = field.at("name", "the vessel's name");
+  vessel.name = name.text("a name of letters, digits, _ and -");
+  vessel.line = field.line();
+  if (!good_name(vessel.name)) name.refuse(name.found(), "at most 100 letters, digits, _ and -");
+  const Field named = field.renamed("vessels." + vessel.name);
+  if (const auto role = named.find("role"))
+    vessel.role = role->one_of({"deformable", "obstacle"}) == "obstacle" ? Role::obstacle : Role::deformable;
+  read_shape(named, folder, vessel);
+  read_material(named, vessel);
+  if (const auto pressure = named.find("pressure")) {
+    vessel.pressure = pressure->number();
+    if (!options.accept_pressure)
+      pressure->refuse("a lumen pressure",
+                       "none, as only the finite-element reference vasorod-fem models it");
+  }
+  return vessel;
+}
+
+// A result holds NAME.vtp, NAME_stump.vtp and NAME_centerline.vtp: no name may be another's file.
+void check_names(const std::vector<Field>& fields, const std::vector<VesselSpec>& vessels) {
+  std::set<std::string> taken;
+  for (const VesselSpec& vessel : vessels) {
+    taken.insert(vessel.name + "_stump");
+    taken.insert(vessel.name + "_centerline");
+  }
+  std::set<std::string> seen;
+  for (size_t i = 0; i < vessels.size(); ++i) {
+    const Field name = fields[i].at("name", "");
+    if (!seen.insert(vessels[i].name).second)
+      name.refuse(in_quotes(vessels[i].name) + " a second time", "a name no other vessel has");
+    if (taken.contains(vessels[i].name))
+      name.refuse(in_quotes(vessels[i].name),
+                  "a name that is not another vessel's with _stump or _centerline behind it");
+  }
+}
+
+void check_parents(const std::vector<Field>& fields, const std::vector<VesselSpec>& vessels) {
+  for (size_t i = 0; i < vessels.size(); ++i) {
+    const VesselSpec* at = &vessels[i];
+    for (size_t steps = 0; at->rod && at->rod->parent; ++steps) {
+      const Field parent =
+          fields[i].at("rod", "").at("parent", "").renamed("vessels." + vessels[i].name + ".rod.parent");
+      const auto next = std::find_if(vessels.begin(), vessels.end(),
+                                     [&](const VesselSpec& v) { return v.name == *at->rod->parent; });
+      if (next == vessels.end() || !next->rod)
+        parent.refuse(in_quotes(*at->rod->parent), "the name of another rod of this scene");
+      if (steps > vessels.size())
+        parent.refuse("a ring of parents", "a tree of rods, as closed loops are not modelled");
+      at = &*next;
+    }
+  }
+}
+
+}  // namespace
+
+const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels) {
+  const std::string wanted = name.text("a vessel's name");
+  for (const VesselSpec& vessel : vessels)
+    if (vessel.name == wanted) return vessel;
+  const auto names = names_of(vessels);
+  const auto meant = nearest_word(wanted, names);
+  name.refuse("the unknown vessel " + in_quotes(wanted), meant ? in_quotes(*meant) : listed(names));
+}
+
+std::vector<VesselSpec> read_vessels(const Field& field, const std::filesystem::path& folder,
+                                     const ReadOptions& options) {
+  const auto fields = field.list("a list of vessels");
+  if (fields.empty()) field.refuse(field.found(), "at least one vessel");
+  std::vector<VesselSpec> vessels;
+  for (const Field& one : fields) vessels.push_back(read_vessel(one, folder, options));
+  check_names(fields, vessels);
+  check_parents(fields, vessels);
+  return vessels;
+}
+
+std::vector<std::array<std::string, 2>> read_contact(const Field& field,
+                                                     const std::vector<VesselSpec>& vessels) {
+  std::vector<std::array<std::string, 2>> pairs;
+  std::set<std::set<std::string>> seen;
+  for (const Field& pair : field.list("a list of pairs of vessels")) {
+    const auto names = pair.list("two vessels");
+    if (names.size() != 2) pair.refuse(pair.found(), "two vessels");
+    const VesselSpec& a = named_vessel(names[0], vessels);
+    const VesselSpec& b = named_vessel(names[1], vessels);
+    if (&a == &b)
+      pair.refuse(in_quotes(a.name) + " twice", "two different vessels, as self-contact is not modelled");
+    for (size_t k = 0; k < 2; ++k)
+      if ((k == 0 ? a : b).rod)
+        names[k].refuse("the bare rod " + names[k].found(), "a vessel with a surface");
+    if (a.role == Role::obstacle && b.role == Role::obstacle)
+      pair.refuse("two obstacles", "at least one deformable vessel, as obstacles never move");
+    if (!seen.insert({a.name, b.name}).second) pair.refuse("the same pair a second time", "it once");
+    pairs.push_back({a.name, b.name});
+  }
+  return pairs;
+}
+
+}  // namespace vasorod

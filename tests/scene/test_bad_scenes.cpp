@@ -1,0 +1,298 @@
+// Scenes that must be refused with one sentence, and mutations of good ones that must never do anything else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "geometry/error.h"
+#include "scene/scene.h"
+#include "scene/scratch_folder.h"
+
+namespace vasorod {
+namespace {
+
+const std::string base = R"(scene: bad
+units: {length: mm, stress: MPa}
+vessels:
+  - name: tube
+    tube: {length: 100, radius: 10}
+    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}
+  - name: other
+    tube: {length: 50, radius: 5, position: [30, 0, 0]}
+    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}
+ends:
+  - {vessel: tube, end: start, hold: true}
+  - {vessel: tube, end: end, move: [1, 0, 0]}
+contact: [[tube, other]]
+surgery:
+  glenn: {svc: tube, rpa: other, cut: [10, 0, 50], incision: [35, 0, 25], keep: {near: [0, 0, 100]}}
+fidelity: paper
+explore: {cut_along: {from: 0.3, to: 0.8, steps: 3}}
+)";
+
+// The first occurrence of `from` becomes `to`; the sentence must hold all of `says`.
+struct Bad {
+  std::string what, from, to;
+  std::vector<std::string> says;
+};
+
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    read_scene(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class BadScene : public ScratchFolder, public ::testing::WithParamInterface<Bad> {};
+
+TEST_P(BadScene, IsRefusedWithOneSentence) {
+  const Bad& bad = GetParam();
+  std::string text = base;
+  ASSERT_NE(text.find(bad.from), std::string::npos);
+  text.replace(text.find(bad.from), bad.from.size(), bad.to);
+  const auto file = write("scene.yaml", text);
+  const std::string sentence = refusal(file);
+  EXPECT_EQ(sentence.rfind(file.string() + ":", 0), 0U) << sentence;
+  EXPECT_NE(sentence.find("found "), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find(", expected "), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+  for (const std::string& word : bad.says) EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
+}
+
+const std::vector<Bad> bads = {
+    {"unknown_key", "fidelity: paper", "fidelty: paper", {":16:", "fidelty", "expected \"fidelity\""}},
+    {"unknown_key_in_wall", "young: 1.0", "yuong: 1.0", {":6:", "vessels.tube.wall", "\"young\""}},
+    {"unknown_key_far_from_any", "thickness: 1.0", "zzzzzzzzz: 1.0", {"thickness, young, poisson"}},
+    {"double_key", "fidelity: paper", "fidelity: paper\nfidelity: rod", {":17:", "a second time"}},
+    {"no_units", "units: {length: mm, stress: MPa}\n", "", {"units: found nothing"}},
+    {"unit_inch", "length: mm", "length: inch", {":2:", "\"inch\"", "mm, cm or m"}},
+    {"no_vessels", "contact:", "vessels: []\ncontact:", {"a second time"}},
+    {"vessels_a_word", "vessels:\n", "vessels: none\nx:\n", {}},
+    {"young_zero", "young: 1.0", "young: 0", {":6:", "vessels.tube.wall.young", "found 0", "above 0"}},
+    {"young_negative", "young: 1.0", "young: -1", {"found -1"}},
+    {"young_word", "young: 1.0", "young: soft", {"\"soft\"", "a number"}},
+    {"young_quoted", "young: 1.0", "young: \"1.0\"", {"the text \"1.0\""}},
+    {"young_list", "young: 1.0", "young: [1.0]", {"a list of 1"}},
+    {"young_nan", "young: 1.0", "young: .nan", {".nan"}},
+    {"young_infinite", "young: 1.0", "young: 1e999", {"1e999"}},
+    {"young_missing", "young: 1.0, ", "", {"wall.young: found nothing"}},
+    {"young_empty", "young: 1.0", "young: ", {"wall.young: found nothing"}},
+    {"thickness_zero", "thickness: 1.0", "thickness: 0.0", {"wall.thickness", "found 0"}},
+    {"thickness_negative", "thickness: 1.0", "thickness: -0.5", {"found -0.5"}},
+    {"thickness_fills_lumen", "thickness: 1.0", "thickness: 20", {"lumen"}},
+    {"poisson_too_large", "poisson: 0.3", "poisson: 0.51", {"0.51", "at most 0.5"}},
+    {"poisson_too_small", "poisson: 0.3", "poisson: -1", {"above -1"}},
+    {"not_admissible",
+     "poisson: 0.3",
+     "shear: 0.4, transverse: {young: 4, poisson: 0.3, coupling: 0.3}",
+     {"1 - nu_TT - 2 nu_LT^2 E_T/E_L = -0.02", "> 0"}},
+    {"transverse_without_shear", "poisson: 0.3", "transverse: {poisson: 0.3}", {"wall.shear: found nothing"}},
+    {"transverse_and_poisson",
+     "poisson: 0.3",
+     "poisson: 0.3, shear: 1, transverse: {poisson: 0.3}",
+     {"beside"}},
+    {"name_twice", "name: other", "name: tube", {":7:", "a second time"}},
+    {"name_with_space", "name: other", "name: the other", {"letters, digits, _ and -"}},
+    {"name_with_path", "name: other", "name: ../x", {"letters, digits, _ and -"}},
+    {"name_of_anothers_file", "name: other", "name: tube_stump", {"_stump"}},
+    {"two_shapes",
+     "tube: {length: 100, radius: 10}",
+     "tube: {length: 100, radius: 10}\n    surface: a.vtp",
+     {"more than one of surface, tube and rod"}},
+    {"no_shape", "    tube: {length: 100, radius: 10}\n", "", {"none of surface, tube and rod"}},
+    {"no_wall",
+     "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\n",
+     "",
+     {"vessels.tube.wall: found nothing"}},
+    {"tube_radius_negative", "radius: 10", "radius: -10", {":5:", "vessels.tube.tube.radius"}},
+    {"tube_around_fraction", "radius: 10", "radius: 10, around: 40.5", {"whole number"}},
+    {"tube_around_huge", "radius: 10", "radius: 10, around: 1e9", {"from 6 to 5000"}},
+    {"tube_bent_into_itself", "radius: 10", "radius: 20, bend_deg: 300", {"meets itself"}},
+    {"tube_bent_full_circle", "radius: 10", "radius: 1, bend_deg: 400", {"below 360"}},
+    {"tube_normal_along_tangent",
+     "radius: 10",
+     "radius: 10, tangent: [1, 0, 0]",
+     {"at 0 degrees", "90 degrees"}},
+    {"tube_no_tangent", "radius: 10", "radius: 10, tangent: [0, 0, 0]", {"[0, 0, 0]", "a direction"}},
+    {"remesh_of_a_tube",
+     "radius: 10}",
+     "radius: 10}\n    remesh: 1",
+     {"vessels.tube.remesh", "beside surface only"}},
+    {"pressure", "radius: 10}", "radius: 10}\n    pressure: 0.01", {"lumen pressure", "vasorod-fem"}},
+    {"law_unknown", "radius: 10}", "radius: 10}\n    law: neo-hookean", {"biot or svk"}},
+    {"binding_zero",
+     "radius: 10}",
+     "radius: 10}\n    coefficients: {binding: 0, bending: 1, stretching: 1}",
+     {"coefficients.binding"}},
+    {"role_unknown", "radius: 10}", "radius: 10}\n    role: fixed", {"deformable or obstacle"}},
+    {"end_of_obstacle",
+     "radius: 10}",
+     "radius: 10}\n    role: obstacle",
+     {"ends[0].vessel", "obstacles never move"}},
+    {"end_unknown_vessel",
+     "{vessel: tube, end: start",
+     "{vessel: tub, end: start",
+     {":11:", "\"tub\"", "\"tube\""}},
+    {"end_unknown", "end: start", "end: middle", {"\"middle\"", "start, end or"}},
+    {"end_near_two", "end: start", "end: {near: [1, 2]}", {"a list of 2", "three numbers"}},
+    {"end_at_on_tube", "end: start", "at: 0.5", {"a vessel with a surface"}},
+    {"end_missing", "end: start, ", "", {"end: found nothing"}},
+    {"end_nothing_done", ", hold: true", "", {"without a condition"}},
+    {"end_hold_word", "hold: true", "hold: yes please", {"true or false"}},
+    {"end_held_and_loaded", "hold: true", "hold: true, force: [0, 0, 1]", {"either a motion or a load"}},
+    {"end_twice", "end: end, move", "end: start, move", {":12:", "line 11"}},
+    {"end_fix_unknown", "hold: true", "fix: [x, w]", {"\"w\"", "x, y, z, rx, ry or rz"}},
+    {"end_fix_twice", "hold: true", "fix: [x, x]", {"a second time"}},
+    {"end_frame_alone", "hold: true", "hold: true, moment_frame: body", {"without a moment"}},
+    {"end_section_unknown", "hold: true", "hold: true, section: hard", {"rigid or soft"}},
+    {"move_word", "move: [1, 0, 0]", "move: [1, 0, up]", {"ends[1].move[2]", "\"up\""}},
+    {"contact_with_itself", "[[tube, other]]", "[[tube, tube]]", {"self-contact"}},
+    {"contact_unknown", "[[tube, other]]", "[[tube, aorta]]", {":13:", "\"aorta\"", "tube or other"}},
+    {"contact_twice", "[[tube, other]]", "[[tube, other], [other, tube]]", {"a second time"}},
+    {"contact_three", "[[tube, other]]", "[[tube, other, tube]]", {"two vessels"}},
+    {"surgery_unknown", "glenn:", "fontan:", {"\"fontan\"", "glenn"}},
+    {"glenn_same", "rpa: other", "rpa: tube", {"another vessel"}},
+    {"glenn_no_cut", "cut: [10, 0, 50], ", "", {"surgery.glenn.cut: found nothing"}},
+    {"glenn_rotation_word", "svc: tube", "svc: tube, rotation_deg: automatic", {"auto or a number"}},
+    {"glenn_no_keep", ", keep: {near: [0, 0, 100]}", "", {"surgery.glenn.keep"}},
+    {"fidelity_unknown", "fidelity: paper", "fidelity: papers", {"rod, skin, paper or coupled"}},
+    {"fidelity_missing", "fidelity: paper\n", "", {"neither fidelity nor accuracy"}},
+    {"accuracy_zero", "fidelity: paper", "accuracy: 0", {":16:", "above 0"}},
+    {"accuracy_above_one", "fidelity: paper", "accuracy: 2", {"below 1"}},
+    {"explore_outside", "to: 0.8", "to: 1.8", {"from 0 to 1"}},
+    {"explore_backwards", "to: 0.8", "to: 0.1", {"to below from"}},
+    {"explore_no_steps", "steps: 3", "steps: 0", {"from 1 to"}},
+    {"explore_nothing", "{cut_along: {from: 0.3, to: 0.8, steps: 3}}", "{}", {"at least one"}},
+    {"second_document", "fidelity: paper", "---\nfidelity: paper", {"second YAML document"}},
+    {"yaml_syntax", "units: {length: mm", "units: {length: mm, {", {":2:", "YAML"}},
+    {"yaml_indent", "ends:", " ends:", {"YAML"}},
+    {"yaml_tab", "    wall:", "\twall:", {"YAML"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadScene, ::testing::ValuesIn(bads),
+                         [](const auto& one) { return one.param.what; });
+
+class BadRod : public ScratchFolder {
+ protected:
+  std::string refusal_of(const std::string& rod) const {
+    return refusal(
+        write("scene.yaml", "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: rod\nvessels:\n" + rod));
+  }
+};
+
+TEST_F(BadRod, AsymmetricOrIndefiniteStiffness) {
+  const std::string head =
+      "  - {name: a, rod: {pieces: [{length: 1, elements: 1, stiffness: {matrix: [[1, 0, 0, 0, 0, ";
+  const std::string tail =
+      "], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [";
+  EXPECT_EQ(refusal_of(head + "0.5" + tail + "0.5, 0, 0, 0, 0, 1]]}}]}}\n"), "");
+  EXPECT_NE(refusal_of(head + "0.5" + tail + "0, 0, 0, 0, 0, 1]]}}]}}\n").find("symmetric"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(head + "2" + tail + "2, 0, 0, 0, 0, 1]]}}]}}\n").find("positive definite"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(head + "0" + tail + "0, 0, 0, 0, 0, 0]]}}]}}\n").find("positive definite"),
+            std::string::npos);
+}
+
+TEST_F(BadRod, ParentsThatAreNoTree) {
+  const std::string pieces =
+      "pieces: [{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], "
+      "torsion: 1}}]}}\n";
+  EXPECT_NE(refusal_of("  - {name: a, rod: {parent: c, " + pieces).find("another rod"), std::string::npos);
+  EXPECT_NE(refusal_of("  - {name: a, rod: {parent: a, " + pieces).find("ring"), std::string::npos);
+  EXPECT_NE(
+      refusal_of("  - {name: a, rod: {parent: b, " + pieces + "  - {name: b, rod: {parent: a, " + pieces)
+          .find("ring"),
+      std::string::npos);
+  EXPECT_EQ(refusal_of("  - {name: a, rod: {parent: b, " + pieces + "  - {name: b, rod: {" + pieces), "");
+}
+
+TEST_F(BadRod, OtherFidelities) {
+  const auto file = write(
+      "scene.yaml",
+      "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: skin\nvessels:\n  - {name: a, rod: {pieces: "
+      "[{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}}]}}\n");
+  EXPECT_NE(refusal(file).find("bare rod \"a\", expected rod"), std::string::npos);
+}
+
+class BadFile : public ScratchFolder {};
+
+TEST_F(BadFile, MissingEmptyFolderAndBinary) {
+  EXPECT_NE(refusal(folder / "none.yaml").find("no such file"), std::string::npos);
+  EXPECT_NE(refusal(folder).find("folder"), std::string::npos);
+  EXPECT_NE(refusal(write("empty.yaml", "")).find("empty"), std::string::npos);
+  EXPECT_NE(refusal(write("comment.yaml", "# nothing\n")).find("empty"), std::string::npos);
+  EXPECT_NE(refusal(write("word.yaml", "hello")).find("expected a map"), std::string::npos);
+  EXPECT_FALSE(refusal(write("binary.yaml", std::string("\0\1\2\xff\xfe{[", 7))).empty());
+  EXPECT_FALSE(refusal(write("deep.yaml", std::string(20000, '['))).empty());
+}
+
+// Every mutation is read or refused with one line; nothing else may come out of the reader.
+TEST_F(BadFile, MutationsAreReadOrRefused) {
+  std::mt19937 random(1);
+  const std::string letters = "[]{}:,-#&*!|>'\"%@` \n\t0123456789.eE+xaz_\xc3\xa9\x01";
+  auto pick = [&](size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random); };
+  int refused = 0;
+  constexpr int rounds = 400;
+  for (int round = 0; round < rounds; ++round) {
+    std::string text = base;
+    const size_t changes = 1 + pick(4);
+    for (size_t k = 0; k < changes && !text.empty(); ++k) {
+      const size_t at = pick(text.size());
+      switch (pick(5)) {
+        case 0:
+          text[at] = letters[pick(letters.size())];
+          break;
+        case 1:
+          text.insert(at, 1, letters[pick(letters.size())]);
+          break;
+        case 2:
+          text.erase(at, 1 + pick(5));
+          break;
+        case 3:
+          text.insert(at, text.substr(pick(text.size()), pick(40)));
+          break;
+        default:
+          text.resize(std::max<size_t>(at, 1));
+          break;
+      }
+    }
+    const auto file = write("scene.yaml", text);
+    try {
+      read_scene(file);
+    } catch (const InputError& error) {
+      ++refused;
+      const std::string sentence = error.what();
+      ASSERT_EQ(sentence.find('\n'), std::string::npos) << text;
+      ASSERT_NE(sentence.find(", expected "), std::string::npos) << sentence;
+    } catch (const std::exception& error) {
+      FAIL() << error.what() << "\n" << text;
+    }
+  }
+  EXPECT_GT(refused, rounds / 2);
+}
+
+// Every value of the scene in turn replaced by one of a wrong kind.
+TEST_F(BadFile, WrongKindsOfEveryValue) {
+  for (const char* wrong :
+       {"[]", "{}", "[[1]]", "{a: 1}", "~", "-1", "0", "1e400", ".inf", "\"\"", "*x", "&x", "!!int a"}) {
+    for (size_t colon = base.find(": "); colon != std::string::npos; colon = base.find(": ", colon + 1)) {
+      const size_t end = base.find_first_of(",}\n", colon);
+      std::string text = base;
+      text.replace(colon + 2, end - colon - 2, wrong);
+      const auto file = write("scene.yaml", text);
+      try {
+        read_scene(file);
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << text;
+      } catch (const std::exception& error) {
+        FAIL() << error.what() << "\n" << text;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vasorod

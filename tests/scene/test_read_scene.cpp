@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "scene/scene.h"
+#include "scene/scratch_folder.h"
+
+namespace vasorod {
+namespace {
+
+// Every key of interface.md at least once.
+const char* const tubes = R"(scene: bend-10
+units: {length: cm, stress: kPa}
+vessels:
+  - name: tube
+    tube: {length: 100, radius: 10, around: 40, along: 70, bend_deg: 30, end_radius: 8, end_thickness: 0.5, position: [1, 2, 3], tangent: [0, 1, 0], normal: [0, 0, 2]}
+    wall: {thickness: 1.0, young: 1.0, shear: 0.4, transverse: {young: 0.5, poisson: 0.3, coupling: 0.1}}
+    law: svk
+    coefficients: {binding: 1.0, bending: 2.0, stretching: 3.0}
+  - name: heart
+    surface: heart.vtp
+    remesh: 1.5
+    surface_is: inner
+    check: false
+    role: obstacle
+  - name: plain
+    surface: sub/plain.stl
+    wall: {thickness: 1.0, young: 2.0, poisson: 0.25}
+ends:
+  - {vessel: tube, end: start, hold: true}
+  - {vessel: tube, end: end, rotate_deg: [0, 400, 0], move: [8.70, 0, -0.51], section: soft}
+  - {vessel: plain, end: {near: [1, 2, 3]}, force: [0, 0, 1], moment: [1, 0, 0], moment_frame: body}
+  - {vessel: plain, end: start, fix: [x, rz]}
+contact: [[tube, heart], [plain, tube]]
+surgery:
+  glenn:
+    svc: tube
+    rpa: plain
+    cut: [1, 2, 3]
+    incision: [4, 5, 6]
+    rotation_deg: auto
+    keep: {near: [7, 8, 9]}
+fidelity: coupled
+accuracy: 0.02
+explore:
+  cut_along: {from: 0.3, to: 0.8, steps: 11}
+  rotation_deg: {from: -180, to: 180, steps: 13}
+)";
+
+const char* const rods = R"(scene: rods
+units: {length: mm, stress: MPa}
+vessels:
+  - name: trunk
+    rod:
+      position: [1, 0, 0]
+      tangent: [0, 0, 1]
+      normal: [1, 0, 0]
+      pieces:
+        - {length: 78.5, curvature: [0, 0.01, 0], elements: 32, natural: {u: [0, 0, 0.1]}}
+        - {length: 10, elements: 4, stiffness: {matrix: [[5, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 0], [0, 0, 9, 0, 0, 1], [0, 0, 0, 2, 0, 0], [0, 0, 0, 0, 2, 0], [0, 0, 1, 0, 0, 3]]}, end_stiffness: {axial: 1, shear: [2, 3], bending: [4, 5], torsion: 6}}
+      stiffness: {axial: 1e7, shear: [5e6, 4e6], bending: [8.3e5, 8.2e5], torsion: 8.1e5}
+  - name: branch
+    rod: {parent: trunk, pieces: [{length: 5, elements: 2, stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}}]}
+ends:
+  - {vessel: trunk, end: start, hold: true}
+  - {vessel: trunk, at: 0.5, force: [0, 0, 1]}
+  - {vessel: branch, end: {at: 0.25}, force: [0, 0, 2]}
+fidelity: rod
+)";
+
+class ReadScene : public ScratchFolder {
+ protected:
+  Scene read(const std::string& text) const { return read_scene(write("scene.yaml", text)); }
+};
+
+TEST_F(ReadScene, ReadsEveryKeyOfTheContract) {
+  const Scene scene = read(tubes);
+  EXPECT_EQ(scene.name, "bend-10");
+  EXPECT_EQ(scene.units.metres, 1e-2);
+  EXPECT_EQ(scene.units.pascals, 1e3);
+  ASSERT_EQ(scene.vessels.size(), 3U);
+  const VesselSpec& tube = scene.vessel("tube");
+  EXPECT_EQ(tube.tube->around, 40);
+  EXPECT_EQ(tube.tube->along, 70);
+  EXPECT_EQ(tube.tube->bend_deg, 30);
+  EXPECT_EQ(*tube.tube->end_radius, 8);
+  EXPECT_EQ(*tube.tube->end_thickness, 0.5);
+  EXPECT_EQ(tube.tube->position, Vec3(1, 2, 3));
+  EXPECT_EQ(tube.tube->normal, Vec3(0, 0, 1));
+  EXPECT_EQ(tube.surface_is, SurfaceIs::mid);
+  EXPECT_EQ(*tube.wall->transverse_young, 0.5);
+  EXPECT_EQ(tube.wall->poisson, 0.3);
+  EXPECT_EQ(tube.wall->coupling, 0.1);
+  EXPECT_EQ(tube.wall->shear_modulus(), 0.4);
+  EXPECT_EQ(tube.law, Law::svk);
+  EXPECT_EQ(tube.coefficients->stretching, 3);
+  const VesselSpec& heart = scene.vessel("heart");
+  EXPECT_EQ(*heart.surface, folder / "heart.vtp");
+  EXPECT_EQ(*heart.remesh, 1.5);
+  EXPECT_EQ(heart.surface_is, SurfaceIs::inner);
+  EXPECT_FALSE(heart.check);
+  EXPECT_EQ(heart.role, Role::obstacle);
+  EXPECT_EQ(*scene.vessel("plain").surface, folder / "sub/plain.stl");
+  EXPECT_EQ(scene.vessel("plain").surface_is, SurfaceIs::outer);
+  EXPECT_DOUBLE_EQ(scene.vessel("plain").wall->shear_modulus(), 0.8);
+  ASSERT_EQ(scene.ends.size(), 4U);
+  EXPECT_TRUE(scene.ends[0].hold);
+  EXPECT_EQ(*scene.ends[1].rotate_deg, Vec3(0, 400, 0));
+  EXPECT_EQ(*scene.ends[1].move, Vec3(8.7, 0, -0.51));
+  EXPECT_TRUE(scene.ends[1].soft_section);
+  EXPECT_EQ(scene.ends[2].end.kind, EndSelector::Kind::near);
+  EXPECT_EQ(to_string(scene.ends[2].end), "near(1, 2, 3)");
+  EXPECT_TRUE(scene.ends[2].moment_in_body);
+  EXPECT_EQ(scene.ends[3].fix, (std::array{true, false, false, false, false, true}));
+  EXPECT_EQ(scene.ends[3].line, 22);
+  EXPECT_EQ(*scene.contact, (std::vector<std::array<std::string, 2>>{{"tube", "heart"}, {"plain", "tube"}}));
+  EXPECT_EQ(scene.glenn->rpa, "plain");
+  EXPECT_EQ(scene.glenn->cut, Vec3(1, 2, 3));
+  EXPECT_FALSE(scene.glenn->rotation_deg);
+  EXPECT_EQ(scene.glenn->keep_near, Vec3(7, 8, 9));
+  EXPECT_EQ(*scene.fidelity, Fidelity::coupled);
+  EXPECT_EQ(*scene.accuracy, 0.02);
+  EXPECT_EQ(scene.explore->cut_along->steps, 11);
+  EXPECT_EQ(scene.explore->rotation_deg->from, -180);
+  EXPECT_FALSE(scene.explore->incision_along);
+}
+
+TEST_F(ReadScene, ReadsRods) {
+  const Scene scene = read(rods);
+  const RodSpec& trunk = *scene.vessel("trunk").rod;
+  EXPECT_EQ(trunk.tangent, Vec3::UnitZ());
+  ASSERT_EQ(trunk.pieces.size(), 2U);
+  Vec6 diagonal;
+  diagonal << 5e6, 4e6, 1e7, 8.3e5, 8.2e5, 8.1e5;
+  EXPECT_EQ(trunk.pieces[0].stiffness, Mat6(diagonal.asDiagonal()));
+  Vec6 natural;
+  natural << 0, 0, 1, 0, 0, 0.1;
+  EXPECT_EQ(*trunk.pieces[0].natural, natural);
+  EXPECT_EQ(trunk.pieces[1].stiffness(2, 5), 1);
+  EXPECT_EQ((*trunk.pieces[1].end_stiffness)(5, 5), 6);
+  EXPECT_FALSE(trunk.pieces[1].natural);
+  const RodSpec& branch = *scene.vessel("branch").rod;
+  EXPECT_EQ(*branch.parent, "trunk");
+  EXPECT_EQ(branch.tangent, Vec3::UnitZ());  // straight on from the parent's end
+  EXPECT_EQ(scene.ends[1].end.at, 0.5);
+  EXPECT_EQ(to_string(scene.ends[2].end), "at(0.25)");
+}
+
+TEST_F(ReadScene, SetsEAndGFreeOfEachOther) {
+  std::string text = tubes;
+  const std::string wall = "wall: {thickness: 1.0, young: 2.0, poisson: 0.25}";
+  text.replace(text.find(wall), wall.size(), "wall: {thickness: 1.0, young: 2.0, poisson: 0.25, shear: 0.1}");
+  const Wall& free = *read(text).vessel("plain").wall;
+  EXPECT_FALSE(free.isotropic());
+  EXPECT_EQ(free.shear_modulus(), 0.1);
+  EXPECT_EQ(*free.transverse_young, 2);
+}
+
+TEST_F(ReadScene, KeepsPressureForTheReferenceOnly) {
+  std::string text = tubes;
+  text.insert(text.find("    law: svk"), "    pressure: 0.01\n");
+  EXPECT_EQ(*read_scene(write("scene.yaml", text), {.accept_pressure = true}).vessel("tube").pressure, 0.01);
+  EXPECT_THROW(read(text), InputError);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -7,6 +7,8 @@
 // exp(x) = exp(x) exp(Jr(x) dx) to first order.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "geometry/types.h"
 
 namespace vasorod {

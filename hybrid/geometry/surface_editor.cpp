@@ -1,0 +1,336 @@
+#include "geometry/surface_editor.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <set>
+
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+Vec3 normal_of(const Corners& c) {
+  return (c[1] - c[0]).cross(c[2] - c[0]);
+}
+
+double quality_of(const Corners& c) {
+  const double squares =
+      (c[1] - c[0]).squaredNorm() + (c[2] - c[1]).squaredNorm() + (c[0] - c[2]).squaredNorm();
+  return squares > 0 ? 2 * std::sqrt(3.0) * normal_of(c).norm() / squares : 0;
+}
+
+double shortest_of(const Corners& c) {
+  return std::min({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
+  return std::atan2((a - corner).cross(b - corner).norm(), (a - corner).dot(b - corner));
+}
+
+}  // namespace
+
+SurfaceEditor::SurfaceEditor(const TriangleSurface& surface, const EditTolerances& tolerances)
+    : tolerances_(tolerances),
+      mean_edge_(mean_edge_length(surface)),
+      input_count_(static_cast<int>(surface.points.rows())) {
+  const auto count = static_cast<size_t>(input_count_);
+  points_.resize(count);
+  sources_.resize(count);
+  incident_.resize(count);
+  touched_.assign(count, 0);
+  for (int v = 0; v < input_count_; ++v) {
+    points_[static_cast<size_t>(v)] = surface.points.row(v);
+    sources_[static_cast<size_t>(v)] = VertexSource::original(v);
+  }
+  triangles_.reserve(static_cast<size_t>(surface.triangles.rows()) + 64);
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    add_triangle({surface.triangles(t, 0), surface.triangles(t, 1), surface.triangles(t, 2)});
+}
+
+Vec3 SurfaceEditor::point(const Blend& blend) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& [v, weight] : blend) sum += weight * point(v);
+  return sum;
+}
+
+VertexSource SurfaceEditor::source_of(const Blend& parts) const {
+  std::vector<const VertexSource*> sources;
+  std::vector<double> weights;
+  for (const auto& [v, weight] : parts) {
+    sources.push_back(&source(v));
+    weights.push_back(weight);
+  }
+  return blend(sources, weights);
+}
+
+int SurfaceEditor::add_vertex(const Blend& blend) {
+  const Vec3 at = point(blend);
+  VertexSource from = source_of(blend);
+  points_.push_back(at);
+  sources_.push_back(std::move(from));
+  incident_.emplace_back();
+  touched_.push_back(1);
+  return vertex_count() - 1;
+}
+
+int SurfaceEditor::add_triangle(const std::array<int, 3>& corners) {
+  const int t = triangle_count();
+  triangles_.push_back(corners);
+  for (const int v : corners) incident_[static_cast<size_t>(v)].push_back(t);
+  return t;
+}
+
+void SurfaceEditor::remove_triangle(int t) {
+  for (const int v : triangle(t)) std::erase(incident_[static_cast<size_t>(v)], t);
+  triangles_[static_cast<size_t>(t)] = {-1, -1, -1};
+}
+
+int SurfaceEditor::triangle_left_of(int a, int b) const {
+  for (const int t : triangles_of(a)) {
+    const auto& c = triangle(t);
+    for (size_t k = 0; k < 3; ++k)
+      if (c[k] == a && c[(k + 1) % 3] == b) return t;
+  }
+  return -1;
+}
+
+namespace {
+
+// The corner of the triangle after v, and the one before.
+std::pair<int, int> around(const std::array<int, 3>& corners, int v) {
+  for (size_t k = 0; k < 3; ++k)
+    if (corners[k] == v) return {corners[(k + 1) % 3], corners[(k + 2) % 3]};
+  return {-1, -1};
+}
+
+int opposite(const std::array<int, 3>& corners, int a, int b) {
+  for (const int v : corners)
+    if (v != a && v != b) return v;
+  return -1;
+}
+
+}  // namespace
+
+std::vector<int> SurfaceEditor::ring(int v) const {
+  const auto& incident = triangles_of(v);
+  if (incident.empty()) return {};
+  // Start where no triangle lies clockwise of the first one (a boundary), else anywhere.
+  int first = incident.front();
+  for (size_t step = 0; step < incident.size(); ++step) {
+    const int before = triangle_left_of(around(triangle(first), v).first, v);
+    if (before < 0 || before == incident.front()) break;
+    first = before;
+  }
+  std::vector<int> result{around(triangle(first), v).first};
+  for (int t = first;;) {
+    const int next = around(triangle(t), v).second;
+    if (next == result.front()) break;
+    result.push_back(next);
+    t = triangle_left_of(v, next);
+    if (t < 0 || result.size() > incident.size() + 1) break;
+  }
+  return result;
+}
+
+bool SurfaceEditor::on_boundary(int v) const {
+  return ring(v).size() != triangles_of(v).size();
+}
+
+int SurfaceEditor::split_edge(int a, int b, double t) {
+  const int m = add_vertex({{a, 1 - t}, {b, t}});
+  for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
+    const int left = triangle_left_of(i, j);
+    if (left < 0) continue;
+    const int o = opposite(triangle(left), i, j);
+    remove_triangle(left);
+    add_triangle({i, m, o});
+    add_triangle({m, j, o});
+  }
+  return m;
+}
+
+int SurfaceEditor::split_triangle(int t, const Vec3& barycentric) {
+  const auto c = triangle(t);
+  const int m = add_vertex({{c[0], barycentric[0]}, {c[1], barycentric[1]}, {c[2], barycentric[2]}});
+  remove_triangle(t);
+  for (size_t k = 0; k < 3; ++k) add_triangle({c[k], c[(k + 1) % 3], m});
+  return m;
+}
+
+bool SurfaceEditor::acceptable(const std::vector<Corners>& before, const std::vector<Corners>& after) const {
+  double quality_before = 1, shortest_before = mean_edge_;
+  Vec3 mean_normal = Vec3::Zero();
+  for (const Corners& c : before) {
+    quality_before = std::min(quality_before, quality_of(c));
+    shortest_before = std::min(shortest_before, shortest_of(c));
+    mean_normal += normal_of(c);
+  }
+  const double quality_limit = std::min(tolerances_.min_quality, 0.7 * quality_before);
+  const double length_limit = std::min(min_edge(), shortest_before);
+  for (size_t k = 0; k < after.size(); ++k) {
+    const Vec3 normal = normal_of(after[k]);
+    // Against what the triangle was, and, where that was a sliver without a trustworthy normal, against its
+    // surroundings.
+    const Vec3 was = k < before.size() && quality_of(before[k]) > 0.05 ? normal_of(before[k]) : mean_normal;
+    if (normal.dot(was) <= 0.5 * normal.norm() * was.norm()) return false;
+    if (quality_of(after[k]) < quality_limit || shortest_of(after[k]) < length_limit) return false;
+  }
+  return true;
+}
+
+bool SurfaceEditor::move(int v, const Blend& target) {
+  const Vec3 to = point(target);
+  std::vector<Corners> before, after;
+  for (const int t : triangles_of(v)) {
+    Corners c, d;
+    for (size_t k = 0; k < 3; ++k) {
+      c[k] = point(triangle(t)[k]);
+      d[k] = triangle(t)[k] == v ? to : c[k];
+    }
+    before.push_back(c);
+    after.push_back(d);
+  }
+  if (!acceptable(before, after)) return false;
+  VertexSource from = source_of(target);
+  points_[static_cast<size_t>(v)] = to;
+  sources_[static_cast<size_t>(v)] = std::move(from);
+  touched_[static_cast<size_t>(v)] = 1;
+  return true;
+}
+
+bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
+  // Link condition: the two share exactly the corners opposite to their edge, and a boundary never closes up.
+  const int left = triangle_left_of(keep, gone), right = triangle_left_of(gone, keep);
+  if (left < 0 && right < 0) return false;
+  const bool boundary_edge = left < 0 || right < 0;
+  const auto ring_keep = ring(keep), ring_gone = ring(gone);
+  int shared = 0;
+  for (const int v : ring_gone) shared += static_cast<int>(std::count(ring_keep.begin(), ring_keep.end(), v));
+  if (shared != (boundary_edge ? 1 : 2)) return false;
+  if (on_boundary(gone) && !boundary_edge) return false;
+  if (on_boundary(keep) && !boundary_edge && point(target) != point(keep)) return false;
+
+  const Vec3 to = point(target);
+  std::vector<Corners> before, after;
+  std::vector<int> renamed;
+  for (const int v : {keep, gone})
+    for (const int t : triangles_of(v)) {
+      if (t == left || t == right) continue;
+      Corners c, d;
+      for (size_t k = 0; k < 3; ++k) {
+        c[k] = point(triangle(t)[k]);
+        d[k] = triangle(t)[k] == v ? to : c[k];
+      }
+      before.push_back(c);
+      after.push_back(d);
+      if (v == gone) renamed.push_back(t);
+    }
+  if (after.empty() || !acceptable(before, after)) return false;
+
+  VertexSource from = source_of(target);
+  if (left >= 0) remove_triangle(left);
+  if (right >= 0) remove_triangle(right);
+  for (const int t : renamed) {
+    auto corners = triangle(t);
+    std::replace(corners.begin(), corners.end(), gone, keep);
+    remove_triangle(t);
+    add_triangle(corners);
+  }
+  points_[static_cast<size_t>(keep)] = to;
+  sources_[static_cast<size_t>(keep)] = std::move(from);
+  touched_[static_cast<size_t>(keep)] = 1;
+  return true;
+}
+
+// Edge a-b with c left and d right of it; would the edge c-d be the better one?
+bool SurfaceEditor::flip_improves(int a, int b, int c, int d) const {
+  const Vec3 &pa = point(a), &pb = point(b), &pc = point(c), &pd = point(d);
+  if (angle_at(pc, pa, pb) + angle_at(pd, pa, pb) <= M_PI + 1e-6) return false;
+  const Vec3 n1 = normal_of({pa, pb, pc}), n2 = normal_of({pb, pa, pd});
+  const Vec3 m1 = normal_of({pd, pc, pa}), m2 = normal_of({pc, pd, pb});
+  const Vec3 mean = n1 + n2;
+  const double flat = 0.8;  // cosine: beyond that the fold is a feature, not noise
+  if (n1.dot(n2) < flat * n1.norm() * n2.norm()) return false;
+  for (const Vec3& m : {m1, m2})
+    if (m.dot(mean) < flat * m.norm() * mean.norm() || m.norm() == 0) return false;
+  return (pc - pd).norm() >= min_edge();
+}
+
+void SurfaceEditor::improve(const std::function<bool(int, int)>& fixed) {
+  std::deque<std::pair<int, int>> queue;
+  std::set<std::pair<int, int>> queued;
+  auto enqueue = [&](int a, int b) {
+    if (a > b) std::swap(a, b);
+    if (queued.insert({a, b}).second) queue.emplace_back(a, b);
+  };
+  for (int v = 0; v < vertex_count(); ++v) {
+    if (!touched(v)) continue;
+    for (const int t : triangles_of(v))
+      for (size_t k = 0; k < 3; ++k) enqueue(triangle(t)[k], triangle(t)[(k + 1) % 3]);
+  }
+  // Every Delaunay flip on a flat patch lowers a potential; the bound only guards against curved corner
+  // cases.
+  for (size_t guard = 20 * queue.size(); guard > 0 && !queue.empty(); --guard) {
+    const auto [a, b] = queue.front();
+    queue.pop_front();
+    queued.erase({a, b});
+    const int left = triangle_left_of(a, b), right = triangle_left_of(b, a);
+    if (left < 0 || right < 0 || fixed(a, b)) continue;
+    const int c = opposite(triangle(left), a, b), d = opposite(triangle(right), a, b);
+    if (!touched(a) && !touched(b) && !touched(c) && !touched(d)) continue;
+    if (joined(c, d) || fixed(c, d) || !flip_improves(a, b, c, d)) continue;
+    remove_triangle(left);
+    remove_triangle(right);
+    add_triangle({d, c, a});
+    add_triangle({c, d, b});
+    for (const auto& [i, j] : {std::pair{a, c}, std::pair{c, b}, std::pair{b, d}, std::pair{d, a}})
+      enqueue(i, j);
+  }
+}
+
+int SurfaceEditor::duplicate(int v, const std::vector<int>& triangles) {
+  const int copy = add_vertex({{v, 1.0}});
+  for (const int t : triangles) {
+    auto corners = triangle(t);
+    std::replace(corners.begin(), corners.end(), v, copy);
+    std::erase(incident_[static_cast<size_t>(v)], t);
+    triangles_[static_cast<size_t>(t)] = corners;
+    incident_[static_cast<size_t>(copy)].push_back(t);
+  }
+  return copy;
+}
+
+SurfaceEditor::Part SurfaceEditor::part(const std::vector<int>& triangles) const {
+  std::vector<int> number(static_cast<size_t>(vertex_count()), -1);
+  for (const int t : triangles)
+    for (const int v : triangle(t)) number[static_cast<size_t>(v)] = 0;
+  Part result;
+  for (int v = 0; v < vertex_count(); ++v) {
+    if (number[static_cast<size_t>(v)] < 0) continue;
+    number[static_cast<size_t>(v)] = static_cast<int>(result.vertices.size());
+    result.vertices.push_back(v);
+    result.sources.push_back(source(v));
+  }
+  result.surface.points.resize(static_cast<Eigen::Index>(result.vertices.size()), 3);
+  for (size_t i = 0; i < result.vertices.size(); ++i)
+    result.surface.points.row(static_cast<Eigen::Index>(i)) = point(result.vertices[i]).transpose();
+  result.surface.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (size_t i = 0; i < triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      result.surface.triangles(static_cast<Eigen::Index>(i), k) =
+          number[static_cast<size_t>(triangle(triangles[i])[static_cast<size_t>(k)])];
+  return result;
+}
+
+SurfaceEditor::Part SurfaceEditor::whole() const {
+  std::vector<int> all;
+  for (int t = 0; t < triangle_count(); ++t)
+    if (alive(t)) all.push_back(t);
+  return part(all);
+}
+
+}  // namespace vasorod

@@ -1,0 +1,75 @@
+// What every operation promises of the surface it leaves, checked from scratch.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "geometry/triangle_surface.h"
+#include "geometry/vertex_source.h"
+
+namespace vasorod::testing {
+
+/// Every directed edge at most once: neighbouring triangles turn the same way round.
+inline bool oriented(const Triangles& triangles) {
+  std::set<std::pair<int, int>> seen;
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (!seen.insert({triangles(t, k), triangles(t, (k + 1) % 3)}).second) return false;
+  return true;
+}
+
+struct MadeBySurgery {
+  double shortest_edge = std::numeric_limits<double>::infinity();  ///< over the input's mean edge
+  double smallest_angle = 180;                                     ///< degrees
+};
+
+/// The worst of the edges and triangles that are not the input's (between the input's unmoved vertices).
+inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const TriangleSurface& after,
+                                     const VertexSources& sources) {
+  std::set<std::pair<int, int>> old_edges;
+  std::set<std::array<int, 3>> old_triangles;
+  for (const Edge& e : edges_of(before.triangles)) old_edges.insert({e.a, e.b});
+  for (int t = 0; t < before.triangles.rows(); ++t) {
+    std::array<int, 3> c{before.triangles(t, 0), before.triangles(t, 1), before.triangles(t, 2)};
+    std::sort(c.begin(), c.end());
+    old_triangles.insert(c);
+  }
+  const auto origin = [&](int v) {
+    const auto& s = sources[static_cast<size_t>(v)];
+    return s.is_original() ? s.vertex[0] : -1;
+  };
+  MadeBySurgery worst;
+  const double mean = mean_edge_length(before);
+  for (const Edge& e : edges_of(after.triangles)) {
+    const int a = origin(e.a), b = origin(e.b);
+    if (a >= 0 && b >= 0 && old_edges.contains({std::min(a, b), std::max(a, b)})) continue;
+    worst.shortest_edge =
+        std::min(worst.shortest_edge, (after.points.row(e.a) - after.points.row(e.b)).norm() / mean);
+  }
+  for (int t = 0; t < after.triangles.rows(); ++t) {
+    std::array<int, 3> c{origin(after.triangles(t, 0)), origin(after.triangles(t, 1)),
+                         origin(after.triangles(t, 2))};
+    std::sort(c.begin(), c.end());
+    if (c[0] >= 0 && old_triangles.contains(c)) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = after.points.row(after.triangles(t, k));
+      const Vec3 a = after.points.row(after.triangles(t, (k + 1) % 3)).transpose() - p;
+      const Vec3 b = after.points.row(after.triangles(t, (k + 2) % 3)).transpose() - p;
+      worst.smallest_angle =
+          std::min(worst.smallest_angle, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / M_PI);
+    }
+  }
+  return worst;
+}
+
+/// Largest distance between a vertex and what its source says it is.
+inline double source_error(const TriangleSurface& before, const TriangleSurface& after,
+                           const VertexSources& sources) {
+  return (interpolate(sources, Eigen::MatrixXd(before.points)) - after.points).rowwise().norm().maxCoeff();
+}
+
+}  // namespace vasorod::testing

@@ -229,6 +229,10 @@ bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
       after.push_back(d);
       if (v == gone) renamed.push_back(t);
     }
+  // The two that vanish count among what was: a short edge or a sliver may go even if what stays is not
+  // perfect.
+  for (const int t : {left, right})
+    if (t >= 0) before.push_back({point(triangle(t)[0]), point(triangle(t)[1]), point(triangle(t)[2])});
   if (after.empty() || !acceptable(before, after)) return false;
 
   VertexSource from = source_of(target);

@@ -1,0 +1,144 @@
+#include "surgery/incision.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "geometry/error.h"
+#include "surgery/surface_checks.h"
+#include "surgery/tube_binding.h"
+
+namespace vasorod {
+namespace {
+
+TEST(Incision, HundredsOfSlitsAreCleanParallelToTheAxisAndOfTheLengthAskedFor) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  testing::MadeBySurgery worst;
+  int inexact = 0;
+  for (int i = 0; i < 120; ++i) {
+    testing::TubeShape shape;
+    shape.around = 10 + static_cast<int>(uniform(random) * 40);
+    shape.along = std::max(12, static_cast<int>(shape.around * 1.4));
+    shape.bend = i % 3 == 0 ? 0 : 1.5 * uniform(random);
+    shape.jitter = i % 5 == 0 ? 0 : 0.28 * uniform(random);
+    shape.seed = static_cast<unsigned>(i + 1);
+    const auto tube = testing::noisy_tube(shape);
+    const double theta = 2 * M_PI * uniform(random), s = 14 + 12 * uniform(random);
+    // A length on the outside of the bend is longer than along the axis: stay off the ends.
+    const double length = 4 + 12 * uniform(random);
+    const Vec3 pick = testing::on_tube(shape, theta, s, 5 + uniform(random));
+    SCOPED_TRACE("slit " + std::to_string(i));
+    const auto outcome = open_incision(tube, testing::tube_rod(shape),
+                                       testing::tube_binding(shape, tube.points), {}, pick, length, 5);
+
+    ASSERT_TRUE(testing::oriented(outcome.surface.triangles));
+    EXPECT_EQ(euler_number(outcome.surface.triangles), -1);
+    const auto loops = boundary_loops(outcome.surface.triangles);
+    ASSERT_EQ(loops.size(), 3U);
+    auto rim = outcome.rim;
+    std::rotate(rim.begin(), std::min_element(rim.begin(), rim.end()), rim.end());
+    EXPECT_EQ(std::count(loops.begin(), loops.end(), rim), 1);
+    const int n = outcome.other_tip;
+    ASSERT_EQ(outcome.rim.size(), 2 * static_cast<size_t>(n));
+
+    // Both banks lie on each other, have the length, and the pick's vertex in the middle.
+    double bank = 0, half = 0;
+    const auto at = [&](int k) {
+      return Vec3(outcome.surface.points.row(outcome.rim[static_cast<size_t>(k)]));
+    };
+    for (int k = 0; k < n; ++k) {
+      bank += (at(k + 1) - at(k)).norm();
+      if (k + 1 == outcome.middle) half = bank;
+      if (k > 0) {
+        EXPECT_EQ((at(k) - at(2 * n - k)).norm(), 0);
+      }
+    }
+    EXPECT_NEAR(bank, outcome.length, 1e-12 * length);
+    if (std::abs(outcome.length / length - 1) > 1e-6) ++inexact;
+    EXPECT_NEAR(outcome.length, length, 0.3 * mean_edge_length(tube));
+    EXPECT_NEAR(half, length / 2, 1e-6 * length + std::abs(outcome.length - length));
+    EXPECT_LT((at(outcome.middle) - outcome.pick).norm(), 0.2 * mean_edge_length(tube));
+
+    // On the isoline of the angle, from small s to large s.
+    const auto exact = testing::tube_binding(shape, outcome.surface.points);
+    for (int k = 0; k <= n; ++k) {
+      const Vec3& x = exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(k)])].local;
+      EXPECT_LT(std::abs(x.y() * std::cos(theta) - x.x() * std::sin(theta)), 0.3 * mean_edge_length(tube));
+      EXPECT_GT(x.x() * std::cos(theta) + x.y() * std::sin(theta), 4);
+    }
+    const double first = exact[static_cast<size_t>(outcome.rim[0])].s;
+    EXPECT_LT(first, exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(n)])].s);
+
+    EXPECT_LT(testing::source_error(tube, outcome.surface, outcome.sources), 1e-11);
+    EXPECT_NEAR(total_area(outcome.surface) / total_area(tube), 1, shape.around < 16 ? 0.01 : 2e-3);
+    for (int v = 0; v < tube.points.rows(); ++v)
+      if (outcome.sources[static_cast<size_t>(v)].is_original()) {
+        EXPECT_EQ(outcome.sources[static_cast<size_t>(v)].vertex[0], v);
+      }
+    const auto made = testing::made_by_surgery(tube, outcome.surface, outcome.sources);
+    worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
+    worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
+  }
+  EXPECT_GT(worst.shortest_edge, 0.05);
+  EXPECT_GT(worst.smallest_angle, 5);
+  EXPECT_LE(inexact, 1);
+}
+
+TEST(Incision, OnABentTubeTheSlitIsAsLongOnTheOuterSideAsOnTheInnerOne) {
+  testing::TubeShape shape;
+  shape.around = 48;
+  shape.along = 60;
+  shape.bend = 1.2;
+  const auto tube = testing::noisy_tube(shape);
+  const auto rod = testing::tube_rod(shape);
+  const auto binding = testing::tube_binding(shape, tube.points);
+  for (const double theta : {0.0, M_PI / 2, M_PI}) {
+    const auto outcome = open_incision(tube, rod, binding, {}, testing::on_tube(shape, theta, 20, 5), 10, 5);
+    EXPECT_NEAR(outcome.length, 10, 1e-9);
+    // In rod arc length: the same slit covers more of the axis on the inner side (theta = 0, towards the
+    // centre).
+    const auto exact = testing::tube_binding(shape, outcome.surface.points);
+    const double covered = exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(outcome.other_tip)])].s -
+                           exact[static_cast<size_t>(outcome.rim[0])].s;
+    const double arc = shape.length / shape.bend;
+    EXPECT_NEAR(covered, 10 * arc / (arc - 5 * std::cos(theta)), 0.02);
+  }
+}
+
+TEST(Incision, TheJumpOfTheAngleIsNoSeam) {
+  // theta0 = pi, where atan2 jumps.
+  testing::TubeShape shape;
+  shape.jitter = 0.2;
+  const auto tube = testing::noisy_tube(shape);
+  const auto outcome = open_incision(tube, testing::tube_rod(shape),
+                                     testing::tube_binding(shape, tube.points), {}, {-5, 0, 20}, 12, 5);
+  EXPECT_NEAR(outcome.length, 12, 1e-9);
+  for (const int v : outcome.rim) EXPECT_LT(outcome.surface.points(v, 0), -4.5);
+}
+
+TEST(Incision, BadIncisionsAreRefusedWithASentence) {
+  testing::TubeShape shape;
+  shape.jitter = 0.2;
+  const auto tube = testing::noisy_tube(shape);
+  std::vector<int> branches(static_cast<size_t>(tube.points.rows()), 0);
+  for (int v = 0; v < tube.points.rows(); ++v)
+    if (tube.points(v, 2) > 25) branches[static_cast<size_t>(v)] = 1;
+  const auto says = [&](const Vec3& pick, double length, const std::string& part) {
+    try {
+      open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points), branches, pick,
+                    length, 5);
+      ADD_FAILURE() << "accepted, expected: " << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  says({5, 0, 10}, 24, "runs into an open end");
+  says({5, 0, 20}, 15, "runs into a fork");
+  says({10.3, 0, 10}, 5, "off the vessel");
+  says({5, 0, 41}, 5, "lies at an open end");
+  says({5, 0, 10}, 0.2, "too short");
+}
+
+}  // namespace
+}  // namespace vasorod

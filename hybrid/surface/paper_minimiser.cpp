@@ -1,0 +1,132 @@
+#include "surface/paper_minimiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+Eigen::Map<const Points> points_of(const VectorXd& x) { return {x.data(), x.size() / 3, 3}; }
+Eigen::Map<Points> points_of(VectorXd& x) { return {x.data(), x.size() / 3, 3}; }
+VectorXd flat(const Points& p) { return Eigen::Map<const VectorXd>(p.data(), p.size()); }
+
+constexpr int iterations_per_hessian = 15;
+
+}  // namespace
+
+void PaperMinimiser::factorise(const Points& p) {
+  const Eigen::SparseMatrix<double> bound = paper_energy_bound(system_, p);
+  largest_diagonal_ = bound.diagonal().maxCoeff();
+  bound_.analyse(bound);
+  if (!bound_.factorise(bound)) throw std::runtime_error("the surface's constant matrix is not positive definite");
+}
+
+double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& residual) {
+  const auto p = points_of(x);
+  const double energy = paper_energy_gradient(system_, p, terms_).total();
+  auto g = points_of(gradient);
+  g = terms_.binding;
+  g += terms_.bending;
+  g += terms_.stretching;
+  g += terms_.joining;
+  g += terms_.contact;
+  for (int i = 0; i < g.rows(); ++i)
+    if (system_.fixed[static_cast<size_t>(i)]) g.row(i).setZero();
+  const double all = terms_.binding.norm() + terms_.bending.norm() + terms_.stretching.norm() +
+                     terms_.joining.norm() + terms_.contact.norm();
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest_diagonal_ * x.norm();
+  const double net = g.norm();
+  residual = net <= rounding ? 0 : net / all;
+  return energy;
+}
+
+void PaperMinimiser::precondition(const VectorXd& gradient, VectorXd& direction) {
+  columns_ = points_of(gradient);
+  solution_.resize(columns_.rows(), 3);
+  bound_.solve(columns_.data(), solution_.data(), 3);
+  points_of(direction) = solution_;
+}
+
+bool PaperMinimiser::factorise_hessian(const Points& p, double& blend, int& factorisations) {
+  for (;; blend = blend == 0 ? 0.02 : std::min(1.0, 3 * blend)) {
+    const Eigen::SparseMatrix<double> hessian = paper_energy_hessian(system_, p, blend);
+    hessian_.analyse(hessian, 3);
+    ++factorisations;
+    if (hessian_.factorise(hessian)) return true;
+    if (blend >= 1) return false;
+  }
+}
+
+PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOptions& options) {
+  PaperMinimiserSummary summary;
+  VectorXd x = flat(p);
+  const Evaluation evaluation = [this](const VectorXd& at, VectorXd& gradient, double& residual) {
+    return evaluate(at, gradient, residual);
+  };
+  LbfgsOptions inner;
+  inner.tolerance = options.tolerance;
+  if (options.keep_going)
+    inner.keep_going = [&](int iteration, double energy, double residual) {
+      return options.keep_going(summary.iterations + iteration, energy, residual);
+    };
+  const auto take = [&](const LbfgsSummary& s) {
+    summary.status = s.status;
+    summary.iterations += s.iterations;
+    summary.energy = s.energy;
+    summary.residual = s.residual;
+    p = points_of(x);
+  };
+  inner.max_iterations = options.max_iterations;
+  inner.patience = options.max_factorisations > 0 ? options.patience : 0;
+  take(lbfgs(evaluation,
+             [this](const VectorXd& gradient, VectorXd& direction) { precondition(gradient, direction); }, x, inner));
+  const auto unfinished = [&] {
+    return summary.status == LbfgsStatus::slow || summary.status == LbfgsStatus::stalled ||
+           summary.status == LbfgsStatus::iteration_limit;
+  };
+  inner.patience = 0;
+  double blend = 0;
+  int stalls = 0;
+  while (unfinished() && stalls < 2 && summary.factorisations < options.max_factorisations &&
+         summary.iterations < options.max_iterations) {
+    if (!factorise_hessian(p, blend, summary.factorisations)) break;
+    inner.max_iterations = std::min(iterations_per_hessian, options.max_iterations - summary.iterations);
+    take(lbfgs(evaluation,
+               [this](const VectorXd& gradient, VectorXd& direction) {
+                 hessian_.solve(gradient.data(), direction.data(), 1);
+               },
+               x, inner));
+    stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
+    blend = blend < 0.03 ? 0 : blend / 3;
+  }
+  if (summary.status == LbfgsStatus::slow) summary.status = LbfgsStatus::iteration_limit;
+  return summary;
+}
+
+void PaperMinimiser::local_global_step(Points& p) {
+  VectorXd x = flat(p), gradient(x.size()), direction(x.size());
+  double ignored = 0;
+  evaluate(x, gradient, ignored);
+  precondition(gradient, direction);
+  x -= direction;
+  p = points_of(x);
+}
+
+double PaperMinimiser::residual(const Points& p) {
+  const VectorXd x = flat(p);
+  VectorXd gradient(x.size());
+  double value = 0;
+  evaluate(x, gradient, value);
+  return value;
+}
+
+bool PaperMinimiser::stable(const Points& p) {
+  const Eigen::SparseMatrix<double> hessian = paper_energy_hessian(system_, p);
+  hessian_.analyse(hessian, 3);
+  return hessian_.factorise(hessian);
+}
+
+}  // namespace vasorod

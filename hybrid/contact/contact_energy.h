@@ -1,7 +1,8 @@
 // Contact as an area-weighted gap penalty with augmented Lagrangian: E = sum_i A_i / (2 k) (p_i^2 - m_i^2),
-// p_i = max(0, m_i - k g_i). g is the gap of a vertex to the tangent plane of its closest feature, m the multiplier; after
-// each minimum m = p, so p tends to the pressure whatever k, and is exactly 0 where the walls are apart.
-// Units: g length, p and m stress, k stress / length, A length^2 (rest area of the vertex), E force * length.
+// p_i = max(0, m_i - k g_i). g is the gap of a vertex to the tangent plane of its closest feature, m the
+// multiplier; after each minimum m = p, so p tends to the pressure whatever k, and is exactly 0 where the
+// walls are apart. Units: g length, p and m stress, k stress / length, A length^2 (rest area of the vertex),
+// E force * length.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -12,17 +13,17 @@
 
 namespace vasorod {
 
-/// One vertex against a plane carried by a triangle of the other surface, or standing still (master[0] < 0). The force on
-/// the vertex and the weighted forces on the triangle add up to zero.
+/// One vertex against a plane carried by a triangle of the other surface, or standing still (master[0] < 0).
+/// The force on the vertex and the weighted forces on the triangle add up to zero.
 struct ContactPoint {
   int slave = 0;
   std::array<int, 3> master{-1, -1, -1};
-  Vec3 weight = Vec3::Zero();       ///< of the triangle's vertices, sum 1
-  Vec3 normal = Vec3::Zero();       ///< unit, outward from the other surface
-  double slack = 0;                 ///< g = normal.(x_slave - sum weight x_master) - slack
-  double area = 0;                  ///< A, rest
-  double stiffness = 0;             ///< k
-  double multiplier = 0;            ///< m
+  Vec3 weight = Vec3::Zero();  ///< of the triangle's vertices, sum 1
+  Vec3 normal = Vec3::Zero();  ///< unit, outward from the other surface
+  double slack = 0;            ///< g = normal.(x_slave - sum weight x_master) - slack
+  double area = 0;             ///< A, rest
+  double stiffness = 0;        ///< k
+  double multiplier = 0;       ///< m
 };
 
 double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p);

@@ -5,7 +5,8 @@ namespace vasorod {
 Points carried_laplacian(const Umbrella& umbrella, const Eigen::Ref<const Points>& rest,
                          const std::vector<Mat3>& rotations) {
   Points l = umbrella.apply(rest);
-  for (int i = 0; i < l.rows(); ++i) l.row(i) = (rotations[static_cast<size_t>(i)] * l.row(i).transpose()).transpose();
+  for (int i = 0; i < l.rows(); ++i)
+    l.row(i) = (rotations[static_cast<size_t>(i)] * l.row(i).transpose()).transpose();
   return l;
 }
 

@@ -1,5 +1,5 @@
-// Bending of the surface [8]: E = k_b sum_i |l(p)_i - R_i l(p0)_i|^2, l the umbrella Laplacian, R_i the rotation of the rod's
-// section at vertex i from rest to now. k_b in force / length.
+// Bending of the surface [8]: E = k_b sum_i |l(p)_i - R_i l(p0)_i|^2, l the umbrella Laplacian, R_i the
+// rotation of the rod's section at vertex i from rest to now. k_b in force / length.
 #pragma once
 
 #include "surface/umbrella.h"

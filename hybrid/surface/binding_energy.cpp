@@ -2,12 +2,13 @@
 
 namespace vasorod {
 
-double binding_energy(double k_c, const Eigen::Ref<const Points>& p, const Eigen::Ref<const Points>& carried) {
+double binding_energy(double k_c, const Eigen::Ref<const Points>& p,
+                      const Eigen::Ref<const Points>& carried) {
   return k_c * (p - carried).squaredNorm();
 }
 
-void binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p, const Eigen::Ref<const Points>& carried,
-                             Eigen::Ref<Points> gradient) {
+void binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p,
+                             const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient) {
   gradient += 2 * k_c * (p - carried);
 }
 

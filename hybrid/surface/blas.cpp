@@ -33,6 +33,8 @@ OneCholmodThread::OneCholmodThread() : before_(omp_get_max_active_levels()) {
   omp_set_max_active_levels(0);
 }
 
-OneCholmodThread::~OneCholmodThread() { omp_set_max_active_levels(before_); }
+OneCholmodThread::~OneCholmodThread() {
+  omp_set_max_active_levels(before_);
+}
 
 }  // namespace vasorod

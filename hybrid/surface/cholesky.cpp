@@ -96,7 +96,8 @@ void Cholesky::analyse(const Matrix& matrix, int block) {
     Matrix graph = block_graph(matrix, block);
     cholmod_sparse graph_view = view_of(graph);
     std::vector<int> order(static_cast<size_t>(graph.cols())), unknowns;
-    if (!cholmod_amd(&graph_view, nullptr, 0, order.data(), &d.common)) throw std::runtime_error("AMD failed");
+    if (!cholmod_amd(&graph_view, nullptr, 0, order.data(), &d.common))
+      throw std::runtime_error("AMD failed");
     for (const int i : order)
       for (int k = 0; k < block; ++k) unknowns.push_back(block * i + k);
     d.common.method[0].ordering = CHOLMOD_GIVEN;
@@ -126,13 +127,20 @@ void Cholesky::solve(const double* b, double* x, int columns) {
   rhs.x = const_cast<double*>(b);
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, d.factor, &rhs, nullptr, &d.solution, nullptr, &d.work, &d.work_e, &d.common))
+  if (!cholmod_solve2(CHOLMOD_A, d.factor, &rhs, nullptr, &d.solution, nullptr, &d.work, &d.work_e,
+                      &d.common))
     throw std::runtime_error("the sparse solve ran out of memory");
   std::copy_n(static_cast<const double*>(d.solution->x), rhs.nzmax, x);
 }
 
-bool Cholesky::analysed() const { return data_->factor != nullptr; }
-bool Cholesky::factorised() const { return data_->factorised; }
-double Cholesky::factor_nonzeros() const { return data_->common.lnz; }
+bool Cholesky::analysed() const {
+  return data_->factor != nullptr;
+}
+bool Cholesky::factorised() const {
+  return data_->factorised;
+}
+double Cholesky::factor_nonzeros() const {
+  return data_->common.lnz;
+}
 
 }  // namespace vasorod

@@ -1,5 +1,5 @@
-// Sparse Cholesky factorisation of a symmetric positive definite matrix: CHOLMOD's supernodal L L^T behind a small wrapper.
-// The analysis is kept while the pattern stays, workspaces are kept between solves.
+// Sparse Cholesky factorisation of a symmetric positive definite matrix: CHOLMOD's supernodal L L^T behind a
+// small wrapper. The analysis is kept while the pattern stays, workspaces are kept between solves.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -14,11 +14,12 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Orders (AMD) and analyses the pattern of a symmetric matrix; the lower triangle is read. With block = 3 the unknowns
-  /// 3i, 3i+1, 3i+2 share one pattern row, and the ordering is found on the graph of the blocks.
+  /// Orders (AMD) and analyses the pattern of a symmetric matrix; the lower triangle is read. With block = 3
+  /// the unknowns 3i, 3i+1, 3i+2 share one pattern row, and the ordering is found on the graph of the blocks.
   void analyse(const Eigen::SparseMatrix<double>& matrix, int block = 1);
 
-  /// Factorises a matrix of the analysed pattern. False when it is not positive definite (then nothing can be solved).
+  /// Factorises a matrix of the analysed pattern. False when it is not positive definite (then nothing can be
+  /// solved).
   bool factorise(const Eigen::SparseMatrix<double>& matrix);
 
   /// x = A^-1 b for `columns` right-hand sides, column-major.

@@ -3,7 +3,9 @@
 namespace vasorod {
 namespace {
 
-Vec3 gap(const Join& join, const Eigen::Ref<const Points>& p) { return (p.row(join.a) - p.row(join.b)).transpose(); }
+Vec3 gap(const Join& join, const Eigen::Ref<const Points>& p) {
+  return (p.row(join.a) - p.row(join.b)).transpose();
+}
 
 }  // namespace
 
@@ -29,7 +31,8 @@ double joining_energy_gradient(double k_j, const std::vector<Join>& joins, const
   return sum;
 }
 
-Eigen::SparseMatrix<double> joining_energy_hessian(double k_j, const std::vector<Join>& joins, int vertex_count) {
+Eigen::SparseMatrix<double> joining_energy_hessian(double k_j, const std::vector<Join>& joins,
+                                                   int vertex_count) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Join& join : joins) {
     entries.emplace_back(join.a, join.a, 2 * k_j);

@@ -1,5 +1,6 @@
-// Joining springs of a seam with augmented Lagrangian multipliers: E = sum over pairs k_j |d|^2 + m.d, d = x_a - x_b.
-// After each minimum m += 2 k_j d, so that the gap d closes at a finite k_j. k_j in force / length, m in force.
+// Joining springs of a seam with augmented Lagrangian multipliers: E = sum over pairs k_j |d|^2 + m.d, d =
+// x_a - x_b. After each minimum m += 2 k_j d, so that the gap d closes at a finite k_j. k_j in force /
+// length, m in force.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -22,7 +23,8 @@ double joining_energy_gradient(double k_j, const std::vector<Join>& joins, const
                                Eigen::Ref<Points> gradient);
 
 /// The constant Hessian, the same for x, y and z: n x n.
-Eigen::SparseMatrix<double> joining_energy_hessian(double k_j, const std::vector<Join>& joins, int vertex_count);
+Eigen::SparseMatrix<double> joining_energy_hessian(double k_j, const std::vector<Join>& joins,
+                                                   int vertex_count);
 
 /// m += 2 k_j d for every pair.
 void update_join_multipliers(double k_j, std::vector<Join>& joins, const Eigen::Ref<const Points>& p);

@@ -39,11 +39,16 @@ void descend(const std::deque<Pair>& pairs, const Preconditioner& precondition, 
 
 std::string to_string(LbfgsStatus status) {
   switch (status) {
-    case LbfgsStatus::converged: return "converged";
-    case LbfgsStatus::iteration_limit: return "iteration_limit";
-    case LbfgsStatus::slow: return "slow";
-    case LbfgsStatus::stalled: return "stalled";
-    case LbfgsStatus::interrupted: return "interrupted";
+    case LbfgsStatus::converged:
+      return "converged";
+    case LbfgsStatus::iteration_limit:
+      return "iteration_limit";
+    case LbfgsStatus::slow:
+      return "slow";
+    case LbfgsStatus::stalled:
+      return "stalled";
+    case LbfgsStatus::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -79,7 +84,8 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
     }
     if (!(slope < 0)) return finish(LbfgsStatus::stalled);
 
-    // Rounding: near the minimum the decrease drowns in the sum's last digits, so equality up to those is a success.
+    // Near the minimum the decrease drowns in the sum's last digits: there a smaller residual at the same
+    // energy counts.
     const double rounding = 1e-14 * std::abs(energy);
     double step = 1, new_energy = 0, new_residual = 0;
     bool accepted = false;
@@ -88,7 +94,8 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       new_energy = evaluate(new_x, new_gradient, new_residual);
       ++summary.evaluations;
       accepted = std::isfinite(new_energy) && std::isfinite(new_residual) &&
-                 new_energy <= energy + armijo * step * slope + rounding;
+                 (new_energy < energy + armijo * step * slope ||
+                  (new_energy <= energy + rounding && new_residual < summary.residual));
       if (accepted) break;
       const double curvature = 2 * (new_energy - energy - step * slope) / (step * step);
       const double minimum = std::isfinite(curvature) && curvature > 0 ? -slope / curvature : 0;

@@ -1,6 +1,7 @@
-// Limited-memory BFGS with a given preconditioner as the initial inverse Hessian, Armijo steps from 1: the energy never rises.
-// Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant matrix of the local-global iteration
-// as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods for real-time simulation, 2017.
+// Limited-memory BFGS with a given preconditioner as the initial inverse Hessian, Armijo steps from 1: the
+// energy never rises. Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant
+// matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods for
+// real-time simulation, 2017.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +11,21 @@
 namespace vasorod {
 
 struct LbfgsOptions {
-  int memory = 10;            ///< pairs kept; more gains nothing measurable on these energies; 0: preconditioned descent
+  int memory =
+      10;  ///< pairs kept; more gains nothing measurable on these energies; 0: preconditioned descent
   int max_iterations = 3000;
-  double tolerance = 1e-8;    ///< on the residual that the evaluation returns
-  int patience = 0;           ///< stop as `slow` when the residual has not fallen tenfold within so many iterations; 0: never
-  std::function<bool(int iteration, double energy, double residual)> keep_going;  ///< false interrupts; may be empty
+  double tolerance = 1e-8;  ///< on the residual that the evaluation returns
+  int patience =
+      0;  ///< stop as `slow` when the residual has not fallen tenfold within so many iterations; 0: never
+  std::function<bool(int iteration, double energy, double residual)>
+      keep_going;  ///< false interrupts; may be empty
 };
 
 enum class LbfgsStatus {
   converged,
   iteration_limit,
-  slow,         ///< see LbfgsOptions::patience
-  stalled,      ///< no step lowers the energy any more: rounding
+  slow,     ///< see LbfgsOptions::patience
+  stalled,  ///< no step lowers the energy any more: rounding
   interrupted
 };
 std::string to_string(LbfgsStatus);
@@ -33,7 +37,8 @@ struct LbfgsSummary {
 };
 
 /// Returns the energy at x, writes its gradient, and a residual that says how small that is.
-using Evaluation = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual)>;
+using Evaluation =
+    std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual)>;
 /// direction = H^-1 gradient, H positive definite.
 using Preconditioner = std::function<void(const Eigen::VectorXd& gradient, Eigen::VectorXd& direction)>;
 

@@ -25,7 +25,8 @@ void add_quadratic(const PaperSystem& system, std::vector<Eigen::Triplet<double>
 }  // namespace
 
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
-                const std::vector<Mat3>& rotations, const PaperCoefficients& k, const std::vector<char>& fixed) {
+                const std::vector<Mat3>& rotations, const PaperCoefficients& k,
+                const std::vector<char>& fixed) {
   const int first = system.vertex_count(), count = static_cast<int>(rest.points.rows());
   const std::vector<Edge> edges = edges_of(rest.triangles);
   PaperBlock block{first, count, k, Umbrella(edges, count), {}};
@@ -56,14 +57,16 @@ double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p
 
 PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                                  PaperGradient& gradient) {
-  for (Points* term : {&gradient.binding, &gradient.bending, &gradient.stretching, &gradient.joining, &gradient.contact})
+  for (Points* term :
+       {&gradient.binding, &gradient.bending, &gradient.stretching, &gradient.joining, &gradient.contact})
     term->setZero(p.rows(), 3);
   PaperTerms terms;
   for (const PaperBlock& block : system.blocks) {
     const auto mine = p.middleRows(block.first, block.count);
     const auto carried = system.carried.middleRows(block.first, block.count);
     terms.binding += binding_energy(block.k.binding, mine, carried);
-    binding_energy_gradient(block.k.binding, mine, carried, gradient.binding.middleRows(block.first, block.count));
+    binding_energy_gradient(block.k.binding, mine, carried,
+                            gradient.binding.middleRows(block.first, block.count));
     terms.bending += bending_energy_gradient(block.k.bending, block.umbrella, mine,
                                              system.carried_laplacian.middleRows(block.first, block.count),
                                              gradient.bending.middleRows(block.first, block.count));
@@ -114,7 +117,8 @@ Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Po
   for (const PaperBlock& block : system.blocks)
     for (const Spring& s : block.springs) {
       const int a = block.first + s.a, b = block.first + s.b;
-      const Mat3 h = spring_hessian(block.k.stretching, (p.row(b) - p.row(a)).transpose(), s.rest_length, blend);
+      const Mat3 h =
+          spring_hessian(block.k.stretching, (p.row(b) - p.row(a)).transpose(), s.rest_length, blend);
       add(a, a, h);
       add(b, b, h);
       add(a, b, -h);

@@ -1,5 +1,6 @@
-// The paper's surface energy of several bodies at once [6-9]: binding, bending and stretching of each, with the joining
-// springs and the contacts between them. Vertices are stacked body by body; `fixed` ones stay where they are.
+// The paper's surface energy of several bodies at once [6-9]: binding, bending and stretching of each, with
+// the joining springs and the contacts between them. Vertices are stacked body by body; `fixed` ones stay
+// where they are.
 #pragma once
 
 #include <vector>
@@ -34,7 +35,8 @@ struct PaperSystem {
 
 /// Appends a body to the stack; returns its block's index.
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
-                const std::vector<Mat3>& rotations, const PaperCoefficients& k, const std::vector<char>& fixed);
+                const std::vector<Mat3>& rotations, const PaperCoefficients& k,
+                const std::vector<char>& fixed);
 
 struct PaperTerms {
   double binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
@@ -50,14 +52,16 @@ struct PaperGradient {
 double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p);
 
 /// The energies and their gradients; those at fixed vertices are the forces their supports must give.
-PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p, PaperGradient& gradient);
+PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p,
+                                 PaperGradient& gradient);
 
-/// A V x V matrix, the same for x, y and z, that bounds the Hessian from above, with the contacts that press at p. Both
-/// triangles. Fixed vertices keep their diagonal only. Its pattern changes with the contacts alone.
+/// A V x V matrix, the same for x, y and z, that bounds the Hessian from above, with the contacts that press
+/// at p. Both triangles. Fixed vertices keep their diagonal only. Its pattern changes with the contacts
+/// alone.
 Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p);
 
-/// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep a positive diagonal only. blend = 1 replaces the springs'
-/// Hessian by its positive bound, blend between 0 and 1 mixes both.
+/// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep a positive diagonal only. blend = 1
+/// replaces the springs' Hessian by its positive bound, blend between 0 and 1 mixes both.
 Eigen::SparseMatrix<double> paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                                                  double blend = 0);
 

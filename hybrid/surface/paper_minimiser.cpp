@@ -9,9 +9,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-Eigen::Map<const Points> points_of(const VectorXd& x) { return {x.data(), x.size() / 3, 3}; }
-Eigen::Map<Points> points_of(VectorXd& x) { return {x.data(), x.size() / 3, 3}; }
-VectorXd flat(const Points& p) { return Eigen::Map<const VectorXd>(p.data(), p.size()); }
+Eigen::Map<const Points> points_of(const VectorXd& x) {
+  return {x.data(), x.size() / 3, 3};
+}
+Eigen::Map<Points> points_of(VectorXd& x) {
+  return {x.data(), x.size() / 3, 3};
+}
+VectorXd flat(const Points& p) {
+  return Eigen::Map<const VectorXd>(p.data(), p.size());
+}
 
 constexpr int iterations_per_hessian = 15;
 
@@ -21,7 +27,8 @@ void PaperMinimiser::factorise(const Points& p) {
   const Eigen::SparseMatrix<double> bound = paper_energy_bound(system_, p);
   largest_diagonal_ = bound.diagonal().maxCoeff();
   bound_.analyse(bound);
-  if (!bound_.factorise(bound)) throw std::runtime_error("the surface's constant matrix is not positive definite");
+  if (!bound_.factorise(bound))
+    throw std::runtime_error("the surface's constant matrix is not positive definite");
 }
 
 double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& residual) {
@@ -81,8 +88,10 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   };
   inner.max_iterations = options.max_iterations;
   inner.patience = options.max_factorisations > 0 ? options.patience : 0;
-  take(lbfgs(evaluation,
-             [this](const VectorXd& gradient, VectorXd& direction) { precondition(gradient, direction); }, x, inner));
+  take(lbfgs(
+      evaluation,
+      [this](const VectorXd& gradient, VectorXd& direction) { precondition(gradient, direction); }, x,
+      inner));
   const auto unfinished = [&] {
     return summary.status == LbfgsStatus::slow || summary.status == LbfgsStatus::stalled ||
            summary.status == LbfgsStatus::iteration_limit;
@@ -94,11 +103,12 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
          summary.iterations < options.max_iterations) {
     if (!factorise_hessian(p, blend, summary.factorisations)) break;
     inner.max_iterations = std::min(iterations_per_hessian, options.max_iterations - summary.iterations);
-    take(lbfgs(evaluation,
-               [this](const VectorXd& gradient, VectorXd& direction) {
-                 hessian_.solve(gradient.data(), direction.data(), 1);
-               },
-               x, inner));
+    take(lbfgs(
+        evaluation,
+        [this](const VectorXd& gradient, VectorXd& direction) {
+          hessian_.solve(gradient.data(), direction.data(), 1);
+        },
+        x, inner));
     stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
     blend = blend < 0.03 ? 0 : blend / 3;
   }

@@ -1,6 +1,7 @@
-// Minimises the paper's energy for given multipliers and contact planes. First L-BFGS preconditioned by the constant matrix
-// (surface.md's default: 4 to 30 iterations on walls), and where that is slow - compressed edges that buckle, weak binding -
-// L-BFGS preconditioned by the true Hessian of a nearby point, mixed with its positive bound as far as Cholesky demands.
+// Minimises the paper's energy for given multipliers and contact planes. First L-BFGS preconditioned by the
+// constant matrix (surface.md's default: 4 to 30 iterations on walls), and where that is slow - compressed
+// edges that buckle, weak binding - L-BFGS preconditioned by the true Hessian of a nearby point, mixed with
+// its positive bound as far as Cholesky demands.
 #pragma once
 
 #include "surface/cholesky.h"
@@ -10,11 +11,12 @@
 namespace vasorod {
 
 struct PaperMinimiserOptions {
-  double tolerance = 1e-8;      ///< on |sum of forces| / sum over the terms of |their forces|
-  int max_iterations = 3000;    ///< of both kinds together
-  int patience = 40;            ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  double tolerance = 1e-8;    ///< on |sum of forces| / sum over the terms of |their forces|
+  int max_iterations = 3000;  ///< of both kinds together
+  int patience = 40;          ///< iterations for a tenfold smaller residual before the true Hessian is tried
   int max_factorisations = 40;  ///< of the true Hessian
-  std::function<bool(int iteration, double energy, double residual)> keep_going;  ///< false interrupts; may be empty
+  std::function<bool(int iteration, double energy, double residual)>
+      keep_going;  ///< false interrupts; may be empty
 };
 
 struct PaperMinimiserSummary {
@@ -29,16 +31,18 @@ class PaperMinimiser {
   /// The system must outlive this; its joins' multipliers and its contacts may change between calls.
   explicit PaperMinimiser(const PaperSystem& system) : system_(system) {}
 
-  /// Factorises the constant matrix with the contacts that press at p. Needed after the contacts changed, and at first.
+  /// Factorises the constant matrix with the contacts that press at p. Needed after the contacts changed, and
+  /// at first.
   void factorise(const Points& p);
 
   PaperMinimiserSummary minimise(Points& p, const PaperMinimiserOptions& options);
 
-  /// One step of the paper's local-global iteration [13]: edges projected to their rest length, then the constant matrix
-  /// solved; the same as descending by the gradient in that matrix' metric.
+  /// One step of the paper's local-global iteration [13]: edges projected to their rest length, then the
+  /// constant matrix solved; the same as descending by the gradient in that matrix' metric.
   void local_global_step(Points& p);
 
-  /// The residual of LbfgsSummary at p: |sum of forces on free vertices| / sum over terms |forces|; 0 when rounding is all.
+  /// The residual of LbfgsSummary at p: |sum of forces on free vertices| / sum over terms |forces|; 0 when
+  /// rounding is all.
   double residual(const Points& p);
 
   /// Whether the Hessian at p is positive definite: a stable minimum.

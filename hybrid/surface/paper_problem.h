@@ -1,4 +1,5 @@
-// The `paper` fidelity's surface problem as data: bodies carried by their rods, seams between them, and what comes of it.
+// The `paper` fidelity's surface problem as data: bodies carried by their rods, seams between them, and what
+// comes of it.
 #pragma once
 
 #include <functional>
@@ -14,14 +15,14 @@ namespace vasorod {
 /// One vessel's surface with what its solved rod says. Sizes: one entry per vertex.
 struct SurfaceBody {
   std::string name;
-  TriangleSurface rest;          ///< after surgery, rest configuration
-  Points carried;                ///< p' [6]; empty: the body's rod has not moved
-  std::vector<Mat3> rotations;   ///< R of [8]; empty: identity
-  PaperCoefficients k;           ///< unused for an obstacle
-  std::vector<char> fixed;       ///< vertices of rigid ends, kept at p'; empty: none
-  double thickness = 0;          ///< t, length
-  double offset = 0;             ///< from the given surface to the wall's outer face: 0 outer, t/2 mid, t inner
-  bool obstacle = false;         ///< never moves, only touched
+  TriangleSurface rest;         ///< after surgery, rest configuration
+  Points carried;               ///< p' [6]; empty: the body's rod has not moved
+  std::vector<Mat3> rotations;  ///< R of [8]; empty: identity
+  PaperCoefficients k;          ///< unused for an obstacle
+  std::vector<char> fixed;      ///< vertices of rigid ends, kept at p'; empty: none
+  double thickness = 0;         ///< t, length
+  double offset = 0;      ///< from the given surface to the wall's outer face: 0 outer, t/2 mid, t inner
+  bool obstacle = false;  ///< never moves, only touched
 };
 
 /// Two vertices that a seam joins.
@@ -42,19 +43,19 @@ struct PaperProgress {
 };
 
 struct PaperOptions {
-  double tolerance = 1e-8;            ///< on |sum of forces| / sum over the terms of |their forces|
-  double balance_tolerance = 5e-7;    ///< on each body's |sum of forces| / its largest resultant
-  double seam_tolerance = 1e-3;       ///< largest seam gap over the mouth's radius
-  double contact_tolerance = 1e-3;    ///< penetration over the mean edge
-  double pressure_tolerance = 2e-4;   ///< change of the contact forces by the last multiplier update, relative
-  double seam_stiffness = 100;        ///< k_j over the largest k_b, k_s of the joined bodies: stiff enough to close in two
-                                      ///< or three updates, soft enough for the preconditioner
-  double contact_stiffness = 2;       ///< penalty times vertex area over k_b + k_s of the softer body
-  int max_iterations = 3000;          ///< per minimisation between multiplier updates
-  int max_outer = 40;                 ///< multiplier updates
-  int max_factorisations = 40;        ///< of the true Hessian, per minimisation; 0: never
-  bool certify = false;               ///< ask for the sign of the Hessian's smallest curvature at the end
-  double time_limit = 0;              ///< seconds; 0: none
+  double tolerance = 1e-8;           ///< on |sum of forces| / sum over the terms of |their forces|
+  double balance_tolerance = 5e-7;   ///< on each body's |sum of forces| / its largest resultant
+  double seam_tolerance = 1e-3;      ///< largest seam gap over the mouth's radius
+  double contact_tolerance = 1e-3;   ///< penetration over the mean edge
+  double pressure_tolerance = 2e-4;  ///< change of the contact forces by the last multiplier update, relative
+  double seam_stiffness = 100;  ///< k_j over the largest k_b, k_s of the joined bodies: stiff enough to close
+                                ///< in two or three updates, soft enough for the preconditioner
+  double contact_stiffness = 2;  ///< penalty times vertex area over k_b + k_s of the softer body
+  int max_iterations = 3000;     ///< per minimisation between multiplier updates
+  int max_outer = 40;            ///< multiplier updates
+  int max_factorisations = 40;   ///< of the true Hessian, per minimisation; 0: never
+  bool certify = false;          ///< ask for the sign of the Hessian's smallest curvature at the end
+  double time_limit = 0;         ///< seconds; 0: none
   std::function<bool(const PaperProgress&)> keep_going;  ///< false interrupts; may be empty
 };
 
@@ -68,12 +69,13 @@ std::string to_string(PaperStatus);
 
 /// Forces are those on the body.
 struct BodySolution {
-  bool modelled = false;        ///< false: nothing moves, joins or touches it; it is returned at rest
+  bool modelled = false;  ///< false: nothing moves, joins or touches it; it is returned at rest
   Points positions;
-  Eigen::VectorXd pressure;     ///< contact, stress, per vertex; exactly 0 when apart
-  Points support_force;         ///< per vertex: what holds a fixed vertex
-  Points binding_force;         ///< per vertex: what the rod does to the surface; the rod feels the opposite
-  Vec3 support = Vec3::Zero(), binding = Vec3::Zero(), joining = Vec3::Zero(), contact = Vec3::Zero();  ///< sums
+  Eigen::VectorXd pressure;  ///< contact, stress, per vertex; exactly 0 when apart
+  Points support_force;      ///< per vertex: what holds a fixed vertex
+  Points binding_force;      ///< per vertex: what the rod does to the surface; the rod feels the opposite
+  Vec3 support = Vec3::Zero(), binding = Vec3::Zero(), joining = Vec3::Zero(),
+       contact = Vec3::Zero();  ///< sums
   double residual = 0;          ///< |sum of the four| / the largest of them; 0 where all are rounding
   double contact_area = 0, largest_pressure = 0;
 };
@@ -81,17 +83,18 @@ struct BodySolution {
 /// Between bodies a and b as listed in PaperProblem::contacts.
 struct ContactSolution {
   int a = 0, b = 0;
-  bool within_reach = false;    ///< false: the pair never came near; the numbers below are zero
-  Vec3 force = Vec3::Zero();    ///< on a
+  bool within_reach = false;  ///< false: the pair never came near; the numbers below are zero
+  Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;
-  double smallest_gap = 0;      ///< between outer walls, counted from rest where they overlap there
+  double smallest_gap = 0;  ///< between outer walls, counted from rest where they overlap there
 };
 
 struct PaperSolution {
   PaperStatus status = PaperStatus::iteration_limit;
   std::vector<BodySolution> bodies;
   std::vector<ContactSolution> contacts;
-  double binding_energy = 0, bending_energy = 0, stretching_energy = 0, joining_energy = 0, contact_energy = 0;
+  double binding_energy = 0, bending_energy = 0, stretching_energy = 0, joining_energy = 0,
+         contact_energy = 0;
   double residual = 0;
   bool smallest_curvature_positive = false;  ///< only with `certify`
   int iterations = 0, outer_iterations = 0, factorisations = 0;
@@ -101,8 +104,9 @@ struct PaperSolution {
 /// All pairs of bodies of which at least one is no obstacle.
 std::vector<std::pair<int, int>> all_contacts(const std::vector<SurfaceBody>& bodies);
 
-/// Minimises the paper's energies [7-9] of all bodies that something moves, joins or touches. Units: any consistent set;
-/// lengths and stiffnesses are scaled before solving. Throws InputError when sizes do not fit or numbers are not finite.
+/// Minimises the paper's energies [7-9] of all bodies that something moves, joins or touches. Units: any
+/// consistent set; lengths and stiffnesses are scaled before solving. Throws InputError when sizes do not fit
+/// or numbers are not finite.
 PaperSolution solve_paper(const PaperProblem& problem, const PaperOptions& options = {});
 
 }  // namespace vasorod

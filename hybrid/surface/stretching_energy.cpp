@@ -13,8 +13,8 @@ double stretching_energy(double k_s, const std::vector<Spring>& springs, const E
   return k_s * sum;
 }
 
-double stretching_energy_gradient(double k_s, const std::vector<Spring>& springs, const Eigen::Ref<const Points>& p,
-                                  Eigen::Ref<Points> gradient) {
+double stretching_energy_gradient(double k_s, const std::vector<Spring>& springs,
+                                  const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient) {
   const double* x = p.data();
   double* g = gradient.data();
   const Eigen::Index xs = p.outerStride(), gs = gradient.outerStride();
@@ -41,7 +41,8 @@ Mat3 spring_hessian(double k_s, const Vec3& e, double rest_length, double blend)
   return 2 * k_s * (across * Mat3::Identity() + (1 - across) * along * along.transpose());
 }
 
-void stretching_energy_hessian(double k_s, const std::vector<Spring>& springs, const Eigen::Ref<const Points>& p,
+void stretching_energy_hessian(double k_s, const std::vector<Spring>& springs,
+                               const Eigen::Ref<const Points>& p,
                                std::vector<Eigen::Triplet<double>>& entries) {
   for (const Spring& s : springs) {
     const Mat3 block = spring_hessian(k_s, (p.row(s.b) - p.row(s.a)).transpose(), s.rest_length);
@@ -55,7 +56,8 @@ void stretching_energy_hessian(double k_s, const std::vector<Spring>& springs, c
   }
 }
 
-Eigen::SparseMatrix<double> stretching_energy_bound(double k_s, const std::vector<Spring>& springs, int vertex_count) {
+Eigen::SparseMatrix<double> stretching_energy_bound(double k_s, const std::vector<Spring>& springs,
+                                                    int vertex_count) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * springs.size());
   for (const Spring& s : springs) {

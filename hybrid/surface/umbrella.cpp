@@ -36,7 +36,8 @@ Points Umbrella::apply(const Eigen::Ref<const Points>& points) const {
   return l;
 }
 
-void Umbrella::add_transpose(const Eigen::Ref<const Points>& field, double factor, Eigen::Ref<Points> out) const {
+void Umbrella::add_transpose(const Eigen::Ref<const Points>& field, double factor,
+                             Eigen::Ref<Points> out) const {
   const double* f = field.data();
   double* o = out.data();
   const Eigen::Index field_stride = field.outerStride(), stride = out.outerStride();
@@ -63,7 +64,8 @@ Eigen::SparseMatrix<double> Umbrella::matrix() const {
     const int begin = first_[static_cast<size_t>(i)], end = first_[static_cast<size_t>(i) + 1];
     if (begin == end) continue;
     entries.emplace_back(i, i, -1.0);
-    for (int k = begin; k < end; ++k) entries.emplace_back(i, neighbour_[static_cast<size_t>(k)], 1.0 / (end - begin));
+    for (int k = begin; k < end; ++k)
+      entries.emplace_back(i, neighbour_[static_cast<size_t>(k)], 1.0 / (end - begin));
   }
   Eigen::SparseMatrix<double> l(vertex_count(), vertex_count());
   l.setFromTriplets(entries.begin(), entries.end());

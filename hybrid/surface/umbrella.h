@@ -1,4 +1,5 @@
-// The umbrella Laplacian of a surface: l(p)_i = mean of the neighbours of i, minus p_i. Vertices without neighbours have l = 0.
+// The umbrella Laplacian of a surface: l(p)_i = mean of the neighbours of i, minus p_i. Vertices without
+// neighbours have l = 0.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -1,0 +1,129 @@
+#include "surface/paper_contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "contact/seam_band.h"
+
+namespace vasorod {
+namespace {
+
+// Vertices with a gap below this many mean edges take part in a minimisation, pressed or not.
+constexpr double reach = 1.0;
+
+// The slave is the body that can move; of two that can, the one with the finer mesh: its pressures resolve
+// the patch.
+bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
+  if (a.obstacle != b.obstacle) return b.obstacle;
+  return a.mean_edge <= b.mean_edge;
+}
+
+}  // namespace
+
+PaperContacts::PaperContacts(const PaperProblem& problem, const ScaledBodies& scaled, double stiffness)
+    : problem_(problem), stiffness_(stiffness) {
+  for (const auto& [a, b] : problem.contacts) {
+    const bool a_first =
+        first_is_slave(scaled.bodies[static_cast<size_t>(a)], scaled.bodies[static_cast<size_t>(b)]);
+    Pair pair;
+    pair.slave = a_first ? a : b;
+    pair.master = a_first ? b : a;
+    pairs_.push_back(std::move(pair));
+  }
+}
+
+void PaperContacts::create(Pair& pair, const ScaledBodies& scaled) {
+  std::vector<int> slave_seam, master_seam;
+  for (const SeamPair& seam : problem_.seams)
+    for (const auto& [body_a, vertex_a, body_b, vertex_b] :
+         {SeamPair{seam.body_a, seam.vertex_a, seam.body_b, seam.vertex_b},
+          SeamPair{seam.body_b, seam.vertex_b, seam.body_a, seam.vertex_a}})
+      if (body_a == pair.slave && body_b == pair.master) {
+        slave_seam.push_back(vertex_a);
+        master_seam.push_back(vertex_b);
+      }
+  const auto side = [&](int index, const std::vector<int>& seam) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    return ContactSide{body.rest, body.offset,
+                       seam.empty() ? std::vector<char>{} : seam_band(body.rest, seam, body.thickness)};
+  };
+  double k = std::numeric_limits<double>::infinity();
+  for (const int index : {pair.slave, pair.master}) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    if (!body.obstacle) k = std::min(k, stiffness_ * (body.k.bending + body.k.stretching) / body.mean_area);
+  }
+  pair.contact.emplace(side(pair.slave, slave_seam), side(pair.master, master_seam), k);
+}
+
+ContactState PaperContacts::refresh(const ScaledBodies& scaled) {
+  ContactState state;
+  double change = 0, sum = 0;
+  for (Pair& pair : pairs_) {
+    const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
+                     &master = scaled.bodies[static_cast<size_t>(pair.master)];
+    const bool live = slave.modelled || master.modelled;
+    const double margin = reach + slave.offset + master.offset;
+    if (!pair.contact && live && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
+      create(pair, scaled);
+    if (!pair.contact) continue;
+    pair.in_reach = true;
+    const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
+    change += pair_change;
+    sum += pair_sum;
+    pair.contact->refresh(slave.now, master.now, reach);
+    std::vector<int> pressed;
+    for (const ContactPoint& c : pair.contact->contacts()) {
+      const double gap = pair.contact->gap(c, slave.now, master.now);
+      state.penetration = std::max(state.penetration, -gap);
+      if (c.multiplier - c.stiffness * gap > 0) pressed.push_back(c.slave);
+    }
+    if (pressed != pair.pressed) state.pressed_changed = true;
+    pair.pressed = std::move(pressed);
+    if (!pair.pressed.empty()) {
+      if (!slave.modelled && !slave.obstacle) state.touched.push_back(pair.slave);
+      if (!master.modelled && !master.obstacle) state.touched.push_back(pair.master);
+    }
+  }
+  state.force_change = change > 0 ? change / std::max(sum, 1e-300) : 0;
+  return state;
+}
+
+StackedContacts PaperContacts::stacked(const ScaledBodies& scaled, const std::vector<int>& first) const {
+  StackedContacts all;
+  for (size_t p = 0; p < pairs_.size(); ++p) {
+    const Pair& pair = pairs_[p];
+    const int slave = first[static_cast<size_t>(pair.slave)],
+              master = first[static_cast<size_t>(pair.master)];
+    if (!pair.contact || slave < 0) continue;
+    const Points& still = scaled.bodies[static_cast<size_t>(pair.master)].now;
+    for (ContactPoint c : pair.contact->contacts()) {
+      all.pair.push_back(static_cast<int>(p));
+      all.slave.push_back(c.slave);
+      all.master.push_back(c.master);
+      c.slave += slave;
+      if (master >= 0) {
+        for (int& m : c.master) m += master;
+      } else {
+        for (size_t k = 0; k < 3; ++k)
+          c.slack += c.weight[static_cast<int>(k)] * c.normal.dot(still.row(c.master[k]));
+        c.master = {-1, -1, -1};
+      }
+      all.points.push_back(c);
+    }
+  }
+  return all;
+}
+
+double PaperContacts::smallest_gap(int index, const ScaledBodies& scaled) {
+  Pair& pair = pairs_[static_cast<size_t>(index)];
+  double smallest = std::numeric_limits<double>::infinity();
+  if (!pair.contact) return smallest;
+  const Points &slave = scaled.bodies[static_cast<size_t>(pair.slave)].now,
+               &master = scaled.bodies[static_cast<size_t>(pair.master)].now;
+  if (pair.contact->contacts().empty()) pair.contact->refresh(slave, master, smallest);
+  for (const ContactPoint& c : pair.contact->contacts())
+    smallest = std::min(smallest, pair.contact->gap(c, slave, master));
+  return smallest;
+}
+
+}  // namespace vasorod

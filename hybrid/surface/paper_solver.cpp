@@ -1,0 +1,210 @@
+// The outer loop of the `paper` surface solve: minimise, update the multipliers of seams and contacts, find
+// the closest features anew, until gaps are closed, nothing penetrates and forces balance. Bodies enter the
+// unknowns when they are moved, joined or touched.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "geometry/error.h"
+#include "surface/paper_contacts.h"
+#include "surface/paper_minimiser.h"
+#include "surface/paper_problem.h"
+#include "surface/paper_report.h"
+#include "surface/scaled_bodies.h"
+
+namespace vasorod {
+namespace {
+
+constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
+constexpr double tolerance_step = 0.1;
+constexpr double finest_tolerance = 1e-12;
+
+class PaperSolver {
+ public:
+  PaperSolver(const PaperProblem& problem, const PaperOptions& options)
+      : problem_(problem),
+        options_(options),
+        start_(std::chrono::steady_clock::now()),
+        scaled_(scale_bodies(problem)),
+        contacts_(problem, scaled_, options.contact_stiffness) {
+    for (const SeamPair& seam : problem.seams) check(seam);
+    for (const auto& [a, b] : problem.contacts)
+      if (std::min(a, b) < 0 || std::max(a, b) >= static_cast<int>(problem.bodies.size()))
+        throw InputError("contact: found bodies " + std::to_string(a) + " and " + std::to_string(b) +
+                         ", expected 0 to " + std::to_string(problem.bodies.size() - 1));
+    seam_multipliers_.assign(problem.seams.size(), Vec3::Zero());
+    for (ScaledBody& body : scaled_.bodies) body.modelled = body.moved;
+    for (const SeamPair& seam : problem.seams)
+      for (const int b : {seam.body_a, seam.body_b}) this->body(b).modelled = !this->body(b).obstacle;
+    seam_radius_ = seam_radius();
+  }
+
+  PaperSolution run() {
+    if (std::any_of(scaled_.bodies.begin(), scaled_.bodies.end(),
+                    [](const ScaledBody& b) { return b.modelled; })) {
+      iterate();
+    } else {
+      solution_.status = PaperStatus::converged;
+    }
+    report_paper(problem_, scaled_, system_, first_, positions_, stacked_, contacts_, solution_);
+    solution_.seam_radius = seam_radius_ * scaled_.length;
+    return std::move(solution_);
+  }
+
+ private:
+  ScaledBody& body(int index) { return scaled_.bodies[static_cast<size_t>(index)]; }
+  const ScaledBody& body(int index) const { return scaled_.bodies[static_cast<size_t>(index)]; }
+
+  void check(const SeamPair& seam) const {
+    for (const auto& [b, v] : {std::pair{seam.body_a, seam.vertex_a}, std::pair{seam.body_b, seam.vertex_b}})
+      if (b < 0 || b >= static_cast<int>(problem_.bodies.size()) || v < 0 || v >= body(b).rest.points.rows())
+        throw InputError("seam: found vertex " + std::to_string(v) + " of body " + std::to_string(b) +
+                         ", expected one that exists");
+  }
+
+  // Of the mouth: RMS distance of its rest vertices from their mean.
+  double seam_radius() const {
+    if (problem_.seams.empty()) return 0;
+    Points mouth(static_cast<Eigen::Index>(problem_.seams.size()), 3);
+    for (size_t i = 0; i < problem_.seams.size(); ++i)
+      mouth.row(static_cast<Eigen::Index>(i)) =
+          body(problem_.seams[i].body_a).rest.points.row(problem_.seams[i].vertex_a);
+    return std::sqrt((mouth.rowwise() - mouth.colwise().mean()).rowwise().squaredNorm().mean());
+  }
+
+  void build() {
+    system_ = {};
+    first_.assign(scaled_.bodies.size(), -1);
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b) {
+      const ScaledBody& mine = scaled_.bodies[b];
+      if (!mine.modelled) continue;
+      first_[b] = system_.vertex_count();
+      append_body(system_, mine.rest, mine.carried, mine.rotations, mine.k, mine.fixed);
+    }
+    for (size_t i = 0; i < problem_.seams.size(); ++i) {
+      const SeamPair& seam = problem_.seams[i];
+      for (const int b : {seam.body_a, seam.body_b})
+        system_.k_j = std::max(system_.k_j,
+                               options_.seam_stiffness * std::max(body(b).k.bending, body(b).k.stretching));
+      system_.joins.push_back({first_[static_cast<size_t>(seam.body_a)] + seam.vertex_a,
+                               first_[static_cast<size_t>(seam.body_b)] + seam.vertex_b,
+                               seam_multipliers_[i]});
+    }
+    stack_contacts();
+    minimiser_ = std::make_unique<PaperMinimiser>(system_);
+    positions_.resize(system_.vertex_count(), 3);
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b)
+      if (first_[b] >= 0)
+        positions_.middleRows(first_[b], scaled_.bodies[b].now.rows()) = scaled_.bodies[b].now;
+  }
+
+  void stack_contacts() {
+    stacked_ = contacts_.stacked(scaled_, first_);
+    system_.contacts = stacked_.points;
+  }
+
+  void unstack() {
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b)
+      if (first_[b] >= 0)
+        scaled_.bodies[b].now = positions_.middleRows(first_[b], scaled_.bodies[b].now.rows());
+  }
+
+  bool keep_going(int iteration, double residual) {
+    if (options_.time_limit > 0 &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
+            options_.time_limit)
+      return false;
+    return !options_.keep_going ||
+           options_.keep_going({solution_.outer_iterations, solution_.iterations + iteration, residual});
+  }
+
+  double largest_seam_gap() const {
+    double largest = 0;
+    for (const Join& join : system_.joins)
+      largest = std::max(largest, (positions_.row(join.a) - positions_.row(join.b)).norm());
+    return largest;
+  }
+
+  void iterate() {
+    build();
+    minimiser_->factorise(positions_);
+    PaperMinimiserOptions inner;
+    inner.max_iterations = options_.max_iterations;
+    inner.max_factorisations = options_.max_factorisations;
+    inner.keep_going = [this](int iteration, double, double residual) {
+      return keep_going(iteration, residual);
+    };
+    const bool constrained = !problem_.seams.empty() || !problem_.contacts.empty();
+    double tolerance = constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
+    for (solution_.outer_iterations = 1;; ++solution_.outer_iterations) {
+      inner.tolerance = tolerance;
+      const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
+      solution_.iterations += summary.iterations;
+      solution_.factorisations += summary.factorisations;
+      solution_.residual = summary.residual;
+      unstack();
+      if (summary.status == LbfgsStatus::interrupted) {
+        solution_.status = PaperStatus::interrupted;
+        return;
+      }
+      const bool at_rest = summary.residual <= options_.tolerance;
+      const bool seam_closed = largest_seam_gap() <= options_.seam_tolerance * seam_radius_;
+      const ContactState contact = contacts_.refresh(scaled_);
+      const bool pressed_right = contact.touched.empty() &&
+                                 contact.penetration <= options_.contact_tolerance &&
+                                 contact.force_change <= options_.pressure_tolerance;
+      const bool balanced =
+          worst_balance(sum_forces(scaled_, system_, first_, positions_)) <= options_.balance_tolerance;
+      if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
+        const bool asked = options_.certify;
+        solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_);
+        solution_.status =
+            asked && !solution_.smallest_curvature_positive ? PaperStatus::unstable : PaperStatus::converged;
+        return;
+      }
+      if (solution_.outer_iterations >= options_.max_outer) {
+        solution_.status = PaperStatus::iteration_limit;
+        return;
+      }
+      if (!seam_closed) {
+        update_join_multipliers(system_.k_j, system_.joins, positions_);
+        for (size_t i = 0; i < system_.joins.size(); ++i) seam_multipliers_[i] = system_.joins[i].multiplier;
+      }
+      // Rough minima while features and multipliers still move much, then step by step to the tolerance asked
+      // for.
+      const double least = seam_closed && pressed_right && at_rest ? finest_tolerance : options_.tolerance;
+      tolerance = std::max(least, tolerance * tolerance_step);
+      if (!contact.touched.empty()) {
+        for (const int b : contact.touched) body(b).modelled = true;
+        build();
+        minimiser_->factorise(positions_);
+      } else {
+        stack_contacts();
+        if (contact.pressed_changed) minimiser_->factorise(positions_);
+      }
+    }
+  }
+
+  const PaperProblem& problem_;
+  const PaperOptions& options_;
+  std::chrono::steady_clock::time_point start_;
+  ScaledBodies scaled_;
+  PaperContacts contacts_;
+  std::vector<Vec3> seam_multipliers_;
+  double seam_radius_ = 0;
+  PaperSystem system_;
+  std::unique_ptr<PaperMinimiser> minimiser_;
+  StackedContacts stacked_;
+  std::vector<int> first_;  // of each body in the stack, -1: not among the unknowns
+  Points positions_;        // the stack
+  PaperSolution solution_;
+};
+
+}  // namespace
+
+PaperSolution solve_paper(const PaperProblem& problem, const PaperOptions& options) {
+  return PaperSolver(problem, options).run();
+}
+
+}  // namespace vasorod

@@ -1,0 +1,44 @@
+// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law; optional follower pressure on block faces.
+#pragma once
+
+#include <functional>
+
+#include "reference_fem/law.h"
+#include "reference_fem/mesh.h"
+#include "reference_fem/model.h"
+
+namespace vasorod::fem {
+
+/// Local material axes (columns, third = fibre) at a point of the parameter cube.
+using Axes = std::function<Mat3(const Vec3&)>;
+
+class Solid final : public Model {
+ public:
+  Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes);
+  /// Pressure (stress, scaled by the load) pushing on a face of the block, following its deformed normal.
+  void add_pressure(int direction, int side, double pressure);
+
+  const Mesh& mesh() const { return mesh_; }
+  int node_count() const override { return mesh_.node_count(); }
+  int components() const override { return 3; }
+  int cell_count() const override;
+  std::vector<int> dofs(int cell) const override;
+  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const override;
+  bool symmetric() const override { return pressures_.empty(); }
+
+ private:
+  struct Pressure {
+    FaceMesh face;
+    double value;
+  };
+  void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u, double load,
+                     CellTerms& terms) const;
+  const Pressure* face_cell(int cell, std::size_t& index) const;
+
+  Mesh mesh_;
+  MaterialLaw law_;
+  std::vector<std::vector<Mat3>> axes_;             ///< per cell and point; mesh_.gradient is kept in these axes
+  std::vector<Pressure> pressures_;
+};
+
+}  // namespace vasorod::fem

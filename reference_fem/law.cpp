@@ -78,10 +78,14 @@ Mat6 stiffness(const Moduli& m) {
 
 std::string to_string(LawKind kind) {
   switch (kind) {
-    case LawKind::biot: return "biot";
-    case LawKind::svk: return "svk";
-    case LawKind::neo_hookean: return "neo-hookean";
-    case LawKind::split_neo_hookean: return "split neo-hookean";
+    case LawKind::biot:
+      return "biot";
+    case LawKind::svk:
+      return "svk";
+    case LawKind::neo_hookean:
+      return "neo-hookean";
+    case LawKind::split_neo_hookean:
+      return "split neo-hookean";
   }
   return {};
 }
@@ -90,7 +94,9 @@ MaterialLaw::MaterialLaw(LawKind kind, const Moduli& m) : kind_(kind) {
   if (const std::string why = inadmissible(m); !why.empty())
     throw InputError("wall: the moduli are not those of a stable material: " + why);
   if ((kind == LawKind::neo_hookean || kind == LawKind::split_neo_hookean) && !m.is_isotropic)
-    throw InputError("wall: the neo-Hookean law is isotropic here, found a transversely isotropic wall; expected law biot or svk");
+    throw InputError(
+        "wall: the neo-Hookean law is isotropic here, found a transversely isotropic wall; expected law biot "
+        "or svk");
   stiffness_ = stiffness(m);
   mu_ = m.shear;
   lambda_ = stiffness_(0, 1);
@@ -108,16 +114,20 @@ MaterialLaw MaterialLaw::split(double mu, double kappa) {
 Response MaterialLaw::evaluate(const Mat3& F) const {
   const Mat3 C = F.transpose() * F;
   switch (kind_) {
-    case LawKind::biot: return biot(C);
-    case LawKind::svk: return svk(C);
-    case LawKind::neo_hookean: return neo_hookean(C, F.determinant());
-    case LawKind::split_neo_hookean: return split_neo_hookean(C, F.determinant());
+    case LawKind::biot:
+      return biot(C);
+    case LawKind::svk:
+      return svk(C);
+    case LawKind::neo_hookean:
+      return neo_hookean(C, F.determinant());
+    case LawKind::split_neo_hookean:
+      return split_neo_hookean(C, F.determinant());
   }
   return {};
 }
 
-// T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester equations with U, solved in U's
-// eigenbasis by dividing by sums of stretches, so repeated stretches need no special case.
+// T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester equations with
+// U, solved in U's eigenbasis by dividing by sums of stretches, so repeated stretches need no special case.
 Response MaterialLaw::biot(const Mat3& C) const {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(C);
   const Mat3& N = eigen.eigenvectors();
@@ -128,7 +138,9 @@ Response MaterialLaw::biot(const Mat3& C) const {
   };
   // U - I = (C - I) (U + I)^-1, without cancellation at small strain
   const Mat3 strain =
-      N * ((N.transpose() * (C - Mat3::Identity()) * N).diagonal().cwiseQuotient(stretch + Vec3::Ones())).asDiagonal() *
+      N *
+      ((N.transpose() * (C - Mat3::Identity()) * N).diagonal().cwiseQuotient(stretch + Vec3::Ones()))
+          .asDiagonal() *
       N.transpose();
   const Vec6 strain6 = strain_vector(strain);
   const Vec6 T6 = stiffness_ * strain6;
@@ -175,8 +187,8 @@ Response MaterialLaw::split_neo_hookean(const Mat3& C, double J) const {
   Response out;
   out.energy = 0.5 * (scale * I1 - 3 * mu_) + kappa_ / 4 * (J * J - 1 - 2 * std::log(J));
   out.stress = scale * (one - I1 / 3 * ci) + pressure * ci;
-  out.tangent = scale * (-2.0 / 3 * (ci * one.transpose() + one * ci.transpose()) + 2.0 / 9 * I1 * ci * ci.transpose() +
-                         2.0 / 3 * I1 * square) +
+  out.tangent = scale * (-2.0 / 3 * (ci * one.transpose() + one * ci.transpose()) +
+                         2.0 / 9 * I1 * ci * ci.transpose() + 2.0 / 3 * I1 * square) +
                 kappa_ * J * J * ci * ci.transpose() - 2 * pressure * square;
   return out;
 }

@@ -1,12 +1,15 @@
-// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent at one deformation gradient.
+// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent at one
+// deformation gradient.
 //
 //   Biot                 W = 1/2 (U - I) : C : (U - I),  U = sqrt(F^T F)
 //   St. Venant-Kirchhoff W = 1/2 E : C : E,              E = (F^T F - I) / 2
 //   neo-Hookean          W = mu/2 (I1 - 3) - mu ln J + lambda/2 ln^2 J
-//   split neo-Hookean    W = mu/2 (J^-2/3 I1 - 3) + kappa/4 (J^2 - 1 - 2 ln J)   (quasi-incompressible with a large kappa)
+//   split neo-Hookean    W = mu/2 (J^-2/3 I1 - 3) + kappa/4 (J^2 - 1 - 2 ln J)   (quasi-incompressible with a
+//   large kappa)
 //
-// C is transversely isotropic with the third local axis as fibre (isotropic as its special case); the neo-Hookean laws are
-// isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's third column, so no stiffness is ever rotated.
+// C is transversely isotropic with the third local axis as fibre (isotropic as its special case); the
+// neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's third column,
+// so no stiffness is ever rotated.
 #pragma once
 
 #include <string>
@@ -15,19 +18,21 @@
 
 namespace vasorod::fem {
 
-/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` fills the special case.
+/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` fills the special
+/// case.
 struct Moduli {
-  double axial = 1;        ///< E_L
-  double transverse = 1;   ///< E_T
-  double poisson = 0;      ///< nu_TT: transverse strain of a transverse load
-  double coupling = 0;     ///< nu_LT: transverse strain of an axial load
-  double shear = 0.5;      ///< G_L, axial shear
+  double axial = 1;       ///< E_L
+  double transverse = 1;  ///< E_T
+  double poisson = 0;     ///< nu_TT: transverse strain of a transverse load
+  double coupling = 0;    ///< nu_LT: transverse strain of an axial load
+  double shear = 0.5;     ///< G_L, axial shear
   bool is_isotropic = true;
 
   static Moduli isotropic(double young, double nu);
 };
 
-/// The first violated inequality of positive definiteness, as a clause with the numbers; empty when admissible.
+/// The first violated inequality of positive definiteness, as a clause with the numbers; empty when
+/// admissible.
 std::string inadmissible(const Moduli& moduli);
 
 /// 6x6 stiffness in the order 11 22 33 12 13 23 with engineering shear strains.
@@ -45,8 +50,8 @@ std::string to_string(LawKind kind);
 
 class MaterialLaw {
  public:
-  /// Throws InputError (a sentence with the inequality) for inadmissible moduli, and for a transversely isotropic
-  /// neo-Hookean wall, which this program does not have.
+  /// Throws InputError (a sentence with the inequality) for inadmissible moduli, and for a transversely
+  /// isotropic neo-Hookean wall, which this program does not have.
   MaterialLaw(LawKind kind, const Moduli& moduli);
   /// The split neo-Hookean law by its shear and bulk moduli.
   static MaterialLaw split(double mu, double kappa);

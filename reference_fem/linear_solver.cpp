@@ -12,7 +12,9 @@ struct LinearSolver::Impl {
   bool analysed = false, definite = false;
 };
 
-LinearSolver::LinearSolver() : impl_(std::make_unique<Impl>()) { impl_->cholesky.cholmod().print = 0; }
+LinearSolver::LinearSolver() : impl_(std::make_unique<Impl>()) {
+  impl_->cholesky.cholmod().print = 0;
+}
 LinearSolver::~LinearSolver() = default;
 
 bool LinearSolver::factor(const Sparse& matrix, bool symmetric) {
@@ -29,10 +31,13 @@ bool LinearSolver::factor(const Sparse& matrix, bool symmetric) {
   return impl_->lu->info() == Eigen::Success;
 }
 
-bool LinearSolver::positive_definite() const { return impl_->definite; }
+bool LinearSolver::positive_definite() const {
+  return impl_->definite;
+}
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right) const {
-  return impl_->definite ? Eigen::VectorXd(impl_->cholesky.solve(right)) : Eigen::VectorXd(impl_->lu->solve(right));
+  return impl_->definite ? Eigen::VectorXd(impl_->cholesky.solve(right))
+                         : Eigen::VectorXd(impl_->lu->solve(right));
 }
 
 }  // namespace vasorod::fem

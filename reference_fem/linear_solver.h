@@ -1,4 +1,5 @@
-// Sparse direct solves: supernodal Cholesky (CHOLMOD) while the matrix is symmetric positive definite, UMFPACK otherwise.
+// Sparse direct solves: supernodal Cholesky (CHOLMOD) while the matrix is symmetric positive definite,
+// UMFPACK otherwise.
 #pragma once
 
 #include <Eigen/SparseCore>

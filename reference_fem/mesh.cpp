@@ -20,7 +20,8 @@ using std::size_t;
 /// Parameters of a point given by cell and position in it; wraps the closed direction.
 Vec3 parameter_of(const Block& block, const std::array<int, 3>& cell, const Vec3& unit, int dim) {
   Vec3 p = Vec3::Zero();
-  for (int d = 0; d < dim; ++d) p[d] = (cell[static_cast<size_t>(d)] + unit[d]) / block.cells[static_cast<size_t>(d)];
+  for (int d = 0; d < dim; ++d)
+    p[d] = (cell[static_cast<size_t>(d)] + unit[d]) / block.cells[static_cast<size_t>(d)];
   return p;
 }
 
@@ -186,8 +187,12 @@ std::vector<CellRow> Mesh::rows_at(const std::vector<Vec3>& at) const {
   return dim == 3 ? rows<3>(*this, at) : rows<2>(*this, at);
 }
 
-Mesh make_solid(const Block& block, const Chart& chart) { return make<3>(block, chart); }
-Mesh make_surface(const Block& block, const Chart& chart) { return make<2>(block, chart); }
+Mesh make_solid(const Block& block, const Chart& chart) {
+  return make<3>(block, chart);
+}
+Mesh make_surface(const Block& block, const Chart& chart) {
+  return make<2>(block, chart);
+}
 
 FaceMesh face_of(const Mesh& mesh, int direction, int side) {
   const auto degree = static_cast<unsigned>(mesh.degree);
@@ -221,7 +226,9 @@ FaceMesh face_of(const Mesh& mesh, int direction, int side) {
   }
   for (int c = 0; c < mesh.cell_count(); ++c) {
     const auto position = cell_position(mesh.block, c);
-    if (position[static_cast<size_t>(direction)] != (side == 0 ? 0 : mesh.block.cells[static_cast<size_t>(direction)] - 1)) continue;
+    if (position[static_cast<size_t>(direction)] !=
+        (side == 0 ? 0 : mesh.block.cells[static_cast<size_t>(direction)] - 1))
+      continue;
     std::vector<int> numbers;
     for (const unsigned i : local) numbers.push_back(mesh.cell_nodes[static_cast<size_t>(c)][i]);
     face.nodes.push_back(std::move(numbers));

@@ -1,6 +1,7 @@
-// What the finite-element models need of a mesh, as plain arrays; deal.II (triangulation, FE_Q numbering, MappingQ, Gauss
-// points) is behind it, in mesh.cpp. Meshes are structured blocks of the parameter cube mapped by an exact chart: through
-// degree-p mapping points taken from the chart, a tube's geometry is exact to O(h^(p+1)) and no manifold is needed.
+// What the finite-element models need of a mesh, as plain arrays; deal.II (triangulation, FE_Q numbering,
+// MappingQ, Gauss points) is behind it, in mesh.cpp. Meshes are structured blocks of the parameter cube
+// mapped by an exact chart: through degree-p mapping points taken from the chart, a tube's geometry is exact
+// to O(h^(p+1)) and no manifold is needed.
 #pragma once
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace vasorod::fem {
 
-/// A structured block. First direction (around a tube) may close on itself. Right-handed: for a tube (angle, abscissa, depth).
+/// A structured block. First direction (around a tube) may close on itself. Right-handed: for a tube (angle,
+/// abscissa, depth).
 struct Block {
   std::array<int, 3> cells{1, 1, 1};  ///< the third is ignored by surface meshes
   bool closed = false;                ///< periodic in the first direction; needs at least 3 cells there
@@ -34,10 +36,11 @@ struct Mesh {
   Points parameters;  ///< of each node, in the unit cube
   std::vector<std::vector<int>> cell_nodes;
 
-  Eigen::MatrixXd shape;                  ///< points x nodes of a cell, the same in every cell
-  std::vector<Eigen::VectorXd> weights;   ///< per cell: JxW per point, length^dim
-  std::vector<Eigen::MatrixXd> gradient;  ///< per cell: row 3 q + J is dN/dX_J at point q (tangential on surfaces), 1/length
-  std::vector<Eigen::Matrix3Xd> normal;   ///< per cell, surfaces only: unit normal per point
+  Eigen::MatrixXd shape;                 ///< points x nodes of a cell, the same in every cell
+  std::vector<Eigen::VectorXd> weights;  ///< per cell: JxW per point, length^dim
+  std::vector<Eigen::MatrixXd>
+      gradient;  ///< per cell: row 3 q + J is dN/dX_J at point q (tangential on surfaces), 1/length
+  std::vector<Eigen::Matrix3Xd> normal;            ///< per cell, surfaces only: unit normal per point
   std::vector<Eigen::Matrix3Xd> point_parameters;  ///< per cell: parameters of the Gauss points
 
   int cell_count() const { return static_cast<int>(cell_nodes.size()); }
@@ -59,8 +62,9 @@ Mesh make_surface(const Block& block, const Chart& chart);
 struct FaceMesh {
   std::vector<std::vector<int>> nodes;  ///< per face: node numbers of its (p+1)^2 nodes
   Eigen::MatrixXd shape;                ///< points x face nodes
-  std::array<Eigen::MatrixXd, 2> slope; ///< derivative along the face's two parameters, right-handed with the outward normal
-  Eigen::VectorXd weights;              ///< quadrature weights on the unit square
+  std::array<Eigen::MatrixXd, 2>
+      slope;  ///< derivative along the face's two parameters, right-handed with the outward normal
+  Eigen::VectorXd weights;  ///< quadrature weights on the unit square
 };
 FaceMesh face_of(const Mesh& mesh, int direction, int side);
 

@@ -13,7 +13,8 @@ struct CellTerms {
   Eigen::MatrixXd tangent;   ///< d residual / du
 };
 
-/// Degrees of freedom are numbered node * components + component; the first three of a node are its displacement.
+/// Degrees of freedom are numbered node * components + component; the first three of a node are its
+/// displacement.
 class Model {
  public:
   virtual ~Model() = default;
@@ -21,8 +22,10 @@ class Model {
   virtual int components() const = 0;
   virtual int cell_count() const = 0;  ///< follower-load faces count as cells
   virtual std::vector<int> dofs(int cell) const = 0;
-  /// False where a deformation gradient has det F <= 0; `terms` is then meaningless. `load` scales follower loads.
-  virtual bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const = 0;
+  /// False where a deformation gradient has det F <= 0; `terms` is then meaningless. `load` scales follower
+  /// loads.
+  virtual bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+                        CellTerms& terms) const = 0;
   virtual bool symmetric() const { return true; }  ///< of the tangent
   int dof_count() const { return node_count() * components(); }
 };

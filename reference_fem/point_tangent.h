@@ -19,7 +19,8 @@ inline Mat9 first_tangent(const Mat3& F, const Response& r) {
     }
   Mat9 A = M.transpose() * r.tangent * M;
   Mat3 S;
-  S << r.stress[0], r.stress[3], r.stress[4], r.stress[3], r.stress[1], r.stress[5], r.stress[4], r.stress[5], r.stress[2];
+  S << r.stress[0], r.stress[3], r.stress[4], r.stress[3], r.stress[1], r.stress[5], r.stress[4], r.stress[5],
+      r.stress[2];
   for (int i = 0; i < 3; ++i) A.block<3, 3>(3 * i, 3 * i) += S;
   return A;
 }

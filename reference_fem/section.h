@@ -1,4 +1,5 @@
-// An end section: a rigid disk the wall is glued to, or a soft one of which only the mean pose is held or loaded.
+// An end section: a rigid disk the wall is glued to, or a soft one of which only the mean pose is held or
+// loaded.
 //
 // Mean pose of a soft section, with weights w (sum 1) and rest arms Y = X - X0, sum w Y = 0:
 //   sum w x = c,   sum w (R Y) x (x - c) = 0.
@@ -16,21 +17,23 @@ namespace vasorod::fem {
 /// A displacement (or director) triple that belongs to a section: u = c - X0 + (R - I) Y, or w = (R - I) Y.
 struct Member {
   int first_dof = 0;
-  Vec3 arm = Vec3::Zero();       ///< Y: from the section's rest centre, or the rest director; length
-  bool follows_center = true;    ///< false for directors
-  double weight = 0;             ///< soft sections; 0 for directors
+  Vec3 arm = Vec3::Zero();     ///< Y: from the section's rest centre, or the rest director; length
+  bool follows_center = true;  ///< false for directors
+  double weight = 0;           ///< soft sections; 0 for directors
 };
 
 struct Section {
-  std::string name;                   ///< start or end
+  std::string name;  ///< start or end
   bool soft = false;
-  Vec3 center = Vec3::Zero();         ///< rest centre X0, length
-  Mat3 axes = Mat3::Identity();       ///< rest frame (d1, d2, d3): `fixed` refers to it
-  std::array<bool, 6> fixed{};        ///< x y z rx ry rz
-  /// Path of a section whose six components are all fixed: rotation exp(t rotation), centre X0 + t move, t the load.
+  Vec3 center = Vec3::Zero();    ///< rest centre X0, length
+  Mat3 axes = Mat3::Identity();  ///< rest frame (d1, d2, d3): `fixed` refers to it
+  std::array<bool, 6> fixed{};   ///< x y z rx ry rz
+  /// Path of a section whose six components are all fixed: rotation exp(t rotation), centre X0 + t move, t
+  /// the load.
   Vec3 move = Vec3::Zero(), rotation = Vec3::Zero();
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< dead, space axes, scaled by t; on components that are not fixed
-  bool moment_in_body = false;        ///< the moment turns with the section
+  Vec3 force = Vec3::Zero(),
+       moment = Vec3::Zero();   ///< dead, space axes, scaled by t; on components that are not fixed
+  bool moment_in_body = false;  ///< the moment turns with the section
   std::vector<Member> members;
 
   bool all_fixed() const {

@@ -42,15 +42,16 @@ const Solid::Pressure* Solid::face_cell(int cell, size_t& index) const {
 
 std::vector<int> Solid::dofs(int cell) const {
   size_t index = 0;
-  const std::vector<int>& nodes =
-      cell < mesh_.cell_count() ? mesh_.cell_nodes[static_cast<size_t>(cell)] : face_cell(cell, index)->face.nodes[index];
+  const std::vector<int>& nodes = cell < mesh_.cell_count() ? mesh_.cell_nodes[static_cast<size_t>(cell)]
+                                                            : face_cell(cell, index)->face.nodes[index];
   std::vector<int> out;
   for (int component = 0; component < 3; ++component)
     for (const int node : nodes) out.push_back(3 * node + component);
   return out;
 }
 
-bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const {
+bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+                     CellTerms& terms) const {
   if (cell >= mesh_.cell_count()) {
     size_t index = 0;
     const Pressure* pressure = face_cell(cell, index);
@@ -89,8 +90,9 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
   for (int i = 0; i < 3; ++i)
     for (int k = i; k < 3; ++k) {
       for (int q = 0; q < points; ++q)
-        weighted.middleRows<3>(3 * q).noalias() =
-            tangents[static_cast<size_t>(q)].block<3, 3>(3 * i, 3 * k).lazyProduct(gradient.middleRows<3>(3 * q));
+        weighted.middleRows<3>(3 * q).noalias() = tangents[static_cast<size_t>(q)]
+                                                      .block<3, 3>(3 * i, 3 * k)
+                                                      .lazyProduct(gradient.middleRows<3>(3 * q));
       auto block = terms.tangent.block(i * n, k * n, n, n);
       block.noalias() = gradient.transpose() * weighted;
       if (k > i) terms.tangent.block(k * n, i * n, n, n) = block.transpose();
@@ -98,9 +100,10 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
   return true;
 }
 
-// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal; the residual carries its opposite.
-void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u, double load,
-                          CellTerms& terms) const {
+// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal; the residual
+// carries its opposite.
+void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u,
+                          double load, CellTerms& terms) const {
   const auto n = static_cast<Eigen::Index>(nodes.size());
   const FaceMesh& face = pressure.face;
   Eigen::Matrix3Xd x(3, n);
@@ -118,7 +121,8 @@ void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& node
     for (Eigen::Index a = 0; a < n; ++a)
       for (Eigen::Index i = 0; i < 3; ++i) terms.residual[i * n + a] += w * face.shape(q, a) * area[i];
     for (Eigen::Index b = 0; b < n; ++b) {
-      const Mat3 change = face.slope[1](q, b) * cross_matrix(along) - face.slope[0](q, b) * cross_matrix(across);
+      const Mat3 change =
+          face.slope[1](q, b) * cross_matrix(along) - face.slope[0](q, b) * cross_matrix(across);
       for (Eigen::Index a = 0; a < n; ++a)
         for (Eigen::Index i = 0; i < 3; ++i)
           for (Eigen::Index k = 0; k < 3; ++k)

@@ -1,4 +1,5 @@
-// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law; optional follower pressure on block faces.
+// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law; optional follower pressure on
+// block faces.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,8 @@ class Solid final : public Model {
   int components() const override { return 3; }
   int cell_count() const override;
   std::vector<int> dofs(int cell) const override;
-  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const override;
+  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+                CellTerms& terms) const override;
   bool symmetric() const override { return pressures_.empty(); }
 
  private:
@@ -31,13 +33,13 @@ class Solid final : public Model {
     FaceMesh face;
     double value;
   };
-  void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u, double load,
-                     CellTerms& terms) const;
+  void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u,
+                     double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
 
   Mesh mesh_;
   MaterialLaw law_;
-  std::vector<std::vector<Mat3>> axes_;             ///< per cell and point; mesh_.gradient is kept in these axes
+  std::vector<std::vector<Mat3>> axes_;  ///< per cell and point; mesh_.gradient is kept in these axes
   std::vector<Pressure> pressures_;
 };
 

@@ -47,7 +47,8 @@ class Path {
   }
 
   /// First guess at `load`: extrapolated through the last states, or one linear step from the only one.
-  bool predict(const State& last, double load, State& guess, System::Assembly& assembly, StepperSummary& summary) {
+  bool predict(const State& last, double load, State& guess, System::Assembly& assembly,
+               StepperSummary& summary) {
     guess = last;
     system_.prescribe(guess, load);
     if (history_.size() >= 2) {
@@ -113,15 +114,20 @@ class Path {
 
 std::string to_string(PathStatus status) {
   switch (status) {
-    case PathStatus::complete: return "complete";
-    case PathStatus::stuck: return "stuck";
-    case PathStatus::singular: return "singular";
-    case PathStatus::interrupted: return "interrupted";
+    case PathStatus::complete:
+      return "complete";
+    case PathStatus::stuck:
+      return "stuck";
+    case PathStatus::singular:
+      return "singular";
+    case PathStatus::interrupted:
+      return "interrupted";
   }
   return {};
 }
 
-StepperSummary follow_path(const System& system, State& state, System::Assembly& assembly, const StepperOptions& options) {
+StepperSummary follow_path(const System& system, State& state, System::Assembly& assembly,
+                           const StepperOptions& options) {
   StepperSummary summary;
   Path path(system, options);
   state = system.rest();
@@ -142,7 +148,8 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
     if (load > stop - 0.3 * step) load = stop;
 
     State trial;
-    bool ok = path.predict(state, load, trial, trial_assembly, summary) && path.newton(trial, load, trial_assembly, summary);
+    bool ok = path.predict(state, load, trial, trial_assembly, summary) &&
+              path.newton(trial, load, trial_assembly, summary);
     if (!ok) {
       ++summary.cutbacks;
       step = std::min(step, load - summary.load) / 2;

@@ -1,5 +1,6 @@
-// Follows the equilibrium path from load 0 to 1 with Newton's method: tangent predictor on the first step, extrapolation
-// afterwards, steps halved where Newton fails (det F <= 0, divergence, too many iterations) and grown where it is easy.
+// Follows the equilibrium path from load 0 to 1 with Newton's method: tangent predictor on the first step,
+// extrapolation afterwards, steps halved where Newton fails (det F <= 0, divergence, too many iterations) and
+// grown where it is easy.
 #pragma once
 
 #include <functional>
@@ -12,16 +13,18 @@
 namespace vasorod::fem {
 
 struct StepperOptions {
-  double first_step = 0.1;       ///< fraction of the load; the cost of a failed step is its Newton iterations
-  double largest_step = 0.25;    ///< extrapolation over more than a quarter of a bend starts Newton too far away
-  double smallest_step = 1e-5;   ///< below this the path ends: a limit point, or the model's end
-  int max_iterations = 14;       ///< quadratic convergence needs 4 to 6; more than 14 means a step too long
-  double tolerance = 1e-9;       ///< residual over the assembled size of the internal forces
-  double loose_tolerance = 1e-6; ///< accepted once rounding stops Newton from getting further
-  bool certify = true;           ///< factorise once more at the end and say whether the tangent is positive definite
-  std::vector<double> stops;     ///< loads the path must hit exactly (besides 1), increasing
-  std::function<bool()> interrupted;                         ///< asked before each step
-  std::function<void(double load, const State&, const System::Assembly&)> on_step;  ///< after each converged step
+  double first_step = 0.1;  ///< fraction of the load; the cost of a failed step is its Newton iterations
+  double largest_step =
+      0.25;  ///< extrapolation over more than a quarter of a bend starts Newton too far away
+  double smallest_step = 1e-5;    ///< below this the path ends: a limit point, or the model's end
+  int max_iterations = 14;        ///< quadratic convergence needs 4 to 6; more than 14 means a step too long
+  double tolerance = 1e-9;        ///< residual over the assembled size of the internal forces
+  double loose_tolerance = 1e-6;  ///< accepted once rounding stops Newton from getting further
+  bool certify = true;  ///< factorise once more at the end and say whether the tangent is positive definite
+  std::vector<double> stops;          ///< loads the path must hit exactly (besides 1), increasing
+  std::function<bool()> interrupted;  ///< asked before each step
+  std::function<void(double load, const State&, const System::Assembly&)>
+      on_step;  ///< after each converged step
 };
 
 enum class PathStatus { complete, stuck, singular, interrupted };
@@ -29,14 +32,16 @@ std::string to_string(PathStatus status);
 
 struct StepperSummary {
   PathStatus status = PathStatus::complete;
-  double load = 0;                          ///< largest converged load, 0 to 1
+  double load = 0;  ///< largest converged load, 0 to 1
   int steps = 0, iterations = 0, cutbacks = 0;
   double relative_residual = 0, energy = 0;
-  std::optional<bool> positive_definite;    ///< tangent at the end; empty where its symmetry or size does not allow the question
+  std::optional<bool> positive_definite;  ///< tangent at the end; empty where its symmetry or size does not
+                                          ///< allow the question
   double assembly_seconds = 0, factor_seconds = 0;
 };
 
 /// Returns the summary; `state` is the last converged state.
-StepperSummary follow_path(const System& system, State& state, System::Assembly& assembly, const StepperOptions& options = {});
+StepperSummary follow_path(const System& system, State& state, System::Assembly& assembly,
+                           const StepperOptions& options = {});
 
 }  // namespace vasorod::fem

@@ -56,7 +56,8 @@ void System::build_numbering() {
 }
 
 // Unknowns a cell touches: its own free values, then the poses of the rigid sections its nodes belong to.
-void System::reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns, std::vector<int>& sections) const {
+void System::reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns,
+                             std::vector<int>& sections) const {
   dofs = cell_dofs_[static_cast<size_t>(cell)];
   columns.clear();
   sections.clear();
@@ -131,7 +132,8 @@ void System::prescribe(State& state, double load) const {
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
     Pose& pose = state.pose[s];
-    if (section.all_fixed()) pose = {rotation_exp(load * section.rotation), section.center + load * section.move};
+    if (section.all_fixed())
+      pose = {rotation_exp(load * section.rotation), section.center + load * section.move};
     if (section.soft) continue;
     for (const Member& member : section.members) {
       Vec3 value = pose.rotation * member.arm - member.arm;
@@ -148,7 +150,8 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
     Vec6 step = Vec6::Zero();
     for (size_t k = 0; k < 6; ++k) {
       if (pose_index_[s][k] >= 0) step[static_cast<Eigen::Index>(k)] = unknowns[pose_index_[s][k]];
-      if (multiplier_index_[s][k] >= 0) state.multiplier[s][static_cast<Eigen::Index>(k)] += unknowns[multiplier_index_[s][k]];
+      if (multiplier_index_[s][k] >= 0)
+        state.multiplier[s][static_cast<Eigen::Index>(k)] += unknowns[multiplier_index_[s][k]];
     }
     const Section& section = supports_.sections[s];
     if (section.all_fixed()) continue;
@@ -166,16 +169,19 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
 Eigen::VectorXd System::difference(const State& from, const State& to) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(size_);
   for (size_t d = 0; d < index_.size(); ++d)
-    if (index_[d] >= 0) unknowns[index_[d]] = to.u[static_cast<Eigen::Index>(d)] - from.u[static_cast<Eigen::Index>(d)];
+    if (index_[d] >= 0)
+      unknowns[index_[d]] = to.u[static_cast<Eigen::Index>(d)] - from.u[static_cast<Eigen::Index>(d)];
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
     Vec6 step;
     step.head<3>() = section.axes.transpose() * (to.pose[s].position - from.pose[s].position);
-    step.tail<3>() = section.axes.transpose() * rotation_log(to.pose[s].rotation * from.pose[s].rotation.transpose());
+    step.tail<3>() =
+        section.axes.transpose() * rotation_log(to.pose[s].rotation * from.pose[s].rotation.transpose());
     const Vec6 multiplier = to.multiplier[s] - from.multiplier[s];
     for (size_t k = 0; k < 6; ++k) {
       if (pose_index_[s][k] >= 0) unknowns[pose_index_[s][k]] = step[static_cast<Eigen::Index>(k)];
-      if (multiplier_index_[s][k] >= 0) unknowns[multiplier_index_[s][k]] = multiplier[static_cast<Eigen::Index>(k)];
+      if (multiplier_index_[s][k] >= 0)
+        unknowns[multiplier_index_[s][k]] = multiplier[static_cast<Eigen::Index>(k)];
     }
   }
   return unknowns;
@@ -186,7 +192,8 @@ double System::Assembly::relative_residual() const {
   return length == 0 ? 0 : length / std::max(scale, 1e-300);
 }
 
-void System::assemble(const State& state, double load, bool want_tangent, Assembly& out, const State* target) const {
+void System::assemble(const State& state, double load, bool want_tangent, Assembly& out,
+                      const State* target) const {
   out.admissible = false;
   out.energy = out.scale = 0;
   out.residual = Eigen::VectorXd::Zero(size_);
@@ -233,7 +240,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
         const int dof = dofs[static_cast<size_t>(a)];
         const auto [s, m] = member_[static_cast<size_t>(dof)];
         if (s < 0) continue;
-        const auto place_of = static_cast<size_t>(std::find(sections.begin(), sections.end(), s) - sections.begin());
+        const auto place_of =
+            static_cast<size_t>(std::find(sections.begin(), sections.end(), s) - sections.begin());
         const Section& section = supports_.sections[static_cast<size_t>(s)];
         const Member& member = section.members[static_cast<size_t>(m)];
         const int component = dof - member.first_dof;
@@ -258,9 +266,11 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
         reduced.topLeftCorner(n, n) = terms.tangent;
         reduced.topRightCorner(n, T.cols()).noalias() = terms.tangent * T;
         reduced.bottomLeftCorner(T.cols(), n).noalias() = T.transpose() * terms.tangent;
-        reduced.bottomRightCorner(T.cols(), T.cols()).noalias() = T.transpose() * reduced.topRightCorner(n, T.cols());
+        reduced.bottomRightCorner(T.cols(), T.cols()).noalias() =
+            T.transpose() * reduced.topRightCorner(n, T.cols());
         for (size_t s = 0; s < sections.size(); ++s)
-          reduced.block<6, 6>(n + 6 * static_cast<Eigen::Index>(s), n + 6 * static_cast<Eigen::Index>(s)) += geometric[s];
+          reduced.block<6, 6>(n + 6 * static_cast<Eigen::Index>(s), n + 6 * static_cast<Eigen::Index>(s)) +=
+              geometric[s];
         tangent = &reduced;
       }
     }
@@ -270,7 +280,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     double* values = out.tangent.valuePtr();
     for (size_t b = 0; b < columns.size(); ++b) {
       if (columns[b] < 0) continue;
-      const auto begin = out.tangent.outerIndexPtr()[columns[b]], end = out.tangent.outerIndexPtr()[columns[b] + 1];
+      const auto begin = out.tangent.outerIndexPtr()[columns[b]],
+                 end = out.tangent.outerIndexPtr()[columns[b] + 1];
       for (auto p = begin; p < end; ++p) place[static_cast<size_t>(out.tangent.innerIndexPtr()[p])] = p;
       for (size_t a = 0; a < columns.size(); ++a)
         if (columns[a] >= 0)
@@ -301,7 +312,7 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     if (section.moment_in_body) moment = pose.rotation * moment;
     out.scale += load * section.force.norm() + moment.norm();
 
-    Vec6 internal = Vec6::Zero();            // on the pose, in the section's axes, from a soft section's multipliers
+    Vec6 internal = Vec6::Zero();  // on the pose, in the section's axes, from a soft section's multipliers
     Mat6 pose_pose = Mat6::Zero();
     if (section.soft) {
       double spread = 0;
@@ -314,7 +325,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
         const double w = member.weight;
         if (w == 0) continue;
         const Vec3 y = pose.rotation * member.arm;
-        const Vec3 x = section.center + member.arm + state.u.segment<3>(member.first_dof), d = x - pose.position;
+        const Vec3 x = section.center + member.arm + state.u.segment<3>(member.first_dof),
+                   d = x - pose.position;
         gap.head<3>() += w * d;
         gap.tail<3>() += w / spread * y.cross(d);
         const Vec3 f = w * (lc + lr.cross(y));
@@ -326,9 +338,9 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
           if (i >= 0) out.residual[i] += f[k];
         }
         if (!want_tangent) continue;
-        const Mat3 spin_of_y = -cross_matrix(y);                       // dy = spin_of_y a
-        const Mat3 node_spin = w * cross_matrix(lr) * spin_of_y;       // d f / d a
-        const Mat3 node_mult = -w / spread * cross_matrix(y);          // d f / d multiplier of the rotation
+        const Mat3 spin_of_y = -cross_matrix(y);                  // dy = spin_of_y a
+        const Mat3 node_spin = w * cross_matrix(lr) * spin_of_y;  // d f / d a
+        const Mat3 node_mult = -w / spread * cross_matrix(y);     // d f / d multiplier of the rotation
         // torque row: w [d (lr . y) - lr (y . d)]
         const Mat3 spin_node = w * (lr.dot(y) * Mat3::Identity() - lr * y.transpose());
         spin_spin += w * (d * lr.transpose() - lr * d.transpose()) * spin_of_y;
@@ -338,7 +350,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
           if (i < 0) continue;
           for (size_t b = 0; b < 3; ++b) {
             const auto column = static_cast<Eigen::Index>(b);
-            const int center = multiplier_index_[s][b], turn = multiplier_index_[s][3 + b], spin = pose_index_[s][3 + b];
+            const int center = multiplier_index_[s][b], turn = multiplier_index_[s][3 + b],
+                      spin = pose_index_[s][3 + b];
             if (static_cast<int>(b) == k) {
               out.tangent.coeffRef(i, center) += w;
               out.tangent.coeffRef(center, i) += w;
@@ -356,7 +369,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
       // what the section does to the model is the multipliers' force on its nodes
       out.section_force[s].head<3>() = -lc;
       out.section_force[s].tail<3>() = torque;
-      for (size_t a = 0; a < 6; ++a) out.residual[multiplier_index_[s][a]] += gap[static_cast<Eigen::Index>(a)];
+      for (size_t a = 0; a < 6; ++a)
+        out.residual[multiplier_index_[s][a]] += gap[static_cast<Eigen::Index>(a)];
       if (want_tangent) {
         pose_pose.bottomRightCorner<3, 3>() += A.transpose() * spin_spin * A;
         for (size_t a = 0; a < 3; ++a)
@@ -385,7 +399,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
       if (!want_tangent) continue;
       for (size_t b = 0; b < 6; ++b)
         if (pose_index_[s][b] >= 0)
-          out.tangent.coeffRef(i, pose_index_[s][b]) += pose_pose(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+          out.tangent.coeffRef(i, pose_index_[s][b]) +=
+              pose_pose(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
     }
   }
 }

@@ -1,8 +1,9 @@
-// The discrete equilibrium of a model with its supports: which unknowns are free, where the state is, residual and tangent.
+// The discrete equilibrium of a model with its supports: which unknowns are free, where the state is,
+// residual and tangent.
 //
-// Unknowns: free nodal values, then the free pose components of sections (increments: translation and spin in the section's
-// rest axes), then six multipliers per soft section. Nodes of a rigid section follow its pose, so prescribed motions are
-// plain data and reactions are the consistent residual at the pose.
+// Unknowns: free nodal values, then the free pose components of sections (increments: translation and spin in
+// the section's rest axes), then six multipliers per soft section. Nodes of a rigid section follow its pose,
+// so prescribed motions are plain data and reactions are the consistent residual at the pose.
 #pragma once
 
 #include <utility>
@@ -15,15 +16,16 @@
 namespace vasorod::fem {
 
 struct State {
-  Eigen::VectorXd u;              ///< every degree of freedom, length
-  std::vector<Pose> pose;         ///< per section: rotation R and current centre c
-  std::vector<Vec6> multiplier;   ///< per section; zero for rigid ones
+  Eigen::VectorXd u;             ///< every degree of freedom, length
+  std::vector<Pose> pose;        ///< per section: rotation R and current centre c
+  std::vector<Vec6> multiplier;  ///< per section; zero for rigid ones
 };
 
 struct Supports {
   std::vector<Section> sections;
-  std::vector<std::pair<int, double>> prescribed;  ///< degree of freedom, value at load 1 (linear in the load)
-  Eigen::VectorXd dead_load;                       ///< per degree of freedom at load 1; empty: none
+  std::vector<std::pair<int, double>>
+      prescribed;             ///< degree of freedom, value at load 1 (linear in the load)
+  Eigen::VectorXd dead_load;  ///< per degree of freedom at load 1; empty: none
 };
 
 class System {
@@ -44,30 +46,34 @@ class System {
   Eigen::VectorXd difference(const State& from, const State& to) const;
 
   struct Assembly {
-    bool admissible = false;              ///< false: det F <= 0 somewhere
-    double energy = 0;                    ///< strain energy, stress length^3
-    Eigen::VectorXd residual;             ///< of the unknowns
-    double scale = 0;                     ///< root of the sum over cells of |internal force|^2
+    bool admissible = false;   ///< false: det F <= 0 somewhere
+    double energy = 0;         ///< strain energy, stress length^3
+    Eigen::VectorXd residual;  ///< of the unknowns
+    double scale = 0;          ///< root of the sum over cells of |internal force|^2
     Sparse tangent;
-    std::vector<Vec6> section_force;      ///< what a section does to the model: force, moment about its current centre
-    Eigen::VectorXd nodal;                ///< residual at every degree of freedom (reactions at prescribed ones)
+    std::vector<Vec6>
+        section_force;      ///< what a section does to the model: force, moment about its current centre
+    Eigen::VectorXd nodal;  ///< residual at every degree of freedom (reactions at prescribed ones)
     double relative_residual() const;
   };
-  /// With `target`: the residual is linearly continued to the prescribed values of that state (a tangent predictor).
-  void assemble(const State& state, double load, bool want_tangent, Assembly& out, const State* target = nullptr) const;
+  /// With `target`: the residual is linearly continued to the prescribed values of that state (a tangent
+  /// predictor).
+  void assemble(const State& state, double load, bool want_tangent, Assembly& out,
+                const State* target = nullptr) const;
 
  private:
   void build_numbering();
   void build_pattern();
-  void reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns, std::vector<int>& sections) const;
+  void reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns,
+                       std::vector<int>& sections) const;
   void add_sections(const State& state, double load, bool want_tangent, Assembly& out) const;
 
   const Model& model_;
   Supports supports_;
-  std::vector<int> index_;                           // per dof: unknown, or -1
-  std::vector<std::pair<int, int>> member_;          // per dof: (section, member) or (-1, -1)
-  std::vector<std::array<int, 6>> pose_index_;       // per section: unknown or -1
-  std::vector<std::array<int, 6>> multiplier_index_; // per section: unknown or -1
+  std::vector<int> index_;                            // per dof: unknown, or -1
+  std::vector<std::pair<int, int>> member_;           // per dof: (section, member) or (-1, -1)
+  std::vector<std::array<int, 6>> pose_index_;        // per section: unknown or -1
+  std::vector<std::array<int, 6>> multiplier_index_;  // per section: unknown or -1
   std::vector<std::vector<int>> cell_dofs_;
   Sparse pattern_;
   int size_ = 0;

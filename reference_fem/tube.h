@@ -10,10 +10,10 @@ namespace vasorod::fem {
 struct TubeShape {
   double length = 1, radius = 1, thickness = 0.1;
   double end_radius = 1, end_thickness = 0.1;
-  double bend = 0;        ///< radians: total angle of the circular axis, turning towards `normal`
-  Pose placement;         ///< frame of the start section: d3 the axis, d1 the normal
+  double bend = 0;  ///< radians: total angle of the circular axis, turning towards `normal`
+  Pose placement;   ///< frame of the start section: d3 the axis, d1 the normal
 
-  double radius_at(double s) const { return radius + s * (end_radius - radius); }                ///< s in [0, 1]
+  double radius_at(double s) const { return radius + s * (end_radius - radius); }  ///< s in [0, 1]
   double thickness_at(double s) const { return thickness + s * (end_thickness - thickness); }
   /// Section frame at the fraction s of the axis.
   Pose section(double s) const;

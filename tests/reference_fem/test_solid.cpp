@@ -1,4 +1,5 @@
-// The solid against exact solutions: patch test, manufactured solution, Lame's tube, uniaxial bar, residual and tangent.
+// The solid against exact solutions: patch test, manufactured solution, Lame's tube, uniaxial bar, residual
+// and tangent.
 #include "reference_fem/solid.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ const Axes space_axes = [](const Vec3&) { return Mat3(Mat3::Identity()); };
 
 /// A distorted block of size 1 x 1 x 1.
 Vec3 skewed(const Vec3& p) {
-  return p + 0.08 * Vec3(std::sin(2 * p[1]) * p[0] * (1 - p[0]), p[0] * p[2] * p[1] * (1 - p[1]), p[2] * (1 - p[2]) * p[0]);
+  return p + 0.08 * Vec3(std::sin(2 * p[1]) * p[0] * (1 - p[0]), p[0] * p[2] * p[1] * (1 - p[1]),
+                         p[2] * (1 - p[2]) * p[0]);
 }
 
 bool on_boundary(const Vec3& parameter) {
@@ -29,7 +31,8 @@ bool on_boundary(const Vec3& parameter) {
 TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
   TubeShape tube{5, 2, 1, 1.6, 0.7, 0.5, {}};
   Solid solid(make_solid({{3, 1, 1}, true, 2}, [&](const Vec3& p) { return tube.point(p); }),
-              MaterialLaw(LawKind::biot, {1.7, 0.9, 0.35, 0.2, 0.25, false}), [&](const Vec3& p) { return tube.axes(p); });
+              MaterialLaw(LawKind::biot, {1.7, 0.9, 0.35, 0.2, 0.25, false}),
+              [&](const Vec3& p) { return tube.axes(p); });
   solid.add_pressure(2, 0, 0.3);
   Eigen::VectorXd u(solid.dof_count());
   for (int i = 0; i < u.size(); ++i) u[i] = 0.05 * std::sin(3.0 * i);
@@ -47,7 +50,8 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
       solid.evaluate(cell, v, 0.7, false, minus);
       const auto column = static_cast<Eigen::Index>(b);
       worst = std::max(worst, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
-      worst_energy = std::max(worst_energy, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
+      worst_energy =
+          std::max(worst_energy, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
     }
     EXPECT_LT(worst, 1e-7 * at.tangent.norm());
     if (cell == 1) {
@@ -67,7 +71,8 @@ TEST(Solid, PatchTestOnDistortedCells) {
       const Mesh& mesh = solid.mesh();
       for (int i = 0; i < mesh.node_count(); ++i)
         if (on_boundary(mesh.parameters.row(i)))
-          for (int c = 0; c < 3; ++c) supports.prescribed.emplace_back(3 * i + c, (H * mesh.nodes.row(i).transpose())[c]);
+          for (int c = 0; c < 3; ++c)
+            supports.prescribed.emplace_back(3 * i + c, (H * mesh.nodes.row(i).transpose())[c]);
       const System system(solid, supports);
       State state;
       System::Assembly assembly;
@@ -83,7 +88,8 @@ TEST(Solid, PatchTestOnDistortedCells) {
     }
 }
 
-// x = X + 0.3 f(X), f smooth; body force -Div P by central differences of the law's P; Dirichlet data on all faces.
+// x = X + 0.3 f(X), f smooth; body force -Div P by central differences of the law's P; Dirichlet data on all
+// faces.
 struct Manufactured {
   MaterialLaw law;
   static Vec3 u(const Vec3& X) {
@@ -92,8 +98,8 @@ struct Manufactured {
   static Mat3 gradient(const Vec3& X) {
     Mat3 H;
     H << 0, 2 * std::cos(2 * X[1] + X[2]), std::cos(2 * X[1] + X[2]),  //
-        -std::sin(X[0] - 1.5 * X[2]), 0, 1.5 * std::sin(X[0] - 1.5 * X[2]),
-        std::cos(X[0] + X[1] * X[2]), X[2] * std::cos(X[0] + X[1] * X[2]), X[1] * std::cos(X[0] + X[1] * X[2]);
+        -std::sin(X[0] - 1.5 * X[2]), 0, 1.5 * std::sin(X[0] - 1.5 * X[2]), std::cos(X[0] + X[1] * X[2]),
+        X[2] * std::cos(X[0] + X[1] * X[2]), X[1] * std::cos(X[0] + X[1] * X[2]);
     return Mat3::Identity() + 0.1 * H;
   }
   Mat3 P(const Vec3& X) const {
@@ -124,7 +130,8 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
   Supports supports;
   for (int i = 0; i < mesh.node_count(); ++i)
     if (on_boundary(mesh.parameters.row(i)))
-      for (int c = 0; c < 3; ++c) supports.prescribed.emplace_back(3 * i + c, Manufactured::u(mesh.nodes.row(i))[c]);
+      for (int c = 0; c < 3; ++c)
+        supports.prescribed.emplace_back(3 * i + c, Manufactured::u(mesh.nodes.row(i))[c]);
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
   for (int c = 0; c < mesh.cell_count(); ++c)
     for (int q = 0; q < mesh.point_count(); ++q) {
@@ -134,7 +141,8 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
         X += mesh.shape(q, static_cast<Eigen::Index>(a)) * mesh.nodes.row(mesh.cell_nodes[cell][a]);
       const Vec3 f = mesh.weights[cell][q] * exact.body_force(X);
       for (std::size_t a = 0; a < mesh.cell_nodes[cell].size(); ++a)
-        supports.dead_load.segment<3>(3 * mesh.cell_nodes[cell][a]) += mesh.shape(q, static_cast<Eigen::Index>(a)) * f;
+        supports.dead_load.segment<3>(3 * mesh.cell_nodes[cell][a]) +=
+            mesh.shape(q, static_cast<Eigen::Index>(a)) * f;
     }
   const System system(solid, supports);
   State state;
@@ -154,7 +162,8 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
     for (int q = 0; q < mesh.point_count(); ++q) {
       const Vec3 X = (mesh.shape.row(q) * xe).transpose();
       const Mat3 H = (mesh.gradient[c].middleRows<3>(3 * q) * ue).transpose();
-      square += mesh.weights[c][q] * ((mesh.shape.row(q) * ue).transpose() - Manufactured::u(X)).squaredNorm();
+      square +=
+          mesh.weights[c][q] * ((mesh.shape.row(q) * ue).transpose() - Manufactured::u(X)).squaredNorm();
       slope += mesh.weights[c][q] * (H + Mat3::Identity() - Manufactured::gradient(X)).squaredNorm();
     }
   }
@@ -166,8 +175,10 @@ TEST(Solid, ManufacturedSolutionConvergesAtItsOrder) {
     const Manufactured exact{MaterialLaw(kind, {1.3, 0.9, 0.35, 0.2, 0.35, false})};
     for (const int degree : {1, 2, 3}) {
       const int coarse = degree == 1 ? 4 : 2;
-      const Errors a = manufactured_errors(exact, degree, coarse), b = manufactured_errors(exact, degree, 2 * coarse);
-      const double order = std::log2(a.displacement / b.displacement), slope_order = std::log2(a.energy / b.energy);
+      const Errors a = manufactured_errors(exact, degree, coarse),
+                   b = manufactured_errors(exact, degree, 2 * coarse);
+      const double order = std::log2(a.displacement / b.displacement),
+                   slope_order = std::log2(a.energy / b.energy);
       RecordProperty("L2 order p=" + std::to_string(degree), std::to_string(order));
       EXPECT_GT(order, degree + 1 - 0.25) << degree;
       EXPECT_LT(order, degree + 1 + 0.6) << degree;
@@ -181,12 +192,14 @@ TEST(Solid, LameTubeUnderPressure) {
   const double p = 1e-9;
   TubeShape tube{4, 10, 2, 10, 2, 0, {}};
   Solid solid(make_solid({{8, 1, 1}, true, 4}, [&](const Vec3& at) { return tube.point(at); }),
-              MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)), [&](const Vec3& at) { return tube.axes(at); });
+              MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)),
+              [&](const Vec3& at) { return tube.axes(at); });
   solid.add_pressure(2, 0, p);
   Supports supports;
   const Mesh& mesh = solid.mesh();
   for (int i = 0; i < mesh.node_count(); ++i)
-    if (mesh.parameters(i, 1) < 1e-9 || mesh.parameters(i, 1) > 1 - 1e-9) supports.prescribed.emplace_back(3 * i + 2, 0);
+    if (mesh.parameters(i, 1) < 1e-9 || mesh.parameters(i, 1) > 1 - 1e-9)
+      supports.prescribed.emplace_back(3 * i + 2, 0);
   const int right = mesh.nearest_node({0, 0, 0}), top = mesh.nearest_node({0.25, 0, 0});
   supports.prescribed.emplace_back(3 * right + 1, 0);
   supports.prescribed.emplace_back(3 * top, 0);
@@ -198,13 +211,15 @@ TEST(Solid, LameTubeUnderPressure) {
   options.first_step = options.largest_step = 1;
   options.tolerance = 1e-8;
   ASSERT_EQ(follow_path(system, state, assembly, options).status, PathStatus::complete);
-  const double inner = state.u[3 * mesh.nearest_node({0, 0.5, 0})], outer = state.u[3 * mesh.nearest_node({0, 0.5, 1})];
+  const double inner = state.u[3 * mesh.nearest_node({0, 0.5, 0})],
+               outer = state.u[3 * mesh.nearest_node({0, 0.5, 1})];
   EXPECT_NEAR(inner / p * 1e-3, 4.48695e-2, 4.48695e-2 * 2e-5);
   EXPECT_NEAR(outer / p * 1e-3, 4.05405e-2, 4.05405e-2 * 2e-5);
 }
 
 TEST(Solid, SaysWhereAnElementIsTurnedInsideOut) {
-  Solid solid(make_solid({{1, 1, 1}, false, 2}, skewed), MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)), space_axes);
+  Solid solid(make_solid({{1, 1, 1}, false, 2}, skewed), MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)),
+              space_axes);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(solid.dof_count());
   const Mesh& mesh = solid.mesh();
   for (int i = 0; i < mesh.node_count(); ++i) u[3 * i] = -2 * mesh.nodes(i, 0);

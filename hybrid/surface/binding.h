@@ -24,6 +24,10 @@ Pose frame_at(const RodTree& tree, const RodPoses& poses, int element, double s)
 /// tree) restricts the search. Throws InputError when a section plane would pass through the centre of curvature.
 Binding bind(const RodTree& tree, const Points& points, const std::vector<int>& branch_of);
 
+/// The rod coordinates of one point, over all branches: a picked point on its vessel. Distances are compared over the
+/// local radius where the tree has one.
+RodCoordinates project(const RodTree& tree, const Vec3& point);
+
 /// p' [6]: where its section carries each vertex when the rod has `poses`. n x 3.
 Points carried_points(const RodTree& tree, const RodPoses& poses, const Binding& binding);
 

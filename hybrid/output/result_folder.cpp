@@ -5,6 +5,7 @@
 
 #include "geometry/error.h"
 #include "output/folder_replacement.h"
+#include "output/report.h"
 #include "output/write_json.h"
 #include "output/write_vtp.h"
 
@@ -37,9 +38,13 @@ void write_result_folder(Result& result, const std::filesystem::path& folder) {
   const auto start = std::chrono::steady_clock::now();
   FolderReplacement replacement(folder);
   for (const auto& [name, content] : geometry_files(result)) replacement.write(name, content);
+  const std::vector<NamedPicture> pictures = report_pictures(result, result.environment.threads);
+  for (const NamedPicture& picture : pictures) replacement.write(picture.file, picture.png);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.seconds["write"] = seconds;
   result.seconds["total"] += seconds;
+  replacement.write("report.html",
+                    report_html(result, pictures));  // with those seconds, so not counted itself
   replacement.write("result.json", to_json(result));
   replacement.commit();
 }

@@ -1,0 +1,14 @@
+// report.html: one file, no network. Status and validity first, then the view, the pictures and the tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/report_pictures.h"
+#include "output/result.h"
+
+namespace vasorod {
+
+std::string report_html(const Result& result, const std::vector<NamedPicture>& pictures);
+
+}  // namespace vasorod

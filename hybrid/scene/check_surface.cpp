@@ -65,7 +65,7 @@ void check_edges(const std::string& file, const TriangleSurface& surface) {
   for (size_t i = 0; i < sides.size();) {
     size_t end = i + 1;
     while (end < sides.size() && one_edge(sides[i], sides[end])) ++end;
-    const auto middle = 0.5 * (point_of(surface, sides[i].from) + point_of(surface, sides[i].to));
+    const Vec3 middle = 0.5 * (point_of(surface, sides[i].from) + point_of(surface, sides[i].to));
     if (end - i > 2)
       refuse(file, "a non-manifold edge with " + std::to_string(end - i) + " triangles at " + place(middle),
              "at most two triangles at an edge");

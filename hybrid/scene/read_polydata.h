@@ -1,4 +1,4 @@
-// One surface file through VTK's readers: VTP in every encoding, STL, PLY, OBJ, told apart by their ending.
+// One surface file as triangles: VTP in every encoding, STL, PLY, OBJ, told apart by their ending.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace vasorod {
 
 /// Polygons and strips as triangles, arrays row by row, STL and OBJ welded, points without triangles dropped.
 /// Throws InputError on a file that is missing, damaged, without triangles or with points that are not
-/// finite; VTK's own messages go into that sentence and nowhere else.
+/// finite.
 LoadedSurface read_polydata(const std::filesystem::path& file);
 
 /// Keeps the named rows of every array, in that order.

@@ -1,4 +1,4 @@
-// Surfaces of a scene: read through VTK, cleaned, opened, checked, remeshed where asked; or generated.
+// Surfaces of a scene: read, cleaned, opened, checked, remeshed where asked; or generated.
 #pragma once
 
 #include <optional>

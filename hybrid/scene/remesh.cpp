@@ -6,6 +6,8 @@
 
 #include "geometry/triangle_surface.h"
 #include "scene/cgal_surface.h"
+#include "scene/editable_mesh.h"
+#include "scene/read_polydata.h"
 
 namespace vasorod {
 
@@ -74,17 +76,36 @@ TriangleSurface ends_first(const TriangleSurface& before, const TriangleSurface&
   return out;
 }
 
+// CGAL leaves short edges where an end is jagged, as a clipped one is.
+void collapse_short_edges(TriangleSurface& surface, double shortest, double longest) {
+  EditableMesh mesh(surface);
+  for (int t = 0; t < mesh.triangles(); ++t)
+    for (int k = 0; k < 3 && mesh.alive(t); ++k) {
+      const int a = mesh.corner(t, k), b = mesh.corner(t, k + 1);
+      if (mesh.length(a, b) < shortest && mesh.may_collapse(a, b) && mesh.collapse_keeps_shape(a, b, longest))
+        mesh.collapse(a, b);
+    }
+  LoadedSurface loaded;
+  loaded.surface = surface;
+  keep_triangles(loaded, mesh.alive());
+  drop_unused_points(loaded);
+  surface = loaded.surface;
+}
+
 }  // namespace
 
 TriangleSurface remesh(const TriangleSurface& surface, double edge) {
   namespace pmp = CGAL::Polygon_mesh_processing;
   CgalMesh mesh = to_cgal(surface);
-  // Ten rounds: measured on the coarse anatomy, edge lengths settle after six. Ends are split and collapsed
-  // along themselves (not protected: a coarse end would keep its short edges) and never smoothed.
+  // Three rounds: on the anatomy's pulmonary artery at 1 mm the spread of edge lengths over their mean is
+  // 0.20, 0.16, 0.15 and 0.14 after 1, 3, 5 and 10 rounds. Ends are split and collapsed along themselves (not
+  // protected: a coarse end would keep its short edges) and never smoothed.
   pmp::isotropic_remeshing(faces(mesh), edge, mesh,
-                           pmp::parameters::number_of_iterations(10).relax_constraints(false));
+                           pmp::parameters::number_of_iterations(3).relax_constraints(false));
   mesh.collect_garbage();
-  return ends_first(surface, from_cgal(mesh));
+  TriangleSurface remeshed = from_cgal(mesh);
+  collapse_short_edges(remeshed, 0.4 * edge, 1.7 * edge);
+  return ends_first(surface, remeshed);
 }
 
 }  // namespace vasorod

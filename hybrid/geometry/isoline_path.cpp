@@ -244,6 +244,8 @@ class Walker {
   }
 
   double short_step() const { return 0.8 * editor_.snap(); }
+  // Along the path short edges are not only ugly: the seam copies them to the other vessel.
+  double short_on_path() const { return 1.2 * editor_.snap(); }
 
   // A step across the narrow corner of a triangle would leave a short edge: one of its two vertices goes, the
   // one surgery made. True when done; `path` then ends where the walk goes on.
@@ -295,7 +297,7 @@ class Walker {
         path.push_back(next);
         return done + editor_.length(v, next);
       }
-      if (editor_.length(v, next) < short_step() && shorten(path, next, done)) continue;
+      if (editor_.length(v, next) < short_on_path() && shorten(path, next, done)) continue;
       path.push_back(next);
       done += editor_.length(v, next);
     }

@@ -56,7 +56,7 @@ class LevelSetSplit {
       for (const int v : curve) {
         if (editor_.triangles_of(v).empty()) continue;
         for (const int w : editor_.ring(v))
-          if (editor_.length(v, w) < editor_.min_edge() && merge(v, w)) {
+          if (editor_.length(v, w) < shortest_wanted(w) && merge(v, w)) {
             changed = true;
             break;
           }
@@ -137,6 +137,11 @@ class LevelSetSplit {
     for (const int w : editor_.ring(v))
       if (on_curve_.contains(w) && !simple_round(editor_.ring(w), v)) return false;
     return true;
+  }
+
+  // Along the curve short edges are not only ugly: the seam copies them to the other vessel.
+  double shortest_wanted(int w) const {
+    return std::max(editor_.min_edge(), (on_curve_.contains(w) ? 1.2 : 0.6) * editor_.snap());
   }
 
   bool merge(int v, int w) {

@@ -16,7 +16,7 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0, 1);
   testing::MadeBySurgery worst;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 80; ++i) {
     testing::TubeShape shape;
     shape.around = 8 + static_cast<int>(uniform(random) * 40);
     shape.radius = 5;

@@ -1,0 +1,84 @@
+#include "geometry/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vasorod {
+namespace {
+
+constexpr int sample_count = 180;
+
+double modulo_one(double x) {
+  return x - std::floor(x);
+}
+
+}  // namespace
+
+LoopCurve::LoopCurve(Points corners) : corners_(std::move(corners)), position_{0} {
+  const Eigen::Index n = corners_.rows();
+  for (Eigen::Index k = 0; k < n; ++k)
+    position_.push_back(position_.back() + (corners_.row((k + 1) % n) - corners_.row(k)).norm());
+}
+
+Vec3 LoopCurve::at(double fraction) const {
+  const double s = modulo_one(fraction) * length();
+  const auto after = std::upper_bound(position_.begin() + 1, position_.end() - 1, s);
+  const auto k = static_cast<Eigen::Index>(after - position_.begin()) - 1;
+  const double edge = position(static_cast<int>(k) + 1) - position(static_cast<int>(k));
+  const double t = edge > 0 ? (s - position(static_cast<int>(k))) / edge : 0;
+  return (1 - t) * corners_.row(k) + t * corners_.row((k + 1) % corners_.rows());
+}
+
+double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset) {
+  double sum = 0;
+  for (int i = 0; i < sample_count; ++i) {
+    const double u = static_cast<double>(i) / sample_count;
+    sum += (a.at(u) - b.at(offset - u)).squaredNorm();
+  }
+  return sum / sample_count;
+}
+
+double opposite_offset(const LoopCurve& a, const LoopCurve& b) {
+  // At offsets that are multiples of the sample spacing both loops are met at the same samples.
+  std::vector<Vec3> on_a, on_b;
+  for (int i = 0; i < sample_count; ++i) {
+    on_a.push_back(a.at(static_cast<double>(i) / sample_count));
+    on_b.push_back(b.at(static_cast<double>(i) / sample_count));
+  }
+  int best = 0;
+  double best_sum = std::numeric_limits<double>::infinity();
+  for (int offset = 0; offset < sample_count; ++offset) {
+    double sum = 0;
+    for (int i = 0; i < sample_count; ++i)
+      sum += (on_a[static_cast<size_t>(i)] -
+              on_b[static_cast<size_t>((offset - i + sample_count) % sample_count)])
+                 .squaredNorm();
+    if (sum < best_sum) {
+      best_sum = sum;
+      best = offset;
+    }
+  }
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double low = (best - 1.0) / sample_count, high = (best + 1.0) / sample_count;
+  double left = high - golden * (high - low), right = low + golden * (high - low);
+  double at_left = opposite_distance(a, b, left), at_right = opposite_distance(a, b, right);
+  while (high - low > 1e-9) {
+    if (at_left < at_right) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - golden * (high - low);
+      at_left = opposite_distance(a, b, left);
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + golden * (high - low);
+      at_right = opposite_distance(a, b, right);
+    }
+  }
+  return modulo_one((low + high) / 2);
+}
+
+}  // namespace vasorod

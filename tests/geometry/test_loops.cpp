@@ -1,0 +1,49 @@
+#include "geometry/loops.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vasorod {
+namespace {
+
+Points circle(int count, double radius, double start, int sense) {
+  Points p(count, 3);
+  for (int k = 0; k < count; ++k) {
+    const double angle = start + sense * 2 * M_PI * k / count;
+    p.row(k) << radius * std::cos(angle), radius * std::sin(angle), 0;
+  }
+  return p;
+}
+
+TEST(Loops, PositionsAndPointsOfARectangle) {
+  Points p(4, 3);
+  p << 0, 0, 0, 3, 0, 0, 3, 1, 0, 0, 1, 0;
+  const LoopCurve loop(p);
+  EXPECT_DOUBLE_EQ(loop.length(), 8);
+  EXPECT_DOUBLE_EQ(loop.position(3), 7);
+  EXPECT_NEAR((loop.at(3.5 / 8) - Vec3(3, 0.5, 0)).norm(), 0, 1e-14);
+  EXPECT_NEAR((loop.at(-0.5 / 8) - Vec3(0, 0.5, 0)).norm(), 0, 1e-14);
+  EXPECT_NEAR((loop.at(1) - Vec3(0, 0, 0)).norm(), 0, 1e-14);
+}
+
+TEST(Loops, TheOffsetOfTwoCirclesIsTheirAngle) {
+  for (const double turn : {0.3, 1.7, 4.0}) {
+    const LoopCurve a(circle(64, 2, 0, +1)), b(circle(80, 2.5, turn, -1));
+    const double offset = opposite_offset(a, b);
+    // b starts at angle `turn` and runs the other way: it is at angle 2 pi u where w = turn / (2 pi) - u.
+    EXPECT_NEAR(std::remainder(offset - turn / (2 * M_PI), 1.0), 0, 2e-4);  // both are polygons
+    EXPECT_NEAR(opposite_distance(a, b, offset), 0.25, 1e-3);
+  }
+}
+
+TEST(Loops, NoOtherOffsetLiesCloser) {
+  Points slit(20, 3);  // a flat slit, both banks on each other
+  for (int k = 0; k < 20; ++k) slit.row(k) << (k <= 10 ? k - 5.0 : 15.0 - k), 0, 0;
+  const LoopCurve a(circle(33, 20 / (2 * M_PI), 0.7, +1)), b(slit);
+  const double offset = opposite_offset(a, b), least = opposite_distance(a, b, offset);
+  for (int k = 0; k < 1000; ++k) EXPECT_GE(opposite_distance(a, b, k / 1000.0), least - 1e-12);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -25,13 +25,16 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
+// Even-odd rule: how often does the ray from p along +x cross the polygon?
 bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
-  double angle = 0;
+  bool odd = false;
   for (size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 a = polygon[k] - p, b = polygon[(k + 1) % polygon.size()] - p;
-    angle += std::atan2(cross(a, b), a.dot(b));
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      odd = !odd;
   }
-  return std::abs(angle) > M_PI;
+  return odd;
 }
 
 double distance_to(const std::vector<Vec2>& polygon, const Vec2& p) {
@@ -44,8 +47,8 @@ double distance_to(const std::vector<Vec2>& polygon, const Vec2& p) {
   return best;
 }
 
-// The constrained Delaunay triangles inside a polygon (its corners are points 0 to count - 1),
-// counter-clockwise.
+// The constrained Delaunay triangles inside a polygon (its corners are points 0
+// to count - 1), counter-clockwise.
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec2>& points, size_t count,
                                             const std::vector<Vec2>& polygon) {
   Delaunay delaunay;
@@ -83,39 +86,43 @@ std::vector<Vec2> grid_inside(const std::vector<Vec2>& polygon, double h) {
   return points;
 }
 
-}  // namespace
-
-std::vector<double> mean_value_coordinates(const std::vector<Vec3>& polygon, const Vec3& point) {
-  const size_t n = polygon.size();
-  std::vector<double> weight(n);
-  double sum = 0;
-  Vec3 normal = Vec3::Zero();  // angles carry a sign, or a polygon with a dent comes out wrong
-  for (size_t k = 0; k < n; ++k) normal += (polygon[k] - point).cross(polygon[(k + 1) % n] - point);
-  normal.normalize();
-  auto half_tangent = [&](size_t k) {  // tan(angle / 2) between corner k and the next, seen from the point
-    const Vec3 a = polygon[k] - point, b = polygon[(k + 1) % n] - point;
-    return std::tan(0.5 * std::atan2(a.cross(b).dot(normal), a.dot(b)));
-  };
-  for (size_t k = 0; k < n; ++k) {
-    weight[k] = (half_tangent((k + n - 1) % n) + half_tangent(k)) / (polygon[k] - point).norm();
-    sum += weight[k];
+// Barycentric coordinates in the triangle of the polygon's own triangulation
+// that holds p best.
+void add_source(VertexSources& sources, const std::vector<std::array<int, 3>>& triangles,
+                const std::vector<Vec2>& polygon, const std::vector<int>& rim, const Vec2& p) {
+  double best = -std::numeric_limits<double>::infinity();
+  std::vector<std::pair<int, double>> terms(3);
+  for (const auto& c : triangles) {
+    const Vec2 &x = polygon[static_cast<size_t>(c[0])], &y = polygon[static_cast<size_t>(c[1])],
+               &z = polygon[static_cast<size_t>(c[2])];
+    const double whole = cross(y - x, z - x);
+    const Vec3 w(cross(y - p, z - p) / whole, cross(z - p, x - p) / whole, cross(x - p, y - p) / whole);
+    if (!(w.minCoeff() > best)) continue;
+    best = w.minCoeff();
+    for (size_t k = 0; k < 3; ++k) terms[k] = {rim[static_cast<size_t>(c[k])], w[static_cast<int>(k)]};
   }
-  for (double& w : weight) w /= sum;
-  return weight;
+  std::sort(terms.begin(), terms.end());
+  VertexSource source;
+  for (const auto& [vertex, weight] : terms) {
+    source.vertex.push_back(vertex);
+    source.weight.push_back(weight);
+  }
+  sources.push_back(std::move(source));
 }
+
+}  // namespace
 
 CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vector<int>& loop) {
   const size_t count = loop.size();
-  // In the hole's plane, run through so that the cap lies on the left: against the boundary's direction.
+  // In the hole's plane, run through so that the cap lies on the left: against
+  // the boundary's direction.
   const Vec3 origin = surface.points.row(loop[0]);
   const Vec3 normal = -area_vector(surface.points, loop).normalized();
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
   std::vector<int> rim(loop.rbegin(), loop.rend());
   std::vector<Vec2> points;
-  std::vector<Vec3> polygon;
   for (const int v : rim) {
     const Vec3 p = surface.points.row(v).transpose();
-    polygon.push_back(p);
     points.emplace_back((p - origin).dot(e1), (p - origin).dot(e2));
   }
   const std::vector<Vec2> outline = points;
@@ -123,7 +130,8 @@ CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vecto
     points.push_back(p);
 
   auto triangles = triangulate(points, count, outline);
-  for (int round = 0; round < 6; ++round) {  // to the mean of the neighbours, which evens the triangles out
+  for (int round = 0; round < 6; ++round) {  // to the mean of the neighbours,
+                                             // which evens the triangles out
     std::vector<Vec2> sum(points.size(), Vec2::Zero());
     std::vector<double> weight(points.size(), 0);
     for (const auto& c : triangles)
@@ -142,16 +150,13 @@ CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vecto
   result.surface.points.resize(old_points + static_cast<Eigen::Index>(points.size() - count), 3);
   result.surface.points.topRows(old_points) = surface.points;
   for (int v = 0; v < old_points; ++v) result.sources.push_back(VertexSource::original(v));
-  std::vector<VertexSource> rim_sources;
-  std::vector<const VertexSource*> rim_pointers;
-  for (const int v : rim) rim_sources.push_back(VertexSource::original(v));
-  for (const VertexSource& source : rim_sources) rim_pointers.push_back(&source);
+  const auto of_outline = triangulate(outline, count, outline);
   for (size_t i = count; i < points.size(); ++i) {
-    const auto weights = mean_value_coordinates(polygon, origin + points[i].x() * e1 + points[i].y() * e2);
+    add_source(result.sources, of_outline, outline, rim, points[i]);
     Vec3 at = Vec3::Zero();
-    for (size_t k = 0; k < count; ++k) at += weights[k] * polygon[k];
+    const VertexSource& source = result.sources.back();
+    for (size_t k = 0; k < 3; ++k) at += source.weight[k] * surface.points.row(source.vertex[k]).transpose();
     result.surface.points.row(old_points + static_cast<Eigen::Index>(i - count)) = at.transpose();
-    result.sources.push_back(blend(rim_pointers, weights));
   }
   result.surface.triangles.resize(old_triangles + static_cast<Eigen::Index>(triangles.size()), 3);
   result.surface.triangles.topRows(old_triangles) = surface.triangles;

@@ -10,16 +10,12 @@ namespace vasorod {
 
 struct CappedSurface {
   TriangleSurface surface;  ///< the input's points and triangles first, the cap's after
-  VertexSources
-      sources;  ///< in the input surface; a cap's inner vertex is the mean-value combination of the rim
+  VertexSources sources;    ///< in the input surface; a cap's inner vertex is a
+                            ///< mean of three rim vertices
 };
 
-/// Fills the boundary loop (in boundary order) of `surface`, which must be planar, with triangles of the size
-/// of its edges.
+/// Fills the boundary loop (in boundary order) of `surface`, which must be
+/// planar, with triangles of the size of its edges.
 CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vector<int>& loop);
-
-/// Mean-value coordinates (Floater 2003) of a point inside a planar polygon: weights with sum 1 whose
-/// combination of the corners is the point.
-std::vector<double> mean_value_coordinates(const std::vector<Vec3>& polygon, const Vec3& point);
 
 }  // namespace vasorod

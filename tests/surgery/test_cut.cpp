@@ -6,7 +6,6 @@
 
 #include "geometry/error.h"
 #include "geometry/noisy_tube.h"
-#include "surgery/cap.h"
 #include "surgery/surface_checks.h"
 
 namespace vasorod {
@@ -161,16 +160,6 @@ TEST(Cut, BadCutsAreRefusedWithASentence) {
   fine.around = 60;
   fine.along = 100;
   says(sentence(testing::noisy_tube(fine), {0, 0, 1}, Vec3::UnitZ()), "leave nothing");
-}
-
-TEST(Cap, MeanValueCoordinatesReproduceThePointAlsoInADentedPolygon) {
-  const std::vector<Vec3> polygon{{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {2, 1.5, 1}, {0, 4, 1}};
-  for (const Vec3& p : {Vec3(2, 1, 1), Vec3(0.5, 2.5, 1), Vec3(3.6, 3, 1)}) {
-    const auto w = mean_value_coordinates(polygon, p);
-    Vec3 sum = Vec3::Zero();
-    for (size_t k = 0; k < w.size(); ++k) sum += w[k] * polygon[k];
-    EXPECT_NEAR((sum - p).norm(), 0, 1e-12);
-  }
 }
 
 }  // namespace

@@ -74,6 +74,9 @@ IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod
   request.allowed = [&](int v) {
     return branch_of.empty() || branch_of[static_cast<size_t>(v)] == branch_of[nearest];
   };
+  for (int k = 0; k < 3; ++k)
+    if (!request.allowed(surface.triangles(hit.triangle, k)))
+      throw InputError(where + ": the pick lies at a fork of the vessel, expected it on one branch");
   const auto path = embed_isoline(editor, request);
   if (path.end == IsolineEnd::boundary)
     throw InputError(where + ": an incision of length " + number_text(length) +

@@ -138,6 +138,14 @@ TEST(Incision, BadIncisionsAreRefusedWithASentence) {
   says({10.3, 0, 10}, 5, "off the vessel");
   says({5, 0, 41}, 5, "lies at an open end");
   says({5, 0, 10}, 0.2, "too short");
+  int mixed = 0;  // a triangle between the two branches
+  while (branches[static_cast<size_t>(tube.triangles(mixed, 0))] ==
+         branches[static_cast<size_t>(tube.triangles(mixed, 1))])
+    ++mixed;
+  const Vec3 middle = (tube.points.row(tube.triangles(mixed, 0)) + tube.points.row(tube.triangles(mixed, 1)) +
+                       tube.points.row(tube.triangles(mixed, 2))) /
+                      3;
+  says(middle, 5, "lies at a fork");
 }
 
 }  // namespace

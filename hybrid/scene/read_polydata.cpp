@@ -174,7 +174,9 @@ int drop_unused_points(LoadedSurface& loaded) {
 LoadedSurface read_polydata(const std::filesystem::path& file) {
   const SurfaceFormat format = format_of(file);
   check_readable(file);
-  SurfaceFile read = format == SurfaceFormat::ply ? read_ply(file) : read_vtk(file, format);
+  SurfaceFile read = format == SurfaceFormat::ply   ? read_ply(file)
+                     : format == SurfaceFormat::obj ? read_obj(file)
+                                                    : read_vtk(file, format);
   check_points(file, read.points);
   const Faces faces = cut_into_triangles(file, read);
   if (faces.triangles.empty())

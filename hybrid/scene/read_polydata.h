@@ -7,7 +7,7 @@
 
 namespace vasorod {
 
-/// Polygons and strips as triangles, arrays row by row, STL and OBJ welded, points without triangles dropped.
+/// Polygons and strips as triangles, arrays row by row, STL welded, points without triangles dropped.
 /// Throws InputError on a file that is missing, damaged, without triangles or with points that are not
 /// finite.
 LoadedSurface read_polydata(const std::filesystem::path& file);

@@ -13,7 +13,7 @@ namespace vasorod {
 
 /// What reading changed.
 struct SurfaceReport {
-  int merged_points = 0;      ///< exact duplicates welded (STL and OBJ, whose triangles share no points)
+  int merged_points = 0;      ///< exact duplicates welded (STL, whose triangles share no points)
   int dropped_points = 0;     ///< belonged to no triangle
   int removed_triangles = 0;  ///< used a point twice
   int collapsed_edges = 0;    ///< shorter than 1e-3 of the mean edge

@@ -4,7 +4,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkLogger.h>
-#include <vtkOBJReader.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
@@ -90,7 +89,6 @@ vtkSmartPointer<vtkPolyData> read_data(const std::filesystem::path& file, Surfac
   vtkSmartPointer<vtkPolyData> data;
   try {
     if (format == SurfaceFormat::vtp) data = read_with(vtkSmartPointer<vtkXMLPolyDataReader>::New(), name);
-    if (format == SurfaceFormat::obj) data = read_with(vtkSmartPointer<vtkOBJReader>::New(), name);
     if (format == SurfaceFormat::stl) {
       const auto reader = vtkSmartPointer<vtkSTLReader>::New();
       reader->MergingOff();  // welded by read_polydata, where it is counted

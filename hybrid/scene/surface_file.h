@@ -18,12 +18,16 @@ struct SurfaceFile {
   std::vector<NamedArray> point_arrays, cell_arrays;
 };
 
-/// VTP, STL and OBJ through VTK, whose own messages go into the InputError of a damaged file and nowhere
+/// VTP and STL through VTK, whose own messages go into the InputError of a damaged file and nowhere
 /// else.
 SurfaceFile read_vtk(const std::filesystem::path& file, SurfaceFormat format);
 
 /// PLY (Turk 1994), ascii and binary in both byte orders. Not through VTK, whose reader crashes on damaged
 /// files.
 SurfaceFile read_ply(const std::filesystem::path& file);
+
+/// Wavefront OBJ: points and faces; texture, normals, groups and materials are left. Not through VTK, whose
+/// reader crashes on damaged files and doubles points that have several normals.
+SurfaceFile read_obj(const std::filesystem::path& file);
 
 }  // namespace vasorod

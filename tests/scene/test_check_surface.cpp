@@ -30,7 +30,8 @@ class CheckSurface : public ScratchFolder {
     EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     if (!sentence.empty()) {
-      EXPECT_EQ(sentence.rfind(file.string() + ": found ", 0), 0U) << sentence;
+      EXPECT_EQ(sentence.rfind(file.string() + ":", 0), 0U) << sentence;
+      EXPECT_NE(sentence.find(": found "), std::string::npos) << sentence;
       EXPECT_NE(sentence.find(", expected "), std::string::npos) << sentence;
     }
     return sentence;
@@ -69,6 +70,14 @@ TEST_F(CheckSurface, EmptyFiles) {
 TEST_F(CheckSurface, TextThatIsNoSurface) {
   for (const char* name : {"a.vtp", "a.stl", "a.ply", "a.obj"})
     EXPECT_NE(refusal(write(name, "this is not a surface\n")), "") << name;
+}
+
+TEST_F(CheckSurface, ObjWithImpossibleLines) {
+  expect_says(refusal(write("a.obj", "v 0 0\n")), "a point of 2 coordinates");
+  expect_says(refusal(write("a.obj", "v 0 0 x\n")), "not a number");
+  expect_says(refusal(write("a.obj", "v 0 0 0\nf 1 0 1\n")), "a point that does not exist");
+  expect_says(refusal(write("a.obj", "v 0 0 0\nf -1 -2 -1\n")), "a point that does not exist");
+  expect_says(refusal(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")), "a point that does not exist");
 }
 
 TEST_F(CheckSurface, TruncatedVtp) {

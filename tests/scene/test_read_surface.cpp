@@ -110,6 +110,24 @@ TEST_F(ReadSurface, ReadsObjWithNormalsOfItsOwnPerCorner) {
   EXPECT_EQ(euler_number(loaded.surface.triangles), 0);
 }
 
+TEST_F(ReadSurface, ReadsObjWithRelativeNumbersQuadsAndContinuedLines) {
+  std::string text = "# a tube of twelve quads in three rings\no tube\n";
+  for (int ring = 0; ring < 3; ++ring)
+    for (int i = 0; i < 12; ++i)
+      text += "v " + std::to_string(10 * std::cos(M_PI * i / 6)) + " " +
+              std::to_string(10 * std::sin(M_PI * i / 6)) + " " + std::to_string(5 * ring) + " 0.5 0.5 0.5\n";
+  for (int ring = 0; ring < 2; ++ring)
+    for (int i = 0; i < 12; ++i) {
+      const int a = 12 * ring + i - 36, b = 12 * ring + (i + 1) % 12 - 36;
+      text += "f " + std::to_string(a) + " " + std::to_string(b) + " \\\r\n " + std::to_string(b + 12) + " " +
+              std::to_string(a + 12) + "\r\n";
+    }
+  write("tube.obj", text);
+  const auto loaded = load("tube.obj");
+  EXPECT_EQ(loaded.surface.triangles.rows(), 48);
+  EXPECT_NEAR(total_area(loaded.surface), 12 * 20 * std::sin(M_PI / 12) * 10, 1e-4);
+}
+
 TEST_F(ReadSurface, CutsPolygonsAndStripsIntoTriangles) {
   // A tube of eight sides: one ring of quads, one of strips of two triangles each, one of hexagons (an extra
   // point on two sides of each quad).

@@ -34,7 +34,7 @@ struct Certificate {
 
 struct Validity {
   bool in_range = true;
-  double brazier_ratio = 0, twist_ratio = 0, largest_strain = 0;
+  double brazier_ratio = 0, wrinkling_ratio = 0, twist_ratio = 0, largest_strain = 0;
   std::vector<std::string> warnings;
 };
 

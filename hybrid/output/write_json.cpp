@@ -40,6 +40,7 @@ Json certificate(const Certificate& c) {
 Json validity(const Validity& v) {
   return {{"in_range", v.in_range},
           {"brazier_ratio", v.brazier_ratio},
+          {"wrinkling_ratio", v.wrinkling_ratio},
           {"twist_ratio", v.twist_ratio},
           {"largest_strain", v.largest_strain},
           {"warnings", Json(v.warnings)}};

@@ -1,0 +1,185 @@
+#include "app/collect_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "app/collect_vessel.h"
+#include "geometry/triangle_surface.h"
+#include "rod/conditions.h"
+#include "surface/blas.h"
+
+namespace vasorod {
+namespace {
+
+Status status_of(RodStatus status) {
+  switch (status) {
+    case RodStatus::converged: return Status::converged;
+    case RodStatus::equilibrium_only: return Status::equilibrium_only;
+    case RodStatus::unstable: return Status::unstable;
+    case RodStatus::iteration_limit: return Status::iteration_limit;
+    case RodStatus::interrupted: return Status::interrupted;
+  }
+  return Status::iteration_limit;
+}
+
+Status status_of(PaperStatus status) {
+  switch (status) {
+    case PaperStatus::converged: return Status::converged;
+    case PaperStatus::unstable: return Status::unstable;
+    case PaperStatus::iteration_limit: return Status::iteration_limit;
+    case PaperStatus::interrupted: return Status::interrupted;
+  }
+  return Status::iteration_limit;
+}
+
+// The whole is as good as its worst part; the enumeration runs from good to bad.
+void worsen(Status& whole, Status part) { whole = std::max(whole, part); }
+
+void add_rods(const Prediction& prediction, Result& result) {
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (!vessel.rod_solved) continue;
+    const RodSummary& summary = vessel.rod.summary;
+    const std::string& name = vessel.prepared.spec.name;
+    worsen(result.status, status_of(summary.status));
+    result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
+    if (!summary.message.empty()) result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
+    result.energy.rod += summary.energy;
+    result.iterations["rod"] += summary.iterations;
+    for (const ConditionedEnd& end : vessel.conditions.ends) {
+      const int node = vessel.prepared.vessel.ends[static_cast<size_t>(end.end)].node;
+      for (const RodReaction& reaction : vessel.rod.reactions)
+        if (reaction.node == node) result.ends.push_back({name, end.label, reaction.force, reaction.moment, reaction.center});
+    }
+  }
+}
+
+void add_surface(const PaperSolution& surface, bool certified, Result& result) {
+  worsen(result.status, status_of(surface.status));
+  result.certificate.relative_residual = std::max(result.certificate.relative_residual, surface.residual);
+  if (certified) result.certificate.smallest_curvature_positive = surface.smallest_curvature_positive;
+  result.energy.binding = surface.binding_energy;
+  result.energy.bending = surface.bending_energy;
+  result.energy.stretching = surface.stretching_energy;
+  result.energy.joining = surface.joining_energy;
+  result.energy.contact = surface.contact_energy;
+  result.iterations["surface"] = surface.iterations;
+}
+
+// support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does not feel what it
+// does to the surface: that part is named, not hidden.
+Balance balance_of(const Prediction& prediction, size_t v) {
+  const PredictedVessel& vessel = prediction.vessels[v];
+  Balance balance;
+  balance.vessel = vessel.prepared.spec.name;
+  double largest = 0;
+  const bool joined = prediction.glenn && prediction.glenn->report.svc == balance.vessel;
+  Vec3 rod_gap = Vec3::Zero();
+  for (const RodReaction& reaction : vessel.rod.reactions) {
+    // What keeps the vein's mouth in its pose is the join, not a support.
+    (joined && reaction.node == prediction.glenn->mouth_node ? balance.join : balance.support) += reaction.force;
+    rod_gap += reaction.force;
+    largest = std::max(largest, reaction.force.norm());
+  }
+  for (const RodLoad& load : vessel.conditions.rod.loads) {
+    balance.load += load.force;
+    largest = std::max(largest, load.force.norm());
+  }
+  rod_gap += balance.load;
+  const double rod_residual = largest > 0 ? rod_gap.norm() / largest : 0;
+  if (!prediction.surface) {
+    balance.residual = rod_residual;
+    return balance;
+  }
+  const BodySolution& body = prediction.surface->bodies[v];
+  balance.support += body.support;
+  balance.join += body.joining;
+  balance.contact = body.contact;
+  balance.binding = body.binding;
+  balance.rod_unbalanced = -body.binding;
+  balance.residual = std::max(rod_residual, body.residual);
+  return balance;
+}
+
+// The seam as the solved surfaces have it.
+void measure_seam(const Prediction& prediction, GlennReport& report) {
+  const auto& glenn = *prediction.glenn;
+  const auto of = [&](const std::string& name) -> const Points& {
+    for (const PredictedVessel& vessel : prediction.vessels)
+      if (vessel.prepared.spec.name == name) return vessel.positions;
+    throw std::logic_error("no vessel " + name);
+  };
+  const Points& svc = of(glenn.report.svc);
+  const Points& rpa = of(glenn.report.rpa);
+  report.join.pairs = static_cast<int>(glenn.pairs.size());
+  if (svc.rows() == 0 || rpa.rows() == 0) {  // fidelity rod: nothing was joined
+    report.join.largest_gap = report.join.rms_gap = std::numeric_limits<double>::quiet_NaN();
+    report.incision.opened_area = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  double sum = 0;
+  std::vector<int> rim;
+  for (const auto& [a, b] : glenn.pairs) {
+    rim.push_back(b);
+    const double gap = (svc.row(a) - rpa.row(b)).norm();
+    report.join.largest_gap = std::max(report.join.largest_gap, gap);
+    sum += gap * gap;
+  }
+  report.join.rms_gap = std::sqrt(sum / static_cast<double>(glenn.pairs.size()));
+  report.incision.opened_area = area_vector(rpa, rim).norm();
+}
+
+void add_contact(const Prediction& prediction, Result& result) {
+  for (const ContactSolution& pair : prediction.surface->contacts) {
+    if (!pair.within_reach) continue;
+    const auto name = [&](int body) { return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name; };
+    result.contact.push_back({name(pair.a), name(pair.b), pair.force, pair.area, pair.largest_pressure, pair.smallest_gap});
+  }
+}
+
+void describe_model(const Prediction& prediction, Result& result) {
+  ModelReport& model = result.model;
+  model.left_out = prediction.left_out;
+  std::set<std::string> terms;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    model.rod_nodes += vessel.prepared.vessel.rod.node_count();
+    model.vertices += static_cast<int>(vessel.positions.rows());
+    if (vessel.positions.rows() > 0) model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
+    model.cleaning[vessel.prepared.spec.name] = vessel.prepared.loaded.report.text();
+    if (vessel.rod_solved) terms.insert("rod");
+  }
+  if (prediction.surface) terms.insert({"binding", "bending", "stretching"});
+  if (prediction.glenn && prediction.fidelity != Fidelity::rod) terms.insert("joining");
+  if (!result.contact.empty()) terms.insert("contact");
+  model.terms.assign(terms.begin(), terms.end());
+}
+
+}  // namespace
+
+Result collect_result(const Prediction& prediction) {
+  Result result;
+  result.scene = prediction.scene->name;
+  result.fidelity = to_string(prediction.fidelity);
+  result.length_unit = prediction.scene->units.length;
+  result.stress_unit = prediction.scene->units.stress;
+  result.iterations = {{"rod", 0}, {"surface", 0}};
+  add_rods(prediction, result);
+  if (prediction.surface) {
+    add_surface(*prediction.surface, prediction.certified, result);
+    add_contact(prediction, result);
+  }
+  for (size_t v = 0; v < prediction.vessels.size(); ++v)
+    if (!prediction.vessels[v].prepared.obstacle()) result.balance.push_back(balance_of(prediction, v));
+  if (prediction.glenn) {
+    result.glenn = prediction.glenn->report;
+    measure_seam(prediction, *result.glenn);
+  }
+  describe_model(prediction, result);
+  add_vessels(prediction, result);
+  result.environment.blas = blas_name();
+  return result;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,87 @@
+// The program `vasorod`: its commands, and what each way of ending means to a shell.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string>
+
+#include "app/commands.h"
+#include "app/stop.h"
+#include "geometry/error.h"
+
+namespace {
+
+using namespace vasorod;
+
+// The options every command has.
+struct Common {
+  CommandOptions command;
+  std::string fidelity;
+  double time_limit = 0;
+  bool quiet = false;
+};
+
+void add_output(CLI::App* app, Common* common) {
+  app->add_option("-o,--output", common->command.folder, "Result folder: absent, empty or an earlier result")->required();
+  app->add_flag("--json", common->command.json, "Print result.json on standard output");
+  app->add_flag("-q,--quiet", common->quiet, "No progress");
+}
+
+void add_solving(CLI::App* app, Common* common) {
+  app->add_option("--fidelity", common->fidelity, "rod, skin or paper; overrides the scene's")
+      ->check(CLI::IsMember({"rod", "skin", "paper", "coupled"}));
+  app->add_flag("--certify", common->command.solve.certify, "Ask for the sign of the surfaces' smallest curvature too");
+  app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")->check(CLI::Range(1, 1024));
+  app->add_option("--time-limit", common->time_limit, "Seconds after which the best state so far is written")
+      ->check(CLI::NonNegativeNumber);
+}
+
+std::optional<Fidelity> fidelity_named(const std::string& name) {
+  for (const Fidelity f : {Fidelity::rod, Fidelity::skin, Fidelity::paper, Fidelity::coupled})
+    if (to_string(f) == name) return f;
+  return std::nullopt;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Vasorod: predicts how blood vessels bend, twist, stretch and touch when a surgeon re-joins them.\n"
+               "Research software, not for clinical use."};
+  app.set_version_flag("--version", program_version());
+  app.require_subcommand(1);
+  Common common;
+
+  auto* solve = app.add_subcommand("solve", "Solve one scene with the hybrid model");
+  solve->add_option("scene", common.command.input, "Scene file (YAML)")->required();
+  add_output(solve, &common);
+  add_solving(solve, &common);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
+    return 2;
+  }
+  common.command.solve.fidelity = fidelity_named(common.fidelity);
+  common.command.solve.stop = stop_on_signal_or_after(common.time_limit);
+  if (!common.quiet && isatty(STDERR_FILENO) != 0)
+    common.command.solve.progress = [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
+
+  return solve_command(common.command);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const vasorod::InputError& error) {
+    std::cerr << "vasorod: " << error.what() << '\n';
+    return 2;
+  } catch (const vasorod::FileError& error) {
+    std::cerr << "vasorod: " << error.what() << '\n';
+    return 3;
+  } catch (const std::exception& error) {
+    std::cerr << "vasorod: unexpected: " << error.what() << '\n';
+    return 3;
+  }
+}

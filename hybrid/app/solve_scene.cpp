@@ -1,0 +1,118 @@
+#include "app/solve_scene.h"
+
+#include "app/collect_result.h"
+#include "app/prediction.h"
+#include "app/solve_surfaces.h"
+#include "app/stopwatch.h"
+#include "geometry/error.h"
+#include "surface/blas.h"
+
+namespace vasorod {
+namespace {
+
+std::string place(const Scene& scene, const VesselSpec& vessel) {
+  return scene.file.string() + ":" + std::to_string(vessel.line) + ": vessel " + vessel.name + ": ";
+}
+
+Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
+  const std::string file = scene.file.string();
+  if (!options.fidelity && !scene.fidelity)
+    throw InputError(file + ": accuracy: found a wanted accuracy, expected fidelity: rod, skin or paper: choosing by a "
+                     "measured table is not there yet");
+  const Fidelity fidelity = options.fidelity ? *options.fidelity : *scene.fidelity;
+  if (fidelity == Fidelity::coupled)
+    throw InputError(file + ": fidelity: found coupled, expected rod, skin or paper: the coupled minimum is not there yet");
+  for (const VesselSpec& vessel : scene.vessels) {
+    if (vessel.pressure)
+      throw InputError(place(scene, vessel) + "found a pressure, expected none: only the finite-element reference takes it");
+    if (vessel.rod) throw InputError(place(scene, vessel) + "found a bare rod, expected a surface or a tube");
+  }
+  return fidelity;
+}
+
+PredictedVessel& vessel_named(Prediction& prediction, const std::string& name) {
+  for (PredictedVessel& vessel : prediction.vessels)
+    if (vessel.prepared.spec.name == name) return vessel;
+  throw InputError("no vessel " + name);
+}
+
+void solve_rods(Prediction& prediction, const SolveOptions& options) {
+  RodOptions rod_options;
+  rod_options.stop = options.stop;
+  for (PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle() || vessel.rod_solved) continue;
+    vessel.rod.poses = vessel.prepared.vessel.rod.rest;
+    if (!vessel.conditions.acts) {
+      prediction.left_out["rod of " + vessel.prepared.spec.name] = "nothing moves or loads it: it stays as it is";
+      continue;
+    }
+    options.progress("rod of " + vessel.prepared.spec.name);
+    vessel.rod = solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
+    vessel.rod_solved = true;
+  }
+}
+
+}  // namespace
+
+Result solve_scene(const Scene& scene, const SolveOptions& options) {
+  const Fidelity fidelity = checked_fidelity(scene, options);
+  set_blas_threads(options.threads);
+
+  Stopwatch watch;
+  Prediction prediction;
+  prediction.scene = &scene;
+  prediction.fidelity = fidelity;
+  prediction.certified = options.certify && fidelity == Fidelity::paper;
+  for (const VesselSpec& spec : scene.vessels) {
+    if (spec.role == Role::obstacle && fidelity == Fidelity::rod) {
+      prediction.left_out["obstacle " + spec.name] = "fidelity rod: no surface, nothing to touch";
+      continue;
+    }
+    options.progress("vessel " + spec.name);
+    PredictedVessel vessel;
+    vessel.prepared = read_vessel(spec, scene);
+    prediction.vessels.push_back(std::move(vessel));
+  }
+  watch.lap("read");
+  for (PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle()) continue;
+    fit(vessel.prepared);
+    vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
+  }
+  watch.lap("fit");
+
+  Stage rest{"rest", {}, {}};
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    rest.surfaces.push_back(vessel.prepared.vessel.surface);
+    rest.names.push_back(vessel.prepared.spec.name);
+  }
+  prediction.stages.push_back(std::move(rest));
+
+  if (scene.glenn) {
+    PredictedVessel& svc = vessel_named(prediction, scene.glenn->svc);
+    PredictedVessel& rpa = vessel_named(prediction, scene.glenn->rpa);
+    GlennOptions glenn;
+    glenn.rod.stop = options.stop;
+    glenn.progress = options.progress;
+    prediction.glenn = operate(scene, *scene.glenn, svc.prepared, rpa.prepared, svc.conditions, glenn);
+    svc.rod = prediction.glenn->vein;
+    svc.rod_solved = true;
+    for (Stage& stage : prediction.glenn->stages) prediction.stages.push_back(std::move(stage));
+  }
+  watch.lap("surgery");
+
+  solve_rods(prediction, options);
+  watch.lap("rod");
+  if (fidelity == Fidelity::rod) prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
+  else if (fidelity == Fidelity::skin) solve_skin(prediction);
+  else solve_paper_surfaces(prediction, options);
+  watch.lap("solve");
+
+  Result result = collect_result(prediction);
+  watch.lap("collect");
+  result.seconds = watch.seconds();
+  result.environment.threads = options.threads;
+  return result;
+}
+
+}  // namespace vasorod

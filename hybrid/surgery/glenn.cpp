@@ -1,0 +1,174 @@
+#include "surgery/glenn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+#include "geometry/closest_point.h"
+#include "geometry/error.h"
+#include "geometry/triangle_surface.h"
+#include "surgery/after_edit.h"
+#include "surgery/cut.h"
+#include "surgery/incision.h"
+#include "surgery/join.h"
+#include "surgery/pose.h"
+#include "surgery/vein_rotation.h"
+#include "vessel/split_rod.h"
+
+namespace vasorod {
+namespace {
+
+size_t index(int i) { return static_cast<size_t>(i); }
+
+// A pick on a vessel: its rod coordinates, the section's rest frame and the mid-wall radius there.
+struct Pick {
+  RodCoordinates at;
+  Pose section;
+  double radius = 0;
+};
+
+// A pick may lie up to one radius off its vessel's surface.
+Pick locate(const std::string& where, const char* what, const PreparedVessel& vessel, const Vec3& point) {
+  const RodTree& rod = vessel.vessel.rod;
+  Pick pick;
+  pick.at = project(rod, point);
+  pick.section = frame_at(rod, rod.rest, pick.at.element, pick.at.s);
+  pick.radius = rod.radius[index(rod.elements[index(pick.at.element)].first)];
+  const double distance = (ClosestPoint(vessel.vessel.surface).query(point).point - point).norm();
+  if (distance > pick.radius) {
+    std::ostringstream message;
+    message << where << ": " << what << ": found a point (" << point[0] << ", " << point[1] << ", " << point[2] << ") that is "
+            << distance << " off vessel " << vessel.spec.name << ", expected at most its radius there, " << pick.radius;
+    throw InputError(message.str());
+  }
+  return pick;
+}
+
+// Arc length of the part of a tree between two of its nodes, one of which is the root or a branch's end.
+double path_length(const RodTree& rod, int from, int to) {
+  std::vector<double> along(rod.rest.size(), 0);
+  for (const RodBranch& branch : rod.branches)
+    for (const int e : branch.elements) {
+      const RodElement& element = rod.elements[index(e)];
+      along[index(element.second)] = along[index(element.first)] + element.length;
+    }
+  return std::abs(along[index(from)] - along[index(to)]);
+}
+
+// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far end where the scene
+// says nothing of it.
+VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept, const std::vector<int>& end_now,
+                                 int kept_node) {
+  VesselConditions now;
+  now.acts = true;
+  for (RodSupport support : before.rod.supports) {
+    support.node = kept.node_of[index(support.node)];
+    if (support.node >= 0) now.rod.supports.push_back(support);
+  }
+  for (RodLoad load : before.rod.loads) {
+    load.node = kept.node_of[index(load.node)];
+    if (load.node >= 0) now.rod.loads.push_back(load);
+  }
+  for (ConditionedEnd end : before.ends) {
+    end.end = end_now[index(end.end)];
+    if (end.end >= 0) now.ends.push_back(end);
+  }
+  const bool held = std::any_of(now.rod.supports.begin(), now.rod.supports.end(),
+                                [&](const RodSupport& support) { return support.node == kept_node; });
+  if (!held) now.rod.supports.push_back(clamp(kept_node));
+  return now;
+}
+
+Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedVessel& rpa) {
+  return {title, {svc.vessel.surface, rpa.vessel.surface}, {svc.spec.name, rpa.spec.name}};
+}
+
+// Step 1: the section's plane cuts the surface, the rod is split there, the part with the kept end goes on.
+void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc, VesselConditions& conditions,
+         GlennOperation& operation) {
+  const Pick pick = locate(where, "cut", svc, spec.cut);
+  CutOutcome outcome = cut_vessel(svc.vessel.surface, pick.section, spec.cut, spec.keep_near);
+  const int kept_end = find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where);
+  const int far_node = svc.vessel.ends[index(kept_end)].node;
+  const RodSide side = side_of(svc.vessel.rod, pick.at.element, pick.at.s, far_node);
+  const RodPart kept = cut_rod(svc.vessel.rod, pick.at.element, pick.at.s, side);
+  const int kept_node = kept.node_of[index(far_node)];
+  const double total = std::accumulate(svc.vessel.rod.elements.begin(), svc.vessel.rod.elements.end(), 0.0,
+                                       [](double sum, const RodElement& element) { return sum + element.length; });
+  operation.report.cut.fraction = path_length(kept.tree, kept_node, kept.cut_node) / total;
+  operation.report.cut.perimeter = outcome.perimeter;
+  operation.report.cut.point = outcome.center;
+  operation.report.cut.normal = outcome.normal;
+  operation.mouth_node = kept.cut_node;
+  operation.mouth_is_branch_end = side == RodSide::towards_root;
+  operation.stump = std::move(outcome.stump);
+
+  const auto end_now = follow_edit(svc, outcome.kept, outcome.kept_sources);
+  for (VesselEnd& end : svc.vessel.ends) end.node = kept.node_of[index(end.node)];
+  svc.vessel.ends.push_back({outcome.mouth, outcome.center, outcome.normal, kept.cut_node});
+  conditions = kept_conditions(conditions, kept, end_now, kept_node);
+  svc.vessel.rod = kept.tree;
+  svc.vessel.branch_of.clear();  // which branches are left is the binding's to find
+  svc.node_thickness.assign(kept.tree.rest.size(), svc.thickness());
+  bind_again(svc);
+}
+
+}  // namespace
+
+GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc, PreparedVessel& rpa,
+                       VesselConditions& svc_conditions, const GlennOptions& options) {
+  const std::string where = scene.file.string() + ":" + std::to_string(spec.line);
+  GlennOperation operation;
+  operation.report.svc = svc.spec.name;
+  operation.report.rpa = rpa.spec.name;
+  const Pick pick = locate(where, "incision", rpa, spec.incision);  // before anything is changed
+
+  options.progress("cut");
+  cut(where, spec, svc, svc_conditions, operation);
+  operation.stages.push_back(stage("cut", svc, rpa));
+
+  // Step 2: a slit of half the mouth's perimeter, along the recipient's rod.
+  options.progress("incision");
+  const double mouth_radius = operation.report.cut.perimeter / (2 * M_PI);
+  const Vec3 outward = outward_normal(rpa.vessel.surface, spec.incision, mouth_radius);
+  IncisionOutcome incision =
+      open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of, spec.incision,
+                    operation.report.cut.perimeter / 2, pick.radius);
+  operation.report.incision.length = incision.length;
+  operation.report.incision.ends = {incision.surface.points.row(incision.rim.front()),
+                                    incision.surface.points.row(incision.rim[index(incision.other_tip)])};
+  follow_edit(rpa, incision.surface, incision.sources);
+  operation.stages.push_back(stage("incision", svc, rpa));
+
+  // Step 3: the mouth's pose, the rotation that twists the vein least, and what meets what.
+  options.progress("pose of the vein");
+  // At angle 0 the mouth's section is turned from rest no more than its axis asks.
+  Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0, operation.mouth_is_branch_end);
+  const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];
+  mouth.rotation =
+      Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3)).toRotationMatrix() * at_rest.rotation;
+  VeinRotation rotation(svc.vessel.rod, svc_conditions.rod, operation.mouth_node, mouth, outward, options.rod);
+  const double angle = rotation.find() + spec.rotation_deg.value_or(0) * (M_PI / 180);
+  operation.vein = rotation.at(angle);
+  operation.report.join.rotation_deg = angle * (180 / M_PI);
+  svc_conditions.rod = rotation.conditions_at(angle);
+
+  options.progress("seam");
+  const std::vector<int> loop = svc.vessel.ends.back().loop;
+  const Points carried = carried_points(svc.vessel.rod, operation.vein.poses, svc.vessel.binding);
+  Points mouth_start(static_cast<Eigen::Index>(loop.size()), 3);
+  for (size_t k = 0; k < loop.size(); ++k) mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);
+  const JoinOutcome seam =
+      match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface, incision.rim, incision.other_tip);
+  operation.pairs = seam.pairs;
+  follow_edit(svc, seam.svc, seam.svc_sources);
+  follow_edit(rpa, seam.rpa, seam.rpa_sources);
+  bind_again(svc);
+  bind_again(rpa);
+  return operation;
+}
+
+}  // namespace vasorod

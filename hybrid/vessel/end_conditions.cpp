@@ -1,0 +1,82 @@
+#include "vessel/end_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/error.h"
+
+namespace vasorod {
+namespace {
+
+Vec3 radians(const Vec3& degrees) { return degrees * (M_PI / 180); }
+
+RodSupport& support_at(RodConditions& conditions, int node) {
+  for (RodSupport& support : conditions.supports)
+    if (support.node == node) return support;
+  RodSupport none;
+  none.node = node;
+  none.fixed.fill(false);
+  conditions.supports.push_back(none);
+  return conditions.supports.back();
+}
+
+}  // namespace
+
+int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where) {
+  switch (selector.kind) {
+    case EndSelector::Kind::start:
+      return 0;
+    case EndSelector::Kind::end:
+      if (vessel.ends.size() != 2)
+        throw InputError(where + ": end: found `end` on a vessel with " + std::to_string(vessel.ends.size()) +
+                         " ends, expected {near: [x, y, z]}");
+      return 1;
+    case EndSelector::Kind::near: {
+      const auto nearest = std::min_element(
+          vessel.ends.begin(), vessel.ends.end(), [&](const VesselEnd& a, const VesselEnd& b) {
+            return (a.center - selector.near).squaredNorm() < (b.center - selector.near).squaredNorm();
+          });
+      return static_cast<int>(nearest - vessel.ends.begin());
+    }
+    case EndSelector::Kind::at:
+      break;
+  }
+  throw InputError(where + ": end: found {at: ...} on a vessel with a surface, expected start, end or {near: [x, y, z]}");
+}
+
+VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel) {
+  VesselConditions conditions;
+  for (const EndCondition& entry : scene.ends) {
+    if (entry.vessel != name) continue;
+    const std::string where = scene.file.string() + ":" + std::to_string(entry.line);
+    const int end = find_end(vessel, entry.end, where);
+    const int node = vessel.ends[static_cast<size_t>(end)].node;
+
+    auto known = std::find_if(conditions.ends.begin(), conditions.ends.end(),
+                              [&](const ConditionedEnd& other) { return other.end == end; });
+    if (known == conditions.ends.end()) known = conditions.ends.insert(known, {to_string(entry.end), end, false});
+    known->rigid = !entry.soft_section;
+
+    const bool moved = entry.rotate_deg || entry.move;
+    const bool some_fixed = std::any_of(entry.fix.begin(), entry.fix.end(), [](bool f) { return f; });
+    if (entry.hold || moved || some_fixed) {
+      RodSupport& support = support_at(conditions.rod, node);
+      for (size_t k = 0; k < 6; ++k) support.fixed[k] |= entry.hold || (moved && !some_fixed) || entry.fix[k];
+      if (entry.rotate_deg) support.motion.rotate += radians(*entry.rotate_deg);
+      if (entry.move) support.motion.move += *entry.move;
+      conditions.acts |= moved;
+    }
+    if (entry.force || entry.moment) {
+      RodLoad load;
+      load.node = node;
+      load.force = entry.force.value_or(Vec3::Zero());
+      load.moment = entry.moment.value_or(Vec3::Zero());
+      load.moment_in_body = entry.moment_in_body;
+      conditions.rod.loads.push_back(load);
+      conditions.acts = true;
+    }
+  }
+  return conditions;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,30 @@
+// A vessel of a scene, ready for the solvers: surface read, rod fitted and given the wall's stiffness.
+#pragma once
+
+#include "scene/read_surface.h"
+#include "scene/scene.h"
+#include "vessel/vessel.h"
+
+namespace vasorod {
+
+struct PreparedVessel {
+  VesselSpec spec;
+  LoadedSurface loaded;  ///< arrays and report; its surface has moved to `vessel`
+  Vessel vessel;         ///< an obstacle has only its surface; its rod is empty
+  std::vector<double> node_thickness;  ///< wall thickness at each rod node, length
+
+  bool obstacle() const { return spec.role == Role::obstacle; }
+  double thickness() const { return spec.wall ? spec.wall->thickness : 0; }
+  /// From the given surface outwards to the wall's outer face, length: 0 where the surface is the outer face.
+  double outer_offset() const;
+  /// From the given surface outwards to mid-wall, length: negative where the surface is the outer face.
+  double mid_offset() const;
+};
+
+/// Reads the vessel's surface. Throws InputError.
+PreparedVessel read_vessel(const VesselSpec& spec, const Scene& scene);
+
+/// Fits a deformable vessel's rod, with mid-wall radii and section stiffness. Throws InputError.
+void fit(PreparedVessel& vessel);
+
+}  // namespace vasorod

@@ -1,0 +1,95 @@
+#include "program/glenn_scene.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <fstream>
+#include <iomanip>
+
+#include "program/run_program.h"
+#include "scene/read_surface.h"
+#include "scene/scene.h"
+
+namespace vasorod::testing {
+namespace {
+
+const std::filesystem::path cases = std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/glenn";
+
+nlohmann::json run_scene(const std::filesystem::path& scene, const std::string& options) {
+  const ScratchFolder scratch;
+  const auto run = run_program(vasorod("solve '" + scene.string() + "' -o '" + (scratch / "out").string() + "' " + options));
+  EXPECT_LE(run.exit_code, 1) << run.err;
+  const auto text = contents_of(scratch / "out" / "result.json");
+  if (text.empty()) throw std::runtime_error("no result.json: " + run.err);
+  return nlohmann::json::parse(text);
+}
+
+YAML::Node list_of(const Vec3& v) {
+  YAML::Node node;
+  for (int k = 0; k < 3; ++k) {
+    std::ostringstream text;
+    text << std::setprecision(17) << v[k];
+    node.push_back(text.str());
+  }
+  return node;
+}
+
+Vec3 vec3_of(const YAML::Node& node) {
+  return {node[0].as<double>(), node[1].as<double>(), node[2].as<double>()};
+}
+
+// OBJ with all digits: one of the formats the program reads.
+void write_obj(const std::filesystem::path& file, const TriangleSurface& surface) {
+  std::ofstream out(file);
+  out << std::setprecision(17);
+  for (int i = 0; i < surface.points.rows(); ++i)
+    out << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' ' << surface.points(i, 2) << '\n';
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    out << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
+        << surface.triangles(t, 2) + 1 << '\n';
+}
+
+}  // namespace
+
+nlohmann::json solve_case(const std::string& file, const std::string& options) {
+  return run_scene(cases / file, options);
+}
+
+nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options) {
+  const ScratchFolder scratch;
+  const auto moved = [&](const Vec3& p) { return Vec3(changed.length_scale * (changed.motion * p)); };
+  const auto scaled = [](YAML::Node parent, const char* key, double factor) {
+    if (!parent[key]) return;
+    std::ostringstream text;
+    text << std::setprecision(17) << factor * parent[key].as<double>();
+    parent[key] = text.str();
+  };
+  const Scene scene = read_scene(cases / changed.file);
+  YAML::Node yaml = YAML::LoadFile((cases / changed.file).string());
+  yaml["units"]["length"] = changed.length_unit;
+  yaml["units"]["stress"] = changed.stress_unit;
+  for (size_t k = 0; k < scene.vessels.size(); ++k) {
+    const VesselSpec& spec = scene.vessels[k];
+    YAML::Node vessel = yaml["vessels"][k];
+    TriangleSurface surface = load_surface(spec, scene).surface;
+    for (int i = 0; i < surface.points.rows(); ++i)
+      surface.points.row(i) = moved(surface.points.row(i).transpose()).transpose();
+    write_obj(scratch / (spec.name + ".obj"), surface);
+    vessel["surface"] = spec.name + ".obj";
+    if (vessel["wall"]) {
+      scaled(vessel["wall"], "thickness", changed.length_scale);
+      scaled(vessel["wall"], "young", changed.stress_scale);
+    }
+  }
+  for (YAML::Node end : yaml["ends"])
+    if (end["end"].IsMap()) end["end"]["near"] = list_of(moved(vec3_of(end["end"]["near"])));
+  YAML::Node glenn = yaml["surgery"]["glenn"];
+  for (const char* pick : {"cut", "incision"}) glenn[pick] = list_of(moved(vec3_of(glenn[pick])));
+  glenn["keep"]["near"] = list_of(moved(vec3_of(glenn["keep"]["near"])));
+  if (changed.rotation_deg) glenn["rotation_deg"] = *changed.rotation_deg;
+  const auto file = scratch / "scene.yaml";
+  std::ofstream(file) << YAML::Dump(yaml);
+  return run_scene(file, options);
+}
+
+}  // namespace vasorod::testing

@@ -46,8 +46,9 @@ int visible_cells(const std::vector<Seen>& scene, const Mat3& axes) {
     bool wanted = false;
   };
   std::vector<Cell> grid(static_cast<std::size_t>(cells + 1) * (cells + 1));
+  constexpr Eigen::Index enough = 6000;  // points of a body: several for each cell it covers
   for (const Seen& seen : scene)
-    for (Eigen::Index i = 0; i < seen.points->rows(); ++i) {
+    for (Eigen::Index i = 0; i < seen.points->rows(); i += 1 + seen.points->rows() / enough) {
       const Vec3 at = axes * seen.points->row(i).transpose() - low;
       const double column = at.x() / size, row = at.y() / size;
       if (!(column >= 0 && column <= cells && row >= 0 && row <= cells)) continue;

@@ -28,10 +28,10 @@ std::string slug(const std::string& title) {
 
 // A tube about the centerline, twelve points around each node; a bare rod has a hundredth of its length as
 // radius.
-DrawnShape tube_about(const CenterlineResult& line) {
+DrawnBody tube_about(const CenterlineResult& line) {
   constexpr int around = 12;
   const auto nodes = line.current.rows();
-  DrawnShape shape;
+  DrawnBody shape;
   shape.rest.resize(around * nodes, 3);
   shape.current.resize(around * nodes, 3);
   const double thin =
@@ -77,17 +77,65 @@ Vec3 up_of(const Result& result, const std::vector<Seen>& scene) {
   return level_up(scene);
 }
 
-// The colour of a stage's surface: that of the vessel whose name it has or begins with (svc_stump).
-std::size_t vessel_of(const Result& result, const std::string& name) {
-  std::size_t best = result.vessels.size(), length = 0;
-  for (std::size_t i = 0; i < result.vessels.size(); ++i) {
-    const std::string& own = result.vessels[i].name;
-    if (name.rfind(own, 0) == 0 && own.size() > length) {
-      best = i;
-      length = own.size();
+struct View {
+  Vec3 towards_eye, up;
+};
+
+View view_of(const Result& result, const std::vector<DrawnBody>& bodies) {
+  std::vector<Seen> scene;
+  for (const DrawnBody& body : bodies) scene.push_back({&body.current, body.wanted});
+  const Vec3 up = up_of(result, scene);
+  return {clearest_direction(scene, up), up};
+}
+
+// The body that gives a stage's surface its colour: that whose name the surface's name begins with
+// (svc_stump: svc).
+const DrawnBody* body_of(const std::vector<DrawnBody>& bodies, const std::string& name) {
+  const DrawnBody* best = nullptr;
+  for (const DrawnBody& body : bodies)
+    if (name.rfind(body.name, 0) == 0 && (!best || body.name.size() > best->name.size())) best = &body;
+  return best;
+}
+
+// The stages as they were recorded; of a scene without an operation, rest and result.
+std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>& bodies) {
+  if (!result.stages.empty()) return result.stages;
+  std::vector<Stage> stages{{"rest", {}, {}}, {"result", {}, {}}};
+  for (const DrawnBody& body : bodies)
+    for (Stage& stage : stages) {
+      stage.surfaces.push_back({stage.title == "rest" ? body.rest : body.current, body.triangles});
+      stage.names.push_back(body.name);
+    }
+  return stages;
+}
+
+Picture stage_picture(const Stage& stage, const std::vector<DrawnBody>& bodies, const Camera& camera) {
+  std::vector<DrawnSurface> drawn;
+  for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
+    DrawnSurface& surface = drawn.emplace_back();
+    surface.points = &stage.surfaces[i].points;
+    surface.triangles = &stage.surfaces[i].triangles;
+    if (const DrawnBody* body = body_of(bodies, i < stage.names.size() ? stage.names[i] : "")) {
+      surface.colour = body->colour;
+      surface.opacity = body->glass ? glass : 1;
     }
   }
-  return best;
+  return render(drawn, camera, stage_width, stage_height);
+}
+
+Picture field_picture(const DrawnField& field, const std::vector<DrawnBody>& bodies, const Camera& camera) {
+  std::vector<DrawnSurface> drawn;
+  for (const DrawnBody& body : bodies) {
+    DrawnSurface& surface = drawn.emplace_back();
+    surface.points = &body.current;
+    surface.triangles = &body.triangles;
+    surface.values = body.values(field);
+    surface.scale = &field.scale;
+    surface.opacity = !body.glass ? 1 : surface.values ? glass : faint_glass;
+  }
+  Picture picture = render(drawn, camera, field_width, field_height);
+  draw_colour_bar(picture, field.scale);
+  return picture;
 }
 
 struct Task {
@@ -132,13 +180,13 @@ std::vector<DrawnField> drawn_fields(const Result& result) {
        &VesselResult::contact_pressure}};
 }
 
-DrawnShape drawn_shape(const VesselResult& vessel) {
-  if (vessel.rest.rows() > 0) return {vessel.rest, vessel.current, vessel.triangles};
-  if (vessel.centerline) return tube_about(*vessel.centerline);
-  return {};
+const Eigen::VectorXd* DrawnBody::values(const DrawnField& field) const {
+  if (!vessel) return nullptr;
+  const Eigen::VectorXd& own = vessel->*field.values;
+  return own.size() > 0 && own.size() == current.rows() ? &own : nullptr;
 }
 
-std::vector<Colour> vessel_colours(const Result& result) {
+std::vector<DrawnBody> drawn_bodies(const Result& result) {
   static const std::vector<Colour> veins{{0.42F, 0.60F, 0.85F},
                                          {0.62F, 0.57F, 0.83F},
                                          {0.42F, 0.70F, 0.66F},
@@ -146,100 +194,79 @@ std::vector<Colour> vessel_colours(const Result& result) {
                                          {0.60F, 0.72F, 0.46F}};
   static const std::vector<Colour> arteries{
       {0.85F, 0.45F, 0.42F}, {0.78F, 0.56F, 0.50F}, {0.80F, 0.50F, 0.58F}};
-  std::vector<Colour> colours;
+  const bool movable = std::any_of(result.vessels.begin(), result.vessels.end(),
+                                   [](const VesselResult& vessel) { return !vessel.obstacle; });
+  std::vector<DrawnBody> bodies;
   std::size_t obstacles = 0, others = result.glenn ? 2 : 0;
   for (const VesselResult& vessel : result.vessels) {
-    if (vessel.obstacle)
-      colours.push_back(arteries[obstacles++ % arteries.size()]);
-    else if (result.glenn && vessel.name == result.glenn->svc)
-      colours.push_back(veins[0]);
-    else if (result.glenn && vessel.name == result.glenn->rpa)
-      colours.push_back(veins[1]);
-    else
-      colours.push_back(veins[others++ % veins.size()]);
+    DrawnBody body;
+    if (vessel.rest.rows() > 0) {
+      body.rest = vessel.rest;
+      body.current = vessel.current;
+      body.triangles = vessel.triangles;
+    } else if (vessel.centerline) {
+      body = tube_about(*vessel.centerline);
+    }
+    body.name = vessel.name;
+    body.vessel = &vessel;
+    body.glass = vessel.obstacle && movable;
+    body.wanted = !body.glass;
+    const bool svc = result.glenn && vessel.name == result.glenn->svc,
+               rpa = result.glenn && vessel.name == result.glenn->rpa;
+    body.colour = vessel.obstacle ? arteries[obstacles++ % arteries.size()]
+                  : svc           ? veins[0]
+                  : rpa           ? veins[1]
+                                  : veins[others++ % veins.size()];
+    bodies.push_back(body);
+    if (!vessel.stump) continue;
+    DrawnBody& stump = bodies.emplace_back();
+    stump.name = vessel.name + " stump";
+    stump.rest = stump.current = vessel.stump->points;
+    stump.triangles = vessel.stump->triangles;
+    stump.colour = body.colour;
+    stump.wanted = false;
   }
-  return colours;
+  return bodies;
 }
 
-bool has_deformable(const Result& result) {
-  return std::any_of(result.vessels.begin(), result.vessels.end(),
-                     [](const VesselResult& vessel) { return !vessel.obstacle; });
-}
-
-Camera report_camera(const Result& result, const std::vector<DrawnShape>& shapes, double aspect,
+Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect,
                      double clear_right) {
+  const View view = view_of(result, bodies);
   std::vector<Seen> scene;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const bool wanted = !result.vessels[i].obstacle || !has_deformable(result);
-    scene.push_back({&shapes[i].current, wanted});
-    if (wanted) scene.push_back({&shapes[i].rest, wanted});
+  for (const DrawnBody& body : bodies) {
+    scene.push_back({&body.current, body.wanted});
+    scene.push_back({&body.rest, body.wanted});
   }
-  const Vec3 up = up_of(result, scene);
-  return fit_camera(scene, clearest_direction(scene, up), up, aspect, clear_right);
+  return fit_camera(scene, view.towards_eye, view.up, aspect, clear_right);
 }
 
 std::vector<NamedPicture> report_pictures(const Result& result, int threads) {
-  std::vector<DrawnShape> shapes;
-  for (const VesselResult& vessel : result.vessels) shapes.push_back(drawn_shape(vessel));
-  const std::vector<Colour> colours = vessel_colours(result);
-  const bool glassy = has_deformable(result);
-  const Camera stage_camera = report_camera(result, shapes, double(stage_width) / stage_height);
-  const Camera field_camera = report_camera(result, shapes, double(field_width) / field_height, 0.2);
-
-  std::vector<Stage> stages = result.stages;
-  if (stages.empty()) {
-    stages = {{"rest", {}, {}}, {"result", {}, {}}};
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-      for (Stage& stage : stages) {
-        stage.surfaces.push_back(
-            {stage.title == "rest" ? shapes[i].rest : shapes[i].current, shapes[i].triangles});
-        stage.names.push_back(result.vessels[i].name);
-      }
-  }
+  const std::vector<DrawnBody> bodies = drawn_bodies(result);
+  const std::vector<Stage> stages = stages_of(result, bodies);
   const std::vector<DrawnField> fields = drawn_fields(result);
+  const Camera field_camera = report_camera(result, bodies, double(field_width) / field_height, 0.2);
+  // All stages in one frame, from where the result is seen best.
+  std::vector<Seen> everything;
+  for (const Stage& stage : stages)
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
+      const DrawnBody* body = body_of(bodies, i < stage.names.size() ? stage.names[i] : "");
+      everything.push_back({&stage.surfaces[i].points, !body || !body->glass});
+    }
+  const View view = view_of(result, bodies);
+  const Camera stage_camera =
+      fit_camera(everything, view.towards_eye, view.up, double(stage_width) / stage_height);
+
   std::vector<NamedPicture> pictures;
   for (const Stage& stage : stages)
     pictures.push_back({"picture_" + slug(stage.title) + ".png", stage.title, false, {}, 0, 0});
   for (const DrawnField& field : fields)
     pictures.push_back({"picture_" + field.file + ".png", field.scale.title, true, {}, 0, 0});
-
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < stages.size(); ++k)
-    tasks.push_back({&pictures[k], [&, k] {
-                       const Stage& stage = stages[k];
-                       std::vector<DrawnSurface> drawn;
-                       for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
-                         const std::size_t vessel =
-                             vessel_of(result, i < stage.names.size() ? stage.names[i] : "");
-                         DrawnSurface& surface = drawn.emplace_back();
-                         surface.points = &stage.surfaces[i].points;
-                         surface.triangles = &stage.surfaces[i].triangles;
-                         if (vessel == result.vessels.size()) continue;
-                         surface.colour = colours[vessel];
-                         surface.opacity = result.vessels[vessel].obstacle && glassy ? glass : 1;
-                       }
-                       return render(drawn, stage_camera, stage_width, stage_height);
-                     }});
+    tasks.push_back({&pictures[k], [&, k] { return stage_picture(stages[k], bodies, stage_camera); }});
   for (std::size_t k = 0; k < fields.size(); ++k)
-    tasks.push_back({&pictures[stages.size() + k], [&, k] {
-                       const DrawnField& field = fields[k];
-                       std::vector<DrawnSurface> drawn;
-                       for (std::size_t i = 0; i < shapes.size(); ++i) {
-                         const VesselResult& vessel = result.vessels[i];
-                         const Eigen::VectorXd& values = vessel.*field.values;
-                         DrawnSurface& surface = drawn.emplace_back();
-                         surface.points = &shapes[i].current;
-                         surface.triangles = &shapes[i].triangles;
-                         surface.opacity = vessel.obstacle && glassy ? faint_glass : 1;
-                         if (values.size() != shapes[i].current.rows()) continue;
-                         surface.values = &values;
-                         surface.scale = &field.scale;
-                         if (vessel.obstacle && glassy) surface.opacity = glass;
-                       }
-                       Picture picture = render(drawn, field_camera, field_width, field_height);
-                       draw_colour_bar(picture, field.scale);
-                       return picture;
-                     }});
+    tasks.push_back(
+        {&pictures[stages.size() + k], [&, k] { return field_picture(fields[k], bodies, field_camera); }});
   draw_all(tasks, threads);
   return pictures;
 }

@@ -30,22 +30,27 @@ struct DrawnField {
 
 std::vector<DrawnField> drawn_fields(const Result& result);
 
-/// A vessel's surface as it is drawn: its own, or a tube about the centerline where only that was asked for.
-/// Row i of `rest` and of `current` is the same point of the wall.
-struct DrawnShape {
+/// A body of the view and of the pictures: a vessel's surface, a tube about the centerline where only that
+/// was asked for, or a stump. Row i of `rest` and of `current` is the same point of the wall.
+struct DrawnBody {
+  std::string name;
   Points rest, current;
   Triangles triangles;
+  Colour colour{};     ///< the operation's own two as veins are drawn, obstacles as arteries and heart are
+  bool glass = false;  ///< an obstacle beside what may move: seen through
+  bool wanted = true;  ///< what the pictures are about
+  const VesselResult* vessel = nullptr;  ///< whose fields it carries; a stump has none
+
+  /// The field's values at the points, or null where it was not modelled.
+  const Eigen::VectorXd* values(const DrawnField& field) const;
 };
-DrawnShape drawn_shape(const VesselResult& vessel);
 
-/// Each vessel's colour: the operation's own two as veins are drawn, obstacles as arteries and heart are.
-std::vector<Colour> vessel_colours(const Result& result);
+/// Refers to `result`, which must outlive it.
+std::vector<DrawnBody> drawn_bodies(const Result& result);
 
-/// Whether anything in the result may move; obstacles beside it are then drawn as glass.
-bool has_deformable(const Result& result);
-
-/// The camera of all pictures and of the view: what may move fills it, at rest and in the result.
-Camera report_camera(const Result& result, const std::vector<DrawnShape>& shapes, double aspect,
+/// The camera of the pictures of the result and of the view: what may move fills it, at rest and in the
+/// result. `clear_right` as in fit_camera.
+Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect,
                      double clear_right = 0);
 
 /// Up to `threads` are drawn at once; the bytes do not depend on it.

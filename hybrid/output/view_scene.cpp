@@ -48,14 +48,13 @@ Json row(const Eigen::Ref<const Eigen::RowVector3d>& value) {
 }  // namespace
 
 std::string view_scene(const Result& result) {
-  std::vector<DrawnShape> shapes;
-  for (const VesselResult& vessel : result.vessels) shapes.push_back(drawn_shape(vessel));
+  const std::vector<DrawnBody> bodies = drawn_bodies(result);
   constexpr double aspect = 16.0 / 9;
-  const Camera camera = report_camera(result, shapes, aspect);
+  const Camera camera = report_camera(result, bodies, aspect);
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   double reach = 0;
-  for (const DrawnShape& shape : shapes)
-    for (const Points* points : {&shape.rest, &shape.current})
+  for (const DrawnBody& body : bodies)
+    for (const Points* points : {&body.rest, &body.current})
       for (Eigen::Index i = 0; i < points->rows(); ++i) {
         const Vec3 at = points->row(i).transpose();
         if (!at.allFinite()) continue;
@@ -68,13 +67,8 @@ std::string view_scene(const Result& result) {
     high.setOnes();
   }
   const double size = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min());
-  Json scene = {{"low", row(low.transpose())},
-                {"size", size},
-                {"centre", row(camera.centre.transpose())},
-                {"reach", 1.05 * reach},
-                {"glass", has_deformable(result)},
-                {"aspect", aspect},
-                {"distance", camera.distance},
+  Json scene = {{"low", row(low.transpose())}, {"size", size},     {"centre", row(camera.centre.transpose())},
+                {"reach", 1.05 * reach},       {"aspect", aspect}, {"distance", camera.distance},
                 {"half", camera.half_height}};
   scene["axes"] = Json::array({row(camera.axes.row(0)), row(camera.axes.row(1)), row(camera.axes.row(2))});
   const std::vector<DrawnField> fields = drawn_fields(result);
@@ -91,23 +85,20 @@ std::string view_scene(const Result& result) {
                                {"colours", std::vector<std::uint32_t>(colours.begin(), colours.end())},
                                {"ticks", ticks}});
   }
-  const std::vector<Colour> colours = vessel_colours(result);
   scene["vessels"] = Json::array();
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const VesselResult& vessel = result.vessels[i];
-    const std::vector<std::uint32_t> triangles(shapes[i].triangles.data(),
-                                               shapes[i].triangles.data() + shapes[i].triangles.size());
-    Json added = {{"name", vessel.name},
-                  {"obstacle", vessel.obstacle},
-                  {"colour", {colours[i][0], colours[i][1], colours[i][2]}},
-                  {"rest", positions(shapes[i].rest, low, size)},
-                  {"current", positions(shapes[i].current, low, size)},
+  for (const DrawnBody& body : bodies) {
+    const std::vector<std::uint32_t> triangles(body.triangles.data(),
+                                               body.triangles.data() + body.triangles.size());
+    Json added = {{"name", body.name},
+                  {"glass", body.glass},
+                  {"colour", {body.colour[0], body.colour[1], body.colour[2]}},
+                  {"rest", positions(body.rest, low, size)},
+                  {"current", positions(body.current, low, size)},
                   {"triangles", base64_of(triangles)}};
     added["fields"] = Json::array();
     for (const DrawnField& field : fields) {
-      const Eigen::VectorXd& values = vessel.*field.values;
-      const bool known = values.size() > 0 && values.size() == shapes[i].current.rows();
-      added["fields"].push_back(known ? Json(levels(values, field.scale)) : Json(nullptr));
+      const Eigen::VectorXd* values = body.values(field);
+      added["fields"].push_back(values ? Json(levels(*values, field.scale)) : Json(nullptr));
     }
     scene["vessels"].push_back(added);
   }

@@ -124,6 +124,7 @@ TEST(FolderReplacement, AFolderThatCannotBeWrittenToIsRefused) {
     }
     _exit(1);
   };
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // VTK may have started threads
   EXPECT_EXIT(try_to_write(), testing::ExitedWithCode(0), "");
   fs::permissions(base.path, fs::perms::owner_all);
   EXPECT_TRUE(fs::is_empty(base.path));

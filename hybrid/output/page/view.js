@@ -122,7 +122,7 @@
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    const opacity = (vessel) => (vessel.obstacle && scene.glass ? (field >= 0 && !vessel.buffers[field] ? 0.22 : 0.35) : 1);
+    const opacity = (vessel) => (vessel.glass ? (field >= 0 && !vessel.buffers[field] ? 0.22 : 0.35) : 1);
     for (const glass of [false, true]) {
       for (const vessel of vessels) {
         if (!vessel.shown || (opacity(vessel) < 1) !== glass) continue;

@@ -9,6 +9,11 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
 #include "output/example_result.h"
 
 namespace vasorod {
@@ -102,6 +107,38 @@ TEST(WriteVtp, TheFileIsBinaryAndCompressed) {
   EXPECT_NE(bytes.find("compressor=\"vtkZLibDataCompressor\""), std::string::npos);
   EXPECT_NE(bytes.find("<AppendedData encoding=\"raw\">"), std::string::npos);
   EXPECT_EQ(bytes, vessel_vtp(test::deformed_tube(24, 30))) << "two writes of one vessel differ";
+}
+
+// Another reader, written from the format's description.
+TEST(WriteVtp, ReadsTheSameWithoutVtk) {
+  if (std::system("python3 -c 'import zlib' 2> /dev/null") != 0) GTEST_SKIP() << "no Python";
+  const VesselResult vessel = test::deformed_tube(24, 30);
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path / "svc.vtp").string(), listing = (folder.path / "listing").string();
+  std::ofstream(file, std::ios::binary) << vessel_vtp(vessel);
+  ASSERT_EQ(
+      std::system(
+          ("python3 " VASOROD_SOURCE_DIR "/tests/output/read_vtp.py " + file + " > " + listing).c_str()),
+      0);
+  std::ifstream lines(listing);
+  std::map<std::string, std::string> types;
+  std::map<std::string, std::array<double, 4>> seen;  // components, tuples, first, last
+  for (std::string section, name, type; lines >> section >> name >> type;) {
+    types[section + name] = type;
+    for (double& value : seen[section + name]) lines >> value;
+  }
+  const double n = static_cast<double>(vessel.rest.rows()), m = static_cast<double>(vessel.triangles.rows());
+  const auto last = vessel.rest.rows() - 1;
+  using Row = std::array<double, 4>;
+  EXPECT_EQ(seen["PointsPoints"], (Row{3, n, vessel.current(0, 0), vessel.current(last, 2)}));
+  EXPECT_EQ(seen["PointDataRestPosition"], (Row{3, n, vessel.rest(0, 0), vessel.rest(last, 2)}));
+  EXPECT_EQ(seen["PointDataTwistShear"], (Row{1, n, vessel.twist_shear[0], vessel.twist_shear[last]}));
+  EXPECT_EQ(seen["PointDataAxialStretch"], (Row{1, n, vessel.axial_stretch[0], vessel.axial_stretch[last]}));
+  EXPECT_EQ(seen["Polysconnectivity"],
+            (Row{1, 3 * m, 0, static_cast<double>(vessel.triangles(vessel.triangles.rows() - 1, 2))}));
+  EXPECT_EQ(types["PointDataRestPosition"], "Float64");
+  EXPECT_EQ(types["PointDataThickness"], "Float32");
+  EXPECT_EQ(types["CellDataModelFaceID"], "Int32");
 }
 
 TEST(WriteVtp, ACenterlineReadsBack) {

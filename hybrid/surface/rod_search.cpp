@@ -57,9 +57,12 @@ RodHit RodSearch::find(const Vec3& point, std::span<const int> branches, bool re
     return 2 / (tree_.radius[static_cast<size_t>(e.first)] + tree_.radius[static_cast<size_t>(e.second)]);
   };
   auto offer = [&](int branch, const RodCoordinates& at) {
+    // A section through the point is preferred to a node beside it, also where a wider branch ends at that
+    // node.
     const double distance = at.local.norm();
-    if (distance * scale(at.element) >= best_score) return;
-    best_score = distance * scale(at.element);
+    const double score = distance * scale(at.element) * (at.local.z() == 0 ? 1 : 1.25);
+    if (score >= best_score) return;
+    best_score = score;
     best = {at, branch, distance, fibre_stretch(tree_.elements[static_cast<size_t>(at.element)], at.local)};
   };
   for (const int b : branches) {

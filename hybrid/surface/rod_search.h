@@ -13,7 +13,7 @@ struct RodHit {
   int branch = 0;
   double distance = 0;  ///< length of (x, y, z), length unit
   double stretch = 0;   ///< length of the fibre through the point over the axis length, v3 + u1 y - u2 x; <=
-                       ///< 0: the section plane passes through or beyond the centre of curvature
+                        ///< 0: the section plane passes through or beyond the centre of curvature
 };
 
 class RodSearch {

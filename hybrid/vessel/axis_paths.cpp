@@ -173,6 +173,7 @@ AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area
     for (const int v : path.vertices) result.path_of[static_cast<size_t>(v)] = static_cast<int>(s);
     place(path, tree.level, slices, s == 0 ? centers.data() : nullptr,
           centers[static_cast<size_t>(path.end)]);
+    path.stub = path.parent >= 0 && path.finish - path.start < 0.5 * path.radius;
     result.paths.push_back(std::move(path));
   }
   return result;

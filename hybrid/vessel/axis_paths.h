@@ -2,6 +2,8 @@
 // branch off.
 #pragma once
 
+#include <optional>
+
 #include "vessel/flow_tree.h"
 
 namespace vasorod {
@@ -13,6 +15,8 @@ struct AxisPath {
   double radius = 0;             ///< typical, length
   std::vector<int> vertices;     ///< in the order of the flow
   std::vector<double> u;         ///< first estimate of each one's position along the path, length
+  bool stub = false;             ///< shorter than half its radius: no axis can be fitted yet
+  std::optional<Vec3> foot;      ///< where it begins, as far as that is known beforehand
   double start = 0, finish = 0;  ///< of u
 };
 

@@ -6,191 +6,16 @@
 #include <limits>
 #include <optional>
 
-#include "vessel/arc_length.h"
+#include "vessel/fork_border.h"
+#include "vessel/path_fit.h"
 
 namespace vasorod {
 namespace {
 
-constexpr double knot_spacing = 0.5;  // of the radius
-constexpr double cut_off = 4.0;       // wavelength over radius at which full smoothing halves an undulation
-constexpr double rough = 0.02;        // deviation from round over radius from which smoothing is full
-constexpr double least = 1e-4;        // share of full smoothing kept on a perfectly round wall
-constexpr double ramp = 0.3;          // width over radius in which whole sections beside broken ones fade in
-constexpr int rounds = 6;
+constexpr double rough = 0.02;  // deviation from round over radius from which smoothing is full
+constexpr double least = 1e-4;  // share of full smoothing kept on a perfectly round wall
 
 using Interval = std::array<double, 2>;
-
-// The parameter u near `u` with (p - r(u)) . r'(u) = 0: the section through p.
-double section_through(const Spline<3>& axis, const Vec3& p, double u, double radius) {
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 d = p - axis(u), t = axis.derivative(u);
-    const double slope = std::max(t.squaredNorm() - d.dot(axis.second(u)), 0.1 * t.squaredNorm());
-    u += std::clamp(d.dot(t) / slope, -radius, radius);
-  }
-  return u;
-}
-
-// 0 inside the interval, rising to 1 outside it: vertices of one section get one weight, whatever the
-// round-off in their positions, and no vertex counts whose section is broken, for it would pull the axis
-// further to its side.
-double outside(double u, const Interval& interval, double width) {
-  return std::clamp(std::max(interval[0] - u, u - interval[1]) / width, 0.0, 1.0);
-}
-
-// Penalty that halves undulations of wavelength cut_off * radius when every section is whole.
-double penalty_for(double interval_weight, double step, double radius, int order) {
-  return interval_weight / std::pow(2 * std::sin(M_PI * step / (cut_off * radius)), 2 * order);
-}
-
-class PathFit {
- public:
-  PathFit(const TriangleSurface& surface, const Eigen::VectorXd& area, const AxisPath& path)
-      : surface_(surface), path_(path), u_(path.u) {
-    for (const int v : path.vertices) share_.push_back(area[v]);
-    curve.parent = path.parent;
-    curve.end = path.end;
-    start_ = path.start;
-    end_ = path.finish;
-  }
-
-  AxisCurve curve;
-  std::optional<Vec3> first;  // where the axis begins
-  Vec3 last = Vec3::Zero();   // where it ends
-  std::vector<Interval> broken;
-
-  double radius() const { return path_.radius; }
-  void add_triangle(const std::array<size_t, 3>& triangle) { triangles_.push_back(triangle); }
-  // Finds every vertex' section, its direction in it, and the share of directions times length it stands for.
-  void project() {
-    for (size_t i = 0; i < u_.size(); ++i)
-      u_[i] = section_through(curve.axis, point(path_.vertices[i]), u_[i], radius());
-    const std::vector<double> angle = directions();
-    share_.assign(u_.size(), 0);
-    for (const auto& t : triangles_) {
-      const double s1 = u_[t[1]] - u_[t[0]], s2 = u_[t[2]] - u_[t[0]];
-      const double a1 = std::remainder(angle[t[1]] - angle[t[0]], 2 * M_PI);
-      const double a2 = std::remainder(angle[t[2]] - angle[t[0]], 2 * M_PI);
-      const double third = radius() * (a1 * s2 - a2 * s1) / 6;
-      for (const size_t i : t) share_[i] += third;
-    }
-  }
-  double at(const Vec3& p, double guess) const { return section_through(curve.axis, p, guess, radius()); }
-  double u(size_t i) const { return u_[i]; }
-
-  // Smooths the vertices of whole sections. The new axis is parametrised by the arc length of the present
-  // one, counted such that its whole sections begin at `clean_at` (a branch: how far they are from its
-  // parent's axis). `correct`: smooth the data plus what the present axis leaves of them, which undoes the
-  // smoothing's pull on a bend (Tukey's twicing).
-  void fit_axis(bool correct, double smoothing, std::optional<double> clean_at = {}) {
-    const Spline<3> present = curve.axis;
-    std::vector<double> weights(u_.size());
-    for (size_t i = 0; i < u_.size(); ++i) weights[i] = weight(i);
-    std::vector<double> before = u_;
-    if (!present.control.empty()) {
-      const ArcLength arc(present);
-      const double offset = clean_at ? *clean_at - arc(curve.clean_start) : 0;
-      for (double& u : u_) u = arc(u) + offset;
-      end_ = arc(present.end) + offset;
-      if (clean_at || first) start_ = 0;
-      curve.clean_start = arc(curve.clean_start) + offset;
-    }
-    Spline<3> axis;
-    axis.start = start_;
-    axis.end = end_;
-    axis.intervals =
-        std::max(3, static_cast<int>(std::ceil((end_ - start_) / (knot_spacing * radius()) - 1e-6)));
-    const double share = 2 * M_PI * radius() * axis.step();
-    std::vector<SplineDatum<3>> data;
-    data.reserve(u_.size() + 2);
-    // What is smoothed: the value itself, or twice the value less the present axis there.
-    auto add = [&](double u, double u_before, double w, const Vec3& value) {
-      data.push_back({u, w, correct ? Vec3(2 * value - present(u_before)) : value});
-    };
-    for (size_t i = 0; i < u_.size(); ++i)
-      if (weights[i] > 0) add(u_[i], before[i], weights[i], point(path_.vertices[i]));
-    // An end's centre counts as much as half a radius of whole sections: alone it decides where an oblique
-    // end breaks the sections, and its noise is averaged out where it does not.
-    const double end_weight = M_PI * radius() * radius();
-    if (first) data.push_back({axis.start, end_weight, *first});
-    add(axis.end, present.end, end_weight, last);
-    // The second difference decides only where no data do.
-    fit_penalised(axis, data, {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
-    curve.axis = std::move(axis);
-  }
-
-  void fit_radius() {
-    curve.radius.start = curve.axis.start;
-    curve.radius.end = curve.axis.end;
-    curve.radius.intervals = curve.axis.intervals;
-    const double share = 2 * M_PI * radius() * curve.axis.step();
-    std::vector<SplineDatum<1>> data;
-    data.reserve(u_.size());
-    for (size_t i = 0; i < u_.size(); ++i) {
-      SplineDatum<1> d{u_[i], weight(i), {}};
-      d.value[0] = (point(path_.vertices[i]) - curve.axis(u_[i])).norm();
-      if (d.weight > 0) data.push_back(d);
-    }
-    if (data.empty()) data.push_back({curve.axis.end, share, Eigen::Matrix<double, 1, 1>(radius())});
-    fit_penalised(curve.radius, data, {penalty_for(share, curve.axis.step(), radius(), 2), 0});
-  }
-
-  // How far the wall is from round: RMS of distance from the axis minus radius, over the radius.
-  double roughness() const {
-    double sum = 0, total = 0;
-    for (size_t i = 0; i < u_.size(); ++i) {
-      const double w = weight(i);
-      if (w == 0) continue;
-      const double off = (point(path_.vertices[i]) - curve.axis(u_[i])).norm() - curve.radius(u_[i])[0];
-      sum += w * off * off;
-      total += w;
-    }
-    return total > 0 ? std::sqrt(sum / total) / radius() : 1;
-  }
-
- private:
-  Vec3 point(int v) const { return surface_.points.row(v); }
-
-  // What vertex i stands for; 0 where its section is broken.
-  double weight(size_t i) const {
-    double w = std::max(share_[i], 0.0);
-    for (const Interval& interval : broken) w *= outside(u_[i], interval, ramp * radius());
-    return w;
-  }
-
-  // Angle of every vertex about the axis, from frames that do not twist.
-  std::vector<double> directions() const {
-    const int samples = 2 * curve.axis.intervals;
-    const double step = (curve.axis.end - curve.axis.start) / samples;
-    std::vector<Mat3> frames(static_cast<size_t>(samples) + 1);
-    for (int k = 0; k <= samples; ++k) {
-      const Vec3 t = curve.axis.derivative(curve.axis.start + k * step).normalized();
-      Mat3& frame = frames[static_cast<size_t>(k)];
-      if (k == 0)  // any direction does that moves with the surface
-        frame.col(0) = point(path_.vertices.front()) - curve.axis(curve.axis.start);
-      else
-        frame = frames[static_cast<size_t>(k) - 1];
-      frame.col(0) = (frame.col(0) - frame.col(0).dot(t) * t).normalized();
-      frame.col(1) = t.cross(frame.col(0));
-      frame.col(2) = t;
-    }
-    std::vector<double> angle(u_.size());
-    for (size_t i = 0; i < u_.size(); ++i) {
-      const Vec3 rho = point(path_.vertices[i]) - curve.axis(u_[i]),
-                 t = curve.axis.derivative(u_[i]).normalized();
-      const auto k =
-          static_cast<size_t>(std::clamp(std::round((u_[i] - curve.axis.start) / step), 0.0, samples * 1.0));
-      const Vec3 d1 = (frames[k].col(0) - frames[k].col(0).dot(t) * t).normalized();
-      angle[i] = std::atan2(rho.dot(t.cross(d1)), rho.dot(d1));
-    }
-    return angle;
-  }
-
-  const TriangleSurface& surface_;
-  const AxisPath& path_;
-  std::vector<std::array<size_t, 3>> triangles_;  // those inside the path, indices into its vertices
-  std::vector<double> u_, share_;
-  double start_ = 0, end_ = 0;  // domain of the next fit
-};
 
 // Edges between a path and others, as (index of the path's vertex in its list, the other's vertex).
 struct Contact {
@@ -242,7 +67,7 @@ class TreeFit {
   TreeFit(const TriangleSurface& surface, const std::vector<Edge>& edges,
           const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& area, const AxisPaths& paths,
           const std::vector<Vec3>& centers)
-      : surface_(surface), loops_(loops), paths_(paths) {
+      : surface_(surface), loops_(loops), paths_(paths), straight_(paths.paths.size(), 0) {
     std::vector<size_t> index(paths.path_of.size(), 0);
     for (const AxisPath& path : paths.paths)
       for (size_t i = 0; i < path.vertices.size(); ++i) index[static_cast<size_t>(path.vertices[i])] = i;
@@ -265,24 +90,28 @@ class TreeFit {
 
   std::vector<PathFit> fits;
 
-  void run() {
+  void run(int rounds) {
     std::vector<double> smoothing(fits.size(), 1);
-    for (PathFit& fit : fits) fit.fit_axis(false, 1);
+    std::vector<size_t> active;
+    for (size_t k = 0; k < fits.size(); ++k)
+      if (!fits[k].stub()) active.push_back(k);
+    for (const size_t k : active) fits[k].fit_axis(false, 1);
     for (int round = 0; round < rounds; ++round) {
-      for (PathFit& fit : fits) fit.project();
-      for (size_t k = 0; k < fits.size(); ++k) find_broken(k);
+      for (const size_t k : active) fits[k].project();
+      for (const size_t k : active) find_broken(k);
       if (round > 0)
-        for (size_t k = 0; k < fits.size(); ++k) {
+        for (const size_t k : active) {
           fits[k].fit_radius();
           smoothing[k] = std::clamp(std::pow(fits[k].roughness() / rough, 2), least, 1.0);
         }
-      for (size_t k = 0; k < fits.size(); ++k) {
+      for (const size_t k : active) {
         std::optional<double> clean_at;
-        if (fits[k].curve.parent >= 0) clean_at = attach(k);
+        if (has_parent(k)) clean_at = attach(k);
         fits[k].fit_axis(round + 1 == rounds, smoothing[k], clean_at);
       }
     }
-    for (PathFit& fit : fits) {
+    for (const size_t k : active) {
+      PathFit& fit = fits[k];
       fit.project();
       fit.fit_radius();
       fit.curve.first = fit.curve.axis.start;
@@ -292,6 +121,12 @@ class TreeFit {
   }
 
  private:
+  // Whether path k begins on another's axis that is already there.
+  bool has_parent(size_t k) const {
+    const int parent = fits[k].curve.parent;
+    return parent >= 0 && !fits[static_cast<size_t>(parent)].stub();
+  }
+
   Interval range_on(size_t k, const std::vector<int>& vertices, double guess) const {
     Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const int v : vertices) {
@@ -327,14 +162,16 @@ class TreeFit {
       }
     }
     if (fit.curve.parent >= 0) {
-      own_start = std::min(own_start, fit.curve.axis.end - 0.5 * fit.radius());
-      fit.curve.clean_start = own_start;
-      fit.broken.push_back({-far, own_start});
+      // A branch too short for whole sections gets a straight axis.
+      straight_[k] = own_start > fit.curve.axis.end - 0.5 * fit.radius() ? 1 : 0;
+      fit.curve.clean_start = straight_[k] ? fit.curve.axis.end : own_start;
+      fit.broken.push_back({-far, straight_[k] ? far : own_start});
     }
   }
 
-  // Lets path k begin on its parent's axis, where its own axis prolonged straight comes closest. Returns the
-  // distance from there to its first whole section.
+  // Lets path k begin on its parent's axis, where its own axis prolonged straight comes closest (without
+  // whole sections: at the point closest to its end). Returns the distance from there to its first whole
+  // section.
   double attach(size_t k) {
     PathFit& fit = fits[k];
     const PathFit& parent = fits[static_cast<size_t>(fit.curve.parent)];
@@ -348,6 +185,11 @@ class TreeFit {
       }
       window = {std::max(window[0], low - parent.radius()), std::min(window[1], high + parent.radius())};
     }
+    if (straight_[k]) {
+      fit.curve.parent_u = closest_parameter(parent.curve.axis, fit.last, parent.radius());
+      fit.first = parent.curve.axis(fit.curve.parent_u);
+      return (fit.last - *fit.first).norm();
+    }
     const Vec3 whole = fit.curve.axis(fit.curve.clean_start);
     const Vec3 tangent = fit.curve.axis.derivative(fit.curve.clean_start).normalized();
     fit.curve.parent_u = closest_to_line(parent.curve.axis, whole, tangent, window);
@@ -358,6 +200,7 @@ class TreeFit {
   const TriangleSurface& surface_;
   const std::vector<std::vector<int>>& loops_;
   const AxisPaths& paths_;
+  std::vector<char> straight_;  // per path: too short for whole sections
   std::vector<std::vector<Contact>> contacts_;
 };
 
@@ -382,18 +225,23 @@ Centerline fit_centerline(const TriangleSurface& surface, const std::vector<Edge
   std::vector<Vec3> centers;
   centers.reserve(loops.size());
   for (const auto& loop : loops) centers.push_back(perimeter_centroid(surface.points, loop));
-  Centerline result;
-  result.paths = axis_paths(surface, area, flow_tree(surface, edges, loops), loops, centers);
-  TreeFit tree(surface, edges, loops, area, result.paths, centers);
-  tree.run();
-  result.position.assign(static_cast<size_t>(surface.points.rows()), 0);
-  for (size_t k = 0; k < tree.fits.size(); ++k) {
-    const std::vector<int>& vertices = result.paths.paths[k].vertices;
-    for (size_t i = 0; i < vertices.size(); ++i)
-      result.position[static_cast<size_t>(vertices[i])] = tree.fits[k].u(i);
-    result.curves.push_back(std::move(tree.fits[k].curve));
-  }
-  return result;
+  auto fitted = [&](AxisPaths paths, int rounds) {
+    Centerline result;
+    result.paths = std::move(paths);
+    TreeFit tree(surface, edges, loops, area, result.paths, centers);
+    tree.run(rounds);
+    result.position.assign(static_cast<size_t>(surface.points.rows()), 0);
+    for (size_t k = 0; k < tree.fits.size(); ++k) {
+      const std::vector<int>& vertices = result.paths.paths[k].vertices;
+      for (size_t i = 0; i < vertices.size(); ++i)
+        result.position[static_cast<size_t>(vertices[i])] = tree.fits[k].u(i);
+      result.curves.push_back(std::move(tree.fits[k].curve));
+    }
+    return result;
+  };
+  AxisPaths paths = axis_paths(surface, area, flow_tree(surface, edges, loops), loops, centers);
+  if (paths.paths.size() > 1) paths = redraw_borders(surface, edges, fitted(std::move(paths), 3), centers);
+  return fitted(std::move(paths), 6);
 }
 
 }  // namespace vasorod

@@ -13,7 +13,8 @@ Slit open_slit(SurfaceEditor& editor, const std::vector<int>& path) {
   for (size_t k = 1; k + 1 < path.size(); ++k) {
     auto ring = editor.ring(path[k]);
     const auto previous = std::find(ring.begin(), ring.end(), path[k - 1]);
-    if (previous == ring.end() || editor.on_boundary(path[k]))
+    if (previous == ring.end() || std::find(ring.begin(), ring.end(), path[k + 1]) == ring.end() ||
+        editor.on_boundary(path[k]))
       throw std::logic_error("open_slit: the path is not made of inner edges");
     std::rotate(ring.begin(), previous, ring.end());
     for (const int w : ring) {

@@ -1,6 +1,7 @@
 // What every operation promises of the surface it leaves, checked from scratch.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

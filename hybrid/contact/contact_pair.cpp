@@ -13,6 +13,7 @@ constexpr double facing_same_way = 0.2;
 
 struct Feature {
   bool valid = false;
+  bool swallowed = false;  // inside, facing the same way
   std::array<int, 3> vertex{};
   Vec3 weight, normal;
   double distance = 0;  // along the interpolated normal
@@ -33,8 +34,11 @@ Feature closest_feature(const ClosestPoint& surface, const Triangles& triangles,
   }
   if (feature.normal.norm() < 0.1) return feature;  // a fold: no outside
   feature.normal.normalize();
-  if (feature.normal.dot(point_normal) > facing_same_way) return feature;
   feature.distance = feature.normal.dot(point - hit.point);
+  if (feature.normal.dot(point_normal) > facing_same_way) {
+    feature.swallowed = hit.signed_distance < 0;
+    return feature;
+  }
   feature.valid = true;
   return feature;
 }
@@ -65,8 +69,15 @@ double ContactPair::allowance(int vertex) {
   return value;
 }
 
+bool ContactPair::inside_at_rest(int vertex) {
+  if (!rest_) rest_.emplace(master_.rest);
+  const ClosestPoint::Hit hit = rest_->query(slave_.rest.points.row(vertex));
+  return !hit.on_boundary && hit.signed_distance < 0;
+}
+
 void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
   contacts_.clear();
+  swallowed_ = 0;
   const double offsets = slave_.offset + master_.offset;
   // Overlaps at rest only lower the slack, so nothing farther than this can have a gap below `reach`... from
   // outside; from inside everything counts.
@@ -90,6 +101,8 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   for (const int i : near) {
     const Feature feature = closest_feature(*current_, master_.rest.triangles, master_normals,
                                             master_.excluded, slave.row(i), slave_normals.row(i));
+    const double noise = 0.1 * std::sqrt(area_[i]);
+    if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     if (!feature.valid || feature.distance - offsets > reach) continue;
     const double rest = allowance(i);
     if (feature.distance - offsets - rest > reach) continue;

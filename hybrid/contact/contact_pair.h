@@ -37,6 +37,10 @@ class ContactPair {
   /// Numbered within the bodies; the slack is for a moving master.
   const std::vector<ContactPoint>& contacts() const { return contacts_; }
 
+  /// Vertices that lie inside the master facing as its nearest wall does, and did not at rest: they went past
+  /// its middle, where the nearest wall no longer is the one they came through.
+  int swallowed() const { return swallowed_; }
+
   /// m = p for the positions given, as after a minimum; returns (change of the contact forces, their sum),
   /// force.
   std::pair<double, double> update_multipliers(const Points& slave, const Points& master);
@@ -46,6 +50,7 @@ class ContactPair {
 
  private:
   double allowance(int vertex);
+  bool inside_at_rest(int vertex);
 
   ContactSide slave_, master_;
   double stiffness_;
@@ -54,6 +59,7 @@ class ContactPair {
   std::optional<ClosestPoint> rest_, current_;
   std::vector<double> allowance_;  // min(0, gap at rest); not-a-number until asked for
   std::vector<ContactPoint> contacts_;
+  int swallowed_ = 0;
 };
 
 }  // namespace vasorod

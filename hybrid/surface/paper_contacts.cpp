@@ -114,6 +114,15 @@ StackedContacts PaperContacts::stacked(const ScaledBodies& scaled, const std::ve
   return all;
 }
 
+bool PaperContacts::pressing() const {
+  return std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& pair) { return !pair.pressed.empty(); });
+}
+
+int PaperContacts::swallowed(int pair) const {
+  const auto& contact = pairs_[static_cast<size_t>(pair)].contact;
+  return contact ? contact->swallowed() : 0;
+}
+
 double PaperContacts::smallest_gap(int index, const ScaledBodies& scaled) {
   Pair& pair = pairs_[static_cast<size_t>(index)];
   double smallest = std::numeric_limits<double>::infinity();

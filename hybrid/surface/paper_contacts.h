@@ -40,6 +40,12 @@ class PaperContacts {
   int slave(int pair) const { return pairs_[static_cast<size_t>(pair)].slave; }
   int master(int pair) const { return pairs_[static_cast<size_t>(pair)].master; }
 
+  /// Whether anything pressed at the last refresh.
+  bool pressing() const;
+
+  /// ContactPair::swallowed of a pair.
+  int swallowed(int pair) const;
+
   /// Smallest gap of a pair at the bodies' current positions, scaled length; infinite when nothing faces.
   double smallest_gap(int pair, const ScaledBodies& scaled);
 

@@ -43,19 +43,21 @@ struct PaperProgress {
 };
 
 struct PaperOptions {
-  double tolerance = 1e-8;           ///< on |sum of forces| / sum over the terms of |their forces|
-  double balance_tolerance = 5e-7;   ///< on each body's |sum of forces| / its largest resultant
-  double seam_tolerance = 1e-3;      ///< largest seam gap over the mouth's radius
-  double contact_tolerance = 1e-3;   ///< penetration over the mean edge
-  double pressure_tolerance = 2e-4;  ///< change of the contact forces by the last multiplier update, relative
+  double tolerance = 1e-8;          ///< on |sum of forces| / sum over the terms of |their forces|
+  double balance_tolerance = 5e-7;  ///< on each body's |sum of forces| / its largest resultant
+  double seam_tolerance = 1e-3;     ///< largest seam gap over the mouth's radius
+  double contact_tolerance = 1e-3;  ///< penetration over the mean edge
+  double pressure_tolerance =
+      3e-3;                     ///< change of the pressures by the last multiplier update, mean over mean
   double seam_stiffness = 100;  ///< k_j over the largest k_b, k_s of the joined bodies: stiff enough to close
                                 ///< in two or three updates, soft enough for the preconditioner
   double contact_stiffness = 2;  ///< penalty times vertex area over k_b + k_s of the softer body
   int max_iterations = 3000;     ///< per minimisation between multiplier updates
-  int max_outer = 40;            ///< multiplier updates
-  int max_factorisations = 40;   ///< of the true Hessian, per minimisation; 0: never
-  bool certify = false;          ///< ask for the sign of the Hessian's smallest curvature at the end
-  double time_limit = 0;         ///< seconds; 0: none
+  int patience = 40;    ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  int max_outer = 100;  ///< multiplier updates
+  int max_factorisations = 40;  ///< of the true Hessian, per minimisation; 0: never
+  bool certify = false;         ///< ask for the sign of the Hessian's smallest curvature at the end
+  double time_limit = 0;        ///< seconds; 0: none
   std::function<bool(const PaperProgress&)> keep_going;  ///< false interrupts; may be empty
 };
 
@@ -86,6 +88,8 @@ struct ContactSolution {
   bool within_reach = false;  ///< false: the pair never came near; the numbers below are zero
   Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;
+  int swallowed = 0;  ///< vertices so deep in the other body that contact no longer knows their side: the
+                      ///< sections were carried through it, and the pressure is too small
   double smallest_gap = 0;  ///< between outer walls, counted from rest where they overlap there
 };
 

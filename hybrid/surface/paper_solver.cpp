@@ -18,6 +18,7 @@ namespace {
 
 constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
 constexpr double tolerance_step = 0.1;
+constexpr int settling_iterations = 15, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
 
 class PaperSolver {
@@ -137,8 +138,15 @@ class PaperSolver {
     };
     const bool constrained = !problem_.seams.empty() || !problem_.contacts.empty();
     double tolerance = constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
+    int settling_outers = 0;
     for (solution_.outer_iterations = 1;; ++solution_.outer_iterations) {
       inner.tolerance = tolerance;
+      // While contacts still open and close, the matrix that knows them is renewed before the minimum is
+      // refined; what has not settled after that is given to the true Hessian.
+      const bool pressing = contacts_.pressing(), settling = pressing && settling_outers < most_settling;
+      settling_outers += settling ? 1 : 0;
+      inner.max_iterations = settling ? settling_iterations : options_.max_iterations;
+      inner.patience = pressing ? 1 : options_.patience;
       const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
       solution_.iterations += summary.iterations;
       solution_.factorisations += summary.factorisations;
@@ -174,7 +182,7 @@ class PaperSolver {
       // Rough minima while features and multipliers still move much, then step by step to the tolerance asked
       // for.
       const double least = seam_closed && pressed_right && at_rest ? finest_tolerance : options_.tolerance;
-      tolerance = std::max(least, tolerance * tolerance_step);
+      if (summary.residual <= tolerance) tolerance = std::max(least, tolerance * tolerance_step);
       if (!contact.touched.empty()) {
         for (const int b : contact.touched) body(b).modelled = true;
         build();

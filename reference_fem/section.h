@@ -2,7 +2,7 @@
 // loaded.
 //
 // Mean pose of a soft section, with weights w (sum 1) and rest arms Y = X - X0, sum w Y = 0:
-//   sum w x = c,   sum w (R Y) x (x - c) = 0.
+//   sum w x = c,   sum w (R Y) x (x - c) = 0   (a shell adds its directors: t^2/12 w (R D) x (D + w)).
 // Both are linear in x once the pose (c, R) is known; six multipliers hold them.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Member {
   int first_dof = 0;
   Vec3 arm = Vec3::Zero();     ///< Y: from the section's rest centre, or the rest director; length
   bool follows_center = true;  ///< false for directors
-  double weight = 0;           ///< soft sections; 0 for directors
+  double weight = 0;           ///< soft sections: share of the area; directors: that times t^2 / 12
 };
 
 struct Section {
@@ -47,9 +47,5 @@ struct Section {
     return true;
   }
 };
-
-Mat3 cross_matrix(const Vec3& v);
-Mat3 rotation_exp(const Vec3& v);
-Vec3 rotation_log(const Mat3& R);
 
 }  // namespace vasorod::fem

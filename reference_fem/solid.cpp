@@ -1,4 +1,5 @@
 #include "reference_fem/solid.h"
+#include "geometry/rigid_motion.h"
 
 #include <Eigen/Dense>
 
@@ -121,8 +122,7 @@ void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& node
     for (Eigen::Index a = 0; a < n; ++a)
       for (Eigen::Index i = 0; i < 3; ++i) terms.residual[i * n + a] += w * face.shape(q, a) * area[i];
     for (Eigen::Index b = 0; b < n; ++b) {
-      const Mat3 change =
-          face.slope[1](q, b) * cross_matrix(along) - face.slope[0](q, b) * cross_matrix(across);
+      const Mat3 change = face.slope[1](q, b) * hat(along) - face.slope[0](q, b) * hat(across);
       for (Eigen::Index a = 0; a < n; ++a)
         for (Eigen::Index i = 0; i < 3; ++i)
           for (Eigen::Index k = 0; k < 3; ++k)

@@ -1,4 +1,5 @@
 #include "reference_fem/system.h"
+#include "geometry/rigid_motion.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member& member, const Mat3& R) {
   Eigen::Matrix<double, 3, 6> columns;
   columns.leftCols<3>() = member.follows_center ? section.axes : Mat3(Mat3::Zero());
-  columns.rightCols<3>() = -cross_matrix(R * member.arm) * section.axes;
+  columns.rightCols<3>() = -hat(R * member.arm) * section.axes;
   return columns;
 }
 
@@ -133,7 +134,7 @@ void System::prescribe(State& state, double load) const {
     const Section& section = supports_.sections[s];
     Pose& pose = state.pose[s];
     if (section.all_fixed())
-      pose = {rotation_exp(load * section.rotation), section.center + load * section.move};
+      pose = {exp_rotation(load * section.rotation), section.center + load * section.move};
     if (section.soft) continue;
     for (const Member& member : section.members) {
       Vec3 value = pose.rotation * member.arm - member.arm;
@@ -156,7 +157,7 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
     const Section& section = supports_.sections[s];
     if (section.all_fixed()) continue;
     state.pose[s].position += section.axes * step.head<3>();
-    state.pose[s].rotation = rotation_exp(section.axes * step.tail<3>()) * state.pose[s].rotation;
+    state.pose[s].rotation = exp_rotation(section.axes * step.tail<3>()) * state.pose[s].rotation;
     if (section.soft) continue;
     for (const Member& member : section.members) {
       Vec3 value = state.pose[s].rotation * member.arm - member.arm;
@@ -176,7 +177,7 @@ Eigen::VectorXd System::difference(const State& from, const State& to) const {
     Vec6 step;
     step.head<3>() = section.axes.transpose() * (to.pose[s].position - from.pose[s].position);
     step.tail<3>() =
-        section.axes.transpose() * rotation_log(to.pose[s].rotation * from.pose[s].rotation.transpose());
+        section.axes.transpose() * log_rotation(to.pose[s].rotation * from.pose[s].rotation.transpose());
     const Vec6 multiplier = to.multiplier[s] - from.multiplier[s];
     for (size_t k = 0; k < 6; ++k) {
       if (pose_index_[s][k] >= 0) unknowns[pose_index_[s][k]] = step[static_cast<Eigen::Index>(k)];
@@ -325,11 +326,13 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
         const double w = member.weight;
         if (w == 0) continue;
         const Vec3 y = pose.rotation * member.arm;
-        const Vec3 x = section.center + member.arm + state.u.segment<3>(member.first_dof),
-                   d = x - pose.position;
-        gap.head<3>() += w * d;
+        // from the current centre to the node, or the current director
+        Vec3 d = member.arm + state.u.segment<3>(member.first_dof);
+        if (member.follows_center) d += section.center - pose.position;
+        if (member.follows_center) gap.head<3>() += w * d;
         gap.tail<3>() += w / spread * y.cross(d);
-        const Vec3 f = w * (lc + lr.cross(y));
+        Vec3 f = w * lr.cross(y);
+        if (member.follows_center) f += w * lc;
         // derivative of lr . (y x d) for a spin of y
         torque += w * (d * lr.dot(y) - lr * y.dot(d));
         for (int k = 0; k < 3; ++k) {
@@ -338,13 +341,13 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
           if (i >= 0) out.residual[i] += f[k];
         }
         if (!want_tangent) continue;
-        const Mat3 spin_of_y = -cross_matrix(y);                  // dy = spin_of_y a
-        const Mat3 node_spin = w * cross_matrix(lr) * spin_of_y;  // d f / d a
-        const Mat3 node_mult = -w / spread * cross_matrix(y);     // d f / d multiplier of the rotation
+        const Mat3 spin_of_y = -hat(y);                  // dy = spin_of_y a
+        const Mat3 node_spin = w * hat(lr) * spin_of_y;  // d f / d a
+        const Mat3 node_mult = -w / spread * hat(y);     // d f / d multiplier of the rotation
         // torque row: w [d (lr . y) - lr (y . d)]
         const Mat3 spin_node = w * (lr.dot(y) * Mat3::Identity() - lr * y.transpose());
         spin_spin += w * (d * lr.transpose() - lr * d.transpose()) * spin_of_y;
-        multiplier_spin += w / spread * (-cross_matrix(d)) * spin_of_y;  // d gap_r / d a
+        multiplier_spin += w / spread * (-hat(d)) * spin_of_y;  // d gap_r / d a
         for (int k = 0; k < 3; ++k) {
           const int i = index_[static_cast<size_t>(member.first_dof + k)];
           if (i < 0) continue;
@@ -352,7 +355,7 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
             const auto column = static_cast<Eigen::Index>(b);
             const int center = multiplier_index_[s][b], turn = multiplier_index_[s][3 + b],
                       spin = pose_index_[s][3 + b];
-            if (static_cast<int>(b) == k) {
+            if (static_cast<int>(b) == k && member.follows_center) {
               out.tangent.coeffRef(i, center) += w;
               out.tangent.coeffRef(center, i) += w;
             }
@@ -391,7 +394,7 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     Vec6 applied;
     applied << A.transpose() * (load * section.force), A.transpose() * moment;
     if (section.moment_in_body && want_tangent)
-      pose_pose.bottomRightCorner<3, 3>() += A.transpose() * cross_matrix(moment) * A;
+      pose_pose.bottomRightCorner<3, 3>() += A.transpose() * hat(moment) * A;
     for (size_t a = 0; a < 6; ++a) {
       const int i = pose_index_[s][a];
       if (i < 0) continue;

@@ -1,4 +1,5 @@
 #include "reference_fem/tube.h"
+#include "geometry/rigid_motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +15,7 @@ Pose TubeShape::section(double s) const {
   const double chord = s * length * sinc;
   Pose local;
   local.position = Vec3(chord * std::sin(half), 0, chord * std::cos(half));
-  local.rotation = rotation_exp(Vec3(0, angle, 0));  // d3 turns towards d1
+  local.rotation = exp_rotation(Vec3(0, angle, 0));  // d3 turns towards d1
   return placement * local;
 }
 

@@ -40,7 +40,9 @@ struct Validity {
 
 struct Energies {
   double rod = 0, binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
-  double total() const { return rod + binding + bending + stretching + joining + contact; }
+  double strain =
+      0;  ///< of the wall as a continuum: the finite-element reference only, written where not zero
+  double total() const { return rod + binding + bending + stretching + joining + contact + strain; }
 };
 
 /// What the support does to the vessel at one end, about the end's current centre.

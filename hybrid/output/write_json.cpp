@@ -47,9 +47,12 @@ Json validity(const Validity& v) {
 }
 
 Json energies(const Energies& e) {
-  return {
-      {"rod", e.rod},         {"binding", e.binding}, {"bending", e.bending}, {"stretching", e.stretching},
-      {"joining", e.joining}, {"contact", e.contact}, {"total", e.total()}};
+  Json value = {{"rod", e.rod},         {"binding", e.binding},
+                {"bending", e.bending}, {"stretching", e.stretching},
+                {"joining", e.joining}, {"contact", e.contact}};
+  if (e.strain != 0) value["strain"] = e.strain;
+  value["total"] = e.total();
+  return value;
 }
 
 Json end_reaction(const EndReaction& e) {

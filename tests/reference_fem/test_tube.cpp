@@ -1,4 +1,5 @@
 // Tubes with rigid and soft ends against closed forms and one-dimensional exact solutions.
+#include "geometry/rigid_motion.h"
 #include "reference_fem/tube.h"
 
 #include <gtest/gtest.h>
@@ -145,7 +146,7 @@ TEST(Tube, FreeRigidEndUnderForceAndMomentMatchesThePrescribedOne) {
   d.force = d.moment = Vec3::Zero();
   d.fixed = all;
   d.move = p.state.pose[1].position - p.sections[1].center;
-  d.rotation = rotation_log(p.state.pose[1].rotation);
+  d.rotation = log_rotation(p.state.pose[1].rotation);
   const Pulled q = run(d);
   EXPECT_LT((q.at_end() - p.at_end()).norm(), 1e-6);
   c.soft = true;

@@ -1,0 +1,55 @@
+// Seven-parameter shell on the mid-surface (Bischoff and Ramm 1997; Gfrerer and Schanz 2019): displacement u,
+// director difference w and linear thickness strain beta, each FE_Q(p), with the same three-dimensional laws
+// as the solid.
+//
+//   x(zeta) = R + u + zeta (D + w),  dx/dzeta = (1 + zeta beta) (D + w),  zeta in [-t/2, t/2]
+//   G = P + zeta grad D + D n^T,     F = [P + grad u + zeta (grad D + grad w) + (1 + zeta beta) (D + w) n^T]
+//   G^-1
+//
+// P the projector on the surface, n its normal, grad the surface gradient, dV = det G dzeta dA. No rotation
+// is a parameter, so a rigid section is plain data for u and w.
+#pragma once
+
+#include <functional>
+
+#include "reference_fem/mesh.h"
+#include "reference_fem/model.h"
+#include "reference_fem/solid.h"
+
+namespace vasorod::fem {
+
+/// What the mid-surface does not know, as functions of the surface's parameters.
+struct ShellBody {
+  std::function<Vec3(const Vec3&)> director;     ///< D: unit, from inside to outside
+  std::function<double(const Vec3&)> thickness;  ///< along D, length
+  Axes axes;                                     ///< local material axes, third the fibre
+};
+
+class Shell final : public Model {
+ public:
+  /// Through-thickness Gauss points: 2 integrate S = C : E, other laws want 3.
+  Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points);
+
+  const Mesh& mesh() const { return mesh_; }
+  const Points& directors() const { return directors_; }  ///< per node
+  int node_count() const override { return mesh_.node_count(); }
+  int components() const override { return 7; }  ///< u, w (director difference), beta (1/length)
+  int cell_count() const override { return mesh_.cell_count(); }
+  std::vector<int> dofs(int cell) const override;
+  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+                CellTerms& terms) const override;
+
+ private:
+  struct Point {
+    double zeta = 0, weight = 0;  ///< weight: volume
+    Mat3 pull;                    ///< G^-1 Q, Q the local axes
+    Mat3 axes;                    ///< Q
+  };
+  Mesh mesh_;
+  MaterialLaw law_;
+  int depth_points_;
+  Points directors_;
+  std::vector<std::vector<Point>> points_;  ///< per cell: depth_points_ per surface point
+};
+
+}  // namespace vasorod::fem

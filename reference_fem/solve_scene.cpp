@@ -1,0 +1,221 @@
+#include "reference_fem/solve_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "geometry/error.h"
+#include "reference_fem/refinement.h"
+#include "reference_fem/tube_result.h"
+
+namespace vasorod::fem {
+namespace {
+
+constexpr double ratio = 1.5;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
+  if (options.degree < 1 || options.degree > 4)
+    throw InputError("--degree: found " + std::to_string(options.degree) + ", expected 1 to 4");
+  if (options.refine < 0 || options.refine > 2)
+    throw InputError("--refine: found " + std::to_string(options.refine) + ", expected 0, 1 or 2");
+  const int multiple = 1 << options.refine;  // so that each refinement by 3/2 is whole
+  if (options.around < 4 || options.around % multiple != 0 || options.along < 0 ||
+      options.along % multiple != 0)
+    throw InputError("--cells: found " + std::to_string(options.around) + " x " +
+                     std::to_string(options.along) + ", expected at least 4 around, and multiples of " +
+                     std::to_string(multiple) + " for --refine " + std::to_string(options.refine));
+  TubeMesh mesh{options.around, options.along, options.degree};
+  if (mesh.along == 0) {
+    const double wanted = problem.shape.length / (2 * std::numbers::pi / mesh.around);
+    mesh.along = 4 * std::max(1, static_cast<int>(std::lround(wanted / 4)));
+  }
+  return mesh;
+}
+
+struct Level {
+  TubeMesh mesh;
+  TubeSolution solution;
+};
+
+/// Changes between two meshes: displacements (root mean square over the radius), reactions and energy
+/// (relative).
+struct Change {
+  double displacement = 0, reaction = 0, energy = 0;
+};
+
+Change change(const TubeSolution& a, const TubeSolution& b) {
+  Change out;
+  const Points difference = (a.wall.current - a.wall.rest) - (b.wall.current - b.wall.rest);
+  out.displacement = std::sqrt(difference.squaredNorm() / static_cast<double>(difference.rows()));
+  // dimensionless lengths are radii, so forces and moments may be measured together
+  double size = 0;
+  for (std::size_t e = 0; e < a.end_force.size(); ++e) {
+    out.reaction = std::max(out.reaction, (a.end_force[e] - b.end_force[e]).cwiseAbs().maxCoeff());
+    size = std::max(size, a.end_force[e].cwiseAbs().maxCoeff());
+  }
+  if (size > 0) out.reaction /= size;
+  if (a.summary.energy != 0)
+    out.energy = std::abs(a.summary.energy - b.summary.energy) / std::abs(a.summary.energy);
+  return out;
+}
+
+void estimate_error(const std::vector<Level>& levels, int degree, Result& result) {
+  result.discretisation.emplace();
+  result.discretisation->dofs = levels.back().solution.unknowns;
+  result.discretisation->degree = degree;
+  if (levels.size() < 2) return;
+  const std::size_t n = levels.size();
+  const Change fine = change(levels[n - 1].solution, levels[n - 2].solution);
+  std::optional<Change> coarse;
+  if (n > 2) coarse = change(levels[n - 2].solution, levels[n - 3].solution);
+  const auto index = [&](double Change::*member, double theory) {
+    return grid_convergence(fine.*member, coarse ? std::optional<double>((*coarse).*member) : std::nullopt,
+                            ratio, theory);
+  };
+  // in the energy norm's square for energies and reactions, of L2 for displacements
+  const Convergence displacement = index(&Change::displacement, degree + 1),
+                    reaction = index(&Change::reaction, 2 * degree),
+                    energy = index(&Change::energy, 2 * degree);
+  result.discretisation->error_estimate =
+      std::max({displacement.uncertainty, reaction.uncertainty, energy.uncertainty});
+  result.discretisation->observed_order = energy.observed_order;
+  const auto note = [&](const char* what, const Convergence& c) {
+    std::string line = text("u_num of %s: %.2e (GCI, r = 1.5, order %.2f %s, Fs = %.2f)", what, c.uncertainty,
+                            c.order, c.observed_order ? "used" : "assumed", c.safety);
+    if (c.observed_order) line += text(", observed %.2f", *c.observed_order);
+    result.certificate.notes.push_back(line);
+  };
+  note("displacements over R (RMS)", displacement);
+  note("reactions, relative", reaction);
+  note("energy, relative", energy);
+}
+
+Status status_of(const StepperSummary& summary) {
+  if (summary.status == PathStatus::interrupted) return Status::interrupted;
+  if (summary.status != PathStatus::complete) return Status::iteration_limit;
+  if (!summary.positive_definite) return Status::equilibrium_only;
+  return *summary.positive_definite ? Status::converged : Status::unstable;
+}
+
+void report_ends(const TubeProblem& problem, const TubeSolution& solution, Result& result) {
+  Balance balance;
+  balance.vessel = problem.vessel;
+  double largest = 0;
+  for (std::size_t e = 0; e < problem.ends.size(); ++e) {
+    const EndProblem& end = problem.ends[e];
+    const double load = solution.summary.load;
+    const Vec3 force = load * end.force;
+    Vec3 moment = load * end.moment;
+    if (end.moment_in_body) moment = solution.end_pose[e].rotation * moment;
+    EndReaction reaction;
+    reaction.vessel = problem.vessel;
+    reaction.end = end.name;
+    reaction.force = problem.force_unit() * (solution.end_force[e].head<3>() - force);
+    reaction.moment = problem.moment_unit() * (solution.end_force[e].tail<3>() - moment);
+    reaction.center = problem.length_unit * solution.end_pose[e].position;
+    balance.support += reaction.force;
+    balance.load += problem.force_unit() * force;
+    largest = std::max({largest, reaction.force.norm(), (problem.force_unit() * force).norm()});
+    result.ends.push_back(reaction);
+  }
+  // pressure pushes too: only without it the ends alone are in balance
+  if (problem.pressure == 0 && largest > 0)
+    balance.residual = (balance.support + balance.load).norm() / largest;
+  result.balance.push_back(balance);
+}
+
+}  // namespace
+
+Result solve_scene(const Scene& scene, const SolveOptions& options) {
+  const TubeProblem problem = read_problem(scene, options.model, options.law);
+  TubeMesh mesh = first_mesh(problem, options);
+  TubeMesh finest = mesh;
+  for (int k = 0; k < options.refine; ++k) {
+    finest.around = finest.around * 3 / 2;
+    finest.along = finest.along * 3 / 2;
+  }
+  const int points_around = std::max(96, 2 * mesh.degree * finest.around),
+            stations = 2 * mesh.degree * finest.along + 1;
+
+  Result result;
+  result.scene = scene.name;
+  result.fidelity = options.model == ModelKind::solid ? "solid" : "shell";
+  result.length_unit = scene.units.length;
+  result.stress_unit = scene.units.stress;
+  std::vector<Level> levels;
+  double assembly = 0, factor = 0, meshing = 0;
+  int iterations = 0;
+  const double start = now();
+  for (int k = 0; k <= options.refine; ++k) {
+    Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations, options.stepper)};
+    const StepperSummary& summary = level.solution.summary;
+    assembly += summary.assembly_seconds;
+    factor += summary.factor_seconds;
+    meshing += level.solution.mesh_seconds;
+    iterations += summary.iterations;
+    if (options.progress)
+      options.progress(text(
+          "%s %d x %d cells, p = %d, %ld unknowns: %s at load %.4f, %d steps, %d iterations, energy %.10g",
+          result.fidelity.c_str(), mesh.around, mesh.along, mesh.degree, level.solution.unknowns,
+          to_string(summary.status).c_str(), summary.load, summary.steps, summary.iterations,
+          summary.energy * problem.energy_unit()));
+    const bool complete = summary.status == PathStatus::complete;
+    // an unfinished finer mesh does not replace a finished one
+    if (complete || levels.empty()) levels.push_back(std::move(level));
+    if (!complete) {
+      if (levels.size() > 1 || levels.back().solution.summary.status == PathStatus::complete)
+        result.certificate.notes.push_back(
+            text("the mesh of %d x %d cells ended at load %.4f and is left out", mesh.around, mesh.along,
+                 summary.load));
+      break;
+    }
+    mesh.around = mesh.around * 3 / 2;
+    mesh.along = mesh.along * 3 / 2;
+  }
+  const Level& last = levels.back();
+  const TubeSolution& solution = last.solution;
+  result.status = status_of(solution.summary);
+  result.certificate.relative_residual = solution.summary.relative_residual;
+  result.certificate.smallest_curvature_positive = solution.summary.positive_definite;
+  result.certificate.notes.push_back("law: " + to_string(problem.law));
+  if (solution.summary.status != PathStatus::complete)
+    result.certificate.notes.push_back(
+        text("the path ended at %.6f of the load; what is written is the last converged state",
+             solution.summary.load));
+  if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
+    result.certificate.notes.push_back(
+        "free or soft sections: the tangent is not symmetric or a saddle point's, so its definiteness is not "
+        "asked");
+  estimate_error(levels, last.mesh.degree, result);
+  result.energy.strain = problem.energy_unit() * solution.summary.energy;
+  report_ends(problem, solution, result);
+
+  VesselResult vessel = vessel_result(problem, solution.wall);
+  result.metrics.push_back(vessel_metrics(problem, solution.wall, vessel));
+  result.model.vertices = static_cast<int>(vessel.rest.rows());
+  result.model.triangles = static_cast<int>(vessel.triangles.rows());
+  result.model.terms = {result.fidelity, to_string(problem.law),
+                        text("%d x %d cells", last.mesh.around, last.mesh.along)};
+  result.vessels.push_back(std::move(vessel));
+  result.seconds["mesh"] = meshing;
+  result.seconds["assembly"] = assembly;
+  result.seconds["factor"] = factor;
+  result.seconds["solve"] = now() - start;
+  result.iterations["newton"] = iterations;
+  return result;
+}
+
+}  // namespace vasorod::fem

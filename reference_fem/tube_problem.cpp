@@ -1,0 +1,216 @@
+#include "reference_fem/tube_problem.h"
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "geometry/error.h"
+
+namespace vasorod::fem {
+namespace {
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& found, const std::string& expected) {
+  throw InputError(scene.file.string() + ": found " + found + "; the finite-element reference solves " +
+                   expected);
+}
+
+const VesselSpec& only_tube(const Scene& scene) {
+  const std::string can = "one generated tube (`tube:`) with conditions at its ends";
+  if (scene.glenn) refuse(scene, "a surgery", can);
+  if (scene.explore) refuse(scene, "an exploration", can);
+  if (scene.vessels.size() != 1) refuse(scene, std::to_string(scene.vessels.size()) + " vessels", can);
+  const VesselSpec& vessel = scene.vessels.front();
+  if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + quoted(vessel.name), can);
+  if (vessel.rod) refuse(scene, "the bare rod " + quoted(vessel.name), can);
+  if (!vessel.tube) refuse(scene, "the surface of " + quoted(vessel.name), can);
+  return vessel;
+}
+
+Pose placement(const TubeSpec& tube, double unit) {
+  Pose pose;
+  const Vec3 d3 = tube.tangent.normalized();
+  const Vec3 d1 = (tube.normal - tube.normal.dot(d3) * d3).normalized();
+  pose.rotation << d1, d3.cross(d1), d3;
+  pose.position = tube.position / unit;
+  return pose;
+}
+
+int side_of(const TubeShape& shape, const EndSelector& end, double unit) {
+  if (end.kind == EndSelector::Kind::start) return 0;
+  if (end.kind == EndSelector::Kind::end) return 1;
+  const Vec3 at = end.near / unit;
+  return (shape.section(0).position - at).norm() <= (shape.section(1).position - at).norm() ? 0 : 1;
+}
+
+Moduli moduli_of(const Wall& wall, double unit) {
+  if (wall.isotropic()) return Moduli::isotropic(wall.young / unit, wall.poisson);
+  return {wall.young / unit,
+          wall.transverse_young.value_or(wall.young) / unit,
+          wall.poisson,
+          wall.coupling,
+          wall.shear_modulus() / unit,
+          false};
+}
+
+std::vector<EndProblem> ends_of(const Scene& scene, const TubeProblem& problem) {
+  std::vector<EndProblem> ends;
+  for (const EndCondition& condition : scene.ends) {
+    const int side = side_of(problem.shape, condition.end, problem.length_unit);
+    EndProblem* entry = nullptr;
+    for (EndProblem& known : ends)
+      if (known.side == side) entry = &known;
+    if (entry == nullptr) {
+      ends.emplace_back();
+      entry = &ends.back();
+      entry->name = to_string(condition.end);
+      entry->side = side;
+    }
+    entry->soft = entry->soft || condition.soft_section;
+    if (condition.hold || condition.rotate_deg || condition.move) entry->fixed.fill(true);
+    for (std::size_t k = 0; k < 6; ++k) entry->fixed[k] = entry->fixed[k] || condition.fix[k];
+    if (condition.rotate_deg) entry->rotation = *condition.rotate_deg * (std::numbers::pi / 180);
+    if (condition.move) entry->move = *condition.move / problem.length_unit;
+    if (condition.force) entry->force = *condition.force / problem.force_unit();
+    if (condition.moment) entry->moment = *condition.moment / problem.moment_unit();
+    entry->moment_in_body = entry->moment_in_body || condition.moment_in_body;
+  }
+  int fixed = 0;
+  for (const EndProblem& end : ends)
+    for (const bool f : end.fixed) fixed += f ? 1 : 0;
+  if (fixed < 6)
+    throw InputError(scene.file.string() + ": ends: found " + std::to_string(fixed) +
+                     " components held in all, expected at least 6, as the tube would float away");
+  return ends;
+}
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Abscissa of a mesh parameter: cells shrink towards the ends, where rigid sections cause edge layers of
+/// about sqrt(R t).
+double graded(double p) {
+  return p - 0.4 * std::sin(2 * std::numbers::pi * p) / (2 * std::numbers::pi);
+}
+Vec3 graded(const Vec3& p) {
+  return {p[0], graded(p[1]), p[2]};
+}
+
+double graded_inverse(double s) {
+  double p = s;
+  for (int i = 0; i < 60; ++i) p -= (graded(p) - s) / (1 - 0.4 * std::cos(2 * std::numbers::pi * p));
+  return p;
+}
+
+std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const Block& block,
+                             std::vector<Section>& sections, const Mesh*& mesh) {
+  const TubeShape& shape = problem.shape;
+  const MaterialLaw law(problem.law, problem.moduli);
+  const auto finish = [&](auto model) -> std::unique_ptr<Model> {
+    for (const EndProblem& end : problem.ends) {
+      Section section = end_section(*model, shape, end.side, end.soft);
+      section.fixed = end.fixed;
+      section.move = end.move;
+      section.rotation = end.rotation;
+      section.force = end.force;
+      section.moment = end.moment;
+      section.moment_in_body = end.moment_in_body;
+      sections.push_back(std::move(section));
+    }
+    mesh = &model->mesh();
+    return model;
+  };
+  const Axes axes = [shape](const Vec3& p) { return shape.axes(graded(p)); };
+  if (kind == ModelKind::solid) {
+    auto solid = std::make_unique<Solid>(
+        make_solid(block, [&](const Vec3& p) { return shape.point(graded(p)); }), law, axes);
+    if (problem.pressure != 0) solid->add_pressure(2, 0, problem.pressure);
+    return finish(std::move(solid));
+  }
+  const ShellBody body{[shape](const Vec3& p) { return Vec3(shape.axes(graded(p)).col(0)); },
+                       [shape](const Vec3& p) { return shape.thickness_at(graded(p[1])); }, axes};
+  return finish(std::make_unique<Shell>(
+      make_surface(block, [&](const Vec3& p) { return shape.point(graded(Vec3(p[0], p[1], 0.5))); }), law,
+      body, problem.law == LawKind::svk ? 2 : 3));
+}
+
+}  // namespace
+
+TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law) {
+  const VesselSpec& vessel = only_tube(scene);
+  const TubeSpec& tube = *vessel.tube;
+  TubeProblem problem;
+  problem.vessel = vessel.name;
+  problem.length_unit = tube.radius;
+  problem.stress_unit = vessel.wall->young;
+  problem.moduli = moduli_of(*vessel.wall, problem.stress_unit);
+  problem.law = law.value_or(vessel.law == Law::svk ? LawKind::svk : LawKind::biot);
+  try {
+    const MaterialLaw check(problem.law, problem.moduli);
+  } catch (const InputError& error) {
+    throw InputError(scene.file.string() + ": " + vessel.name + ": " + error.what());
+  }
+  const double unit = problem.length_unit;
+  problem.shape.length = tube.length / unit;
+  problem.shape.radius = 1;
+  problem.shape.thickness = vessel.wall->thickness / unit;
+  problem.shape.end_radius = tube.end_radius.value_or(tube.radius) / unit;
+  problem.shape.end_thickness = tube.end_thickness.value_or(vessel.wall->thickness) / unit;
+  problem.shape.bend = tube.bend_deg * std::numbers::pi / 180;
+  problem.shape.placement = placement(tube, unit);
+  problem.ends = ends_of(scene, problem);
+  if (vessel.pressure) {
+    if (kind == ModelKind::shell) refuse(scene, "a pressure", "it with `--model solid` only");
+    problem.pressure = *vessel.pressure / problem.stress_unit;
+  }
+  return problem;
+}
+
+TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& size, int points_around,
+                        int stations, const StepperOptions& options) {
+  TubeSolution solution;
+  const double start = now();
+  const Mesh* mesh = nullptr;
+  Supports supports;
+  const auto model =
+      build(problem, kind, {{size.around, size.along, 1}, true, size.degree}, supports.sections, mesh);
+  const System system(*model, std::move(supports));
+  solution.unknowns = system.size();
+  std::vector<Vec3> at;
+  for (int j = 0; j < stations; ++j)
+    for (int i = 0; i < points_around; ++i)
+      at.emplace_back(static_cast<double>(i) / points_around,
+                      graded_inverse(static_cast<double>(j) / (stations - 1)), 0.5);
+  const std::vector<CellRow> rows = mesh->rows_at(at);
+  solution.mesh_seconds = now() - start;
+
+  State state;
+  System::Assembly assembly;
+  solution.summary = follow_path(system, state, assembly, options);
+  solution.end_force = assembly.section_force;
+  solution.end_pose = state.pose;
+  solution.wall.around = points_around;
+  solution.wall.along = stations;
+  solution.wall.rest.resize(static_cast<Eigen::Index>(rows.size()), 3);
+  solution.wall.current = solution.wall.rest;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    Vec3 X = Vec3::Zero(), u = Vec3::Zero();
+    const std::vector<int>& nodes = mesh->cell_nodes[static_cast<std::size_t>(rows[r].cell)];
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const double N = rows[r].shape[static_cast<Eigen::Index>(a)];
+      X += N * mesh->nodes.row(nodes[a]).transpose();
+      u += N * state.u.segment<3>(static_cast<Eigen::Index>(model->components()) * nodes[a]);
+    }
+    solution.wall.rest.row(static_cast<Eigen::Index>(r)) = X;
+    solution.wall.current.row(static_cast<Eigen::Index>(r)) = X + u;
+  }
+  return solution;
+}
+
+}  // namespace vasorod::fem

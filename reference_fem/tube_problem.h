@@ -1,0 +1,70 @@
+// A scene's one tube as a finite-element problem, made dimensionless: lengths over the mid-wall radius at the
+// start, stresses over the axial modulus. What the reference cannot do is refused here with a sentence.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference_fem/stepper.h"
+#include "reference_fem/tube_ends.h"
+#include "scene/scene.h"
+
+namespace vasorod::fem {
+
+enum class ModelKind { solid, shell };
+
+/// One end with a condition, dimensionless, in the order of the scene.
+struct EndProblem {
+  std::string name;  ///< as in the scene: start, end or near(x, y, z)
+  int side = 0;
+  bool soft = false;
+  std::array<bool, 6> fixed{};
+  Vec3 move = Vec3::Zero(), rotation = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero();
+  bool moment_in_body = false;
+};
+
+struct TubeProblem {
+  std::string vessel;
+  TubeShape shape;
+  Moduli moduli;
+  LawKind law = LawKind::biot;
+  double pressure = 0;  ///< on the inner face, following it
+  std::vector<EndProblem> ends;
+  double length_unit = 1;  ///< scene's length per ours
+  double stress_unit = 1;  ///< scene's stress per ours
+  double force_unit() const { return stress_unit * length_unit * length_unit; }
+  double moment_unit() const { return force_unit() * length_unit; }
+  double energy_unit() const { return moment_unit(); }
+};
+
+/// Throws InputError. `law` overrides the scene's.
+TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law);
+
+/// A field of the deformed wall at parameters (angle / 2 pi, s): rest and current mid-wall positions,
+/// dimensionless.
+struct MidWall {
+  int around = 0, along = 0;  ///< points around, stations along
+  Points rest, current;       ///< row: station * around + point
+};
+
+struct TubeSolution {
+  StepperSummary summary;
+  long unknowns = 0;
+  std::vector<Vec6>
+      end_force;  ///< per end: force and moment of support and load together, about the current centre
+  std::vector<Pose> end_pose;
+  MidWall wall;
+  double mesh_seconds = 0;
+};
+
+struct TubeMesh {
+  int around = 8, along = 12, degree = 3;
+};
+
+/// Solves on one mesh; the mid-wall is sampled at `points_around` x `stations`.
+TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh, int points_around,
+                        int stations, const StepperOptions& options);
+
+}  // namespace vasorod::fem

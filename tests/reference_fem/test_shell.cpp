@@ -1,0 +1,116 @@
+// The shell: derivatives, rigid motions, and Sze, Liu and Lo's benchmarks (Finite Elements in Analysis and
+// Design 40, 2004).
+#include "geometry/rigid_motion.h"
+#include "reference_fem/shell.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "reference_fem/sze.h"
+#include "reference_fem/tube.h"
+#include "reference_fem/tube_ends.h"
+
+namespace vasorod::fem {
+namespace {
+
+Shell bent_tube(LawKind kind) {
+  const TubeShape tube{8, 2, 0.6, 1.6, 0.4, 0.9, {}};
+  return Shell(make_surface({{3, 2, 1}, true, 2},
+                            [=](const Vec3& p) {
+                              return tube.point({p[0], p[1], 0.5});
+                            }),
+               MaterialLaw(kind, {1.7, 0.9, 0.35, 0.2, 0.25, false}), tube_body(tube), 3);
+}
+
+TEST(Shell, ResidualAndTangentAreDerivatives) {
+  for (const LawKind kind : {LawKind::biot, LawKind::svk}) {
+    const Shell shell = bent_tube(kind);
+    Eigen::VectorXd u(shell.dof_count());
+    for (int i = 0; i < u.size(); ++i) u[i] = 0.04 * std::sin(3.0 * i);
+    CellTerms at, plus, minus;
+    const std::vector<int> dofs = shell.dofs(2);
+    ASSERT_TRUE(shell.evaluate(2, u, 1, true, at));
+    double worst = 0, worst_energy = 0;
+    for (std::size_t b = 0; b < dofs.size(); ++b) {
+      const double h = 1e-6;
+      Eigen::VectorXd v = u;
+      v[dofs[b]] += h;
+      shell.evaluate(2, v, 1, false, plus);
+      v[dofs[b]] -= 2 * h;
+      shell.evaluate(2, v, 1, false, minus);
+      const auto column = static_cast<Eigen::Index>(b);
+      worst = std::max(worst, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
+      worst_energy =
+          std::max(worst_energy, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
+    }
+    EXPECT_LT(worst, 1e-7 * at.tangent.norm());
+    EXPECT_LT(worst_energy, 1e-7 * at.residual.norm());
+  }
+}
+
+TEST(Shell, RigidMotionsCostNothing) {
+  const Shell shell = bent_tube(LawKind::biot);
+  const Mat3 R = exp_rotation(Vec3(0.4, -1.1, 0.7));
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dof_count());
+  for (int i = 0; i < shell.node_count(); ++i) {
+    const Vec3 X = shell.mesh().nodes.row(i), D = shell.directors().row(i);
+    u.segment<3>(7 * i) = R * X - X + Vec3(1, 2, 3);
+    u.segment<3>(7 * i + 3) = R * D - D;
+  }
+  CellTerms terms;
+  for (int c = 0; c < shell.cell_count(); ++c) {
+    ASSERT_TRUE(shell.evaluate(c, u, 1, false, terms));
+    EXPECT_LT(terms.energy, 1e-25);
+    EXPECT_LT(terms.residual.norm(), 1e-12);
+  }
+}
+
+// The body of the bent, tapered tube is the solid's: volumes agree to the meshes' geometric error.
+TEST(Shell, HasTheVolumeOfTheSolid) {
+  const TubeShape tube{8, 2, 0.6, 1.6, 0.4, 0.9, {}};
+  const Block block{{8, 4, 1}, true, 3};
+  const Mesh solid = make_solid(block, [&](const Vec3& p) { return tube.point(p); });
+  double volume = 0;
+  for (const auto& w : solid.weights) volume += w.sum();
+  // unit energy density: a uniform dilation of svk, 1/2 E : C : E with E = e I
+  const MaterialLaw law(LawKind::svk, Moduli::isotropic(1, 0));
+  const Shell shell(make_surface(block,
+                                 [&](const Vec3& p) {
+                                   return tube.point({p[0], p[1], 0.5});
+                                 }),
+                    law, tube_body(tube), 3);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dof_count());
+  for (int i = 0; i < shell.node_count(); ++i) {
+    u.segment<3>(7 * i) = shell.mesh().nodes.row(i);
+    u.segment<3>(7 * i + 3) = shell.directors().row(i);
+  }
+  double energy = 0;
+  CellTerms terms;
+  for (int c = 0; c < shell.cell_count(); ++c) {
+    ASSERT_TRUE(shell.evaluate(c, u, 1, false, terms));
+    energy += terms.energy;
+  }
+  EXPECT_NEAR(energy / law.evaluate(2 * Mat3::Identity()).energy / volume, 1, 1e-5);
+}
+
+TEST(Shell, SzeCantileverUnderEndShear) {
+  const auto path = sze::cantilever_shear({0.25, 0.5, 1.0}, {8, 1, 1}, 3);
+  const double table[][2] = {{0.563, 3.015}, {1.604, 4.933}, {3.286, 6.698}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(path[i][0], table[i][0], std::max(0.002, 0.01 * table[i][0]));
+    EXPECT_NEAR(path[i][1], table[i][1], std::max(0.002, 0.01 * table[i][1]));
+  }
+}
+
+// Exact elastica; a bar of finite thickness differs from it by (h / R)^2 / 12 = 2.3e-4 of its size.
+TEST(Shell, SzeCantileverRolledToACircleByAnEndMoment) {
+  const auto path = sze::cantilever_moment({0.25, 0.5, 0.75, 1.0}, {12, 1, 1}, 3);
+  const double exact[][2] = {{4.361, 7.639}, {12.000, 7.639}, {14.546, 2.546}, {12.000, 0.000}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(path[i][k], exact[i][k], 0.003);
+}
+
+}  // namespace
+}  // namespace vasorod::fem

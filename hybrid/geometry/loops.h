@@ -26,7 +26,8 @@ class LoopCurve {
 };
 
 /// The offset for which the loops, run through in opposite senses, lie closest: it minimises the mean over u
-/// of |a(u) - b(offset - u)|^2, u and offset being fractions of arc length. In [0, 1), exact to 1e-9.
+/// of |a(u) - b(offset - u)|^2, u and offset being fractions of arc length. In [0, 1), exact to about 1e-8
+/// (what rounding leaves of a minimum).
 double opposite_offset(const LoopCurve& a, const LoopCurve& b);
 
 /// That mean, length^2, by the trapezoidal rule.

@@ -61,10 +61,12 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec2>& points, siz
   std::vector<std::array<int, 3>> triangles;
   for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face) {
     const std::array<int, 3> c{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+    const bool inner =
+        *std::max_element(c.begin(), c.end()) >= static_cast<int>(count);  // has a point inside
     const Vec2 center = (points[static_cast<size_t>(c[0])] + points[static_cast<size_t>(c[1])] +
                          points[static_cast<size_t>(c[2])]) /
                         3;
-    if (inside(polygon, center)) triangles.push_back(c);
+    if (inner || inside(polygon, center)) triangles.push_back(c);
   }
   return triangles;
 }

@@ -92,4 +92,26 @@ void add_vessels(const Prediction& prediction, Result& result) {
   if (!deformed.surfaces.empty()) result.stages.push_back(std::move(deformed));
 }
 
+Result fitted_result(const std::string& name, const LoadedSurface& loaded, const Vessel& vessel) {
+  Result result;
+  result.scene = name;
+  result.fidelity = "fit";
+  result.iterations = {{"rod", 0}, {"surface", 0}};
+  result.model.rod_nodes = vessel.rod.node_count();
+  result.model.vertices = static_cast<int>(vessel.surface.points.rows());
+  result.model.triangles = static_cast<int>(vessel.surface.triangles.rows());
+  result.model.left_out["solving"] = "fit: the vessel is shown at rest";
+  result.model.cleaning[name] = loaded.report.text();
+  VesselResult out;
+  out.name = name;
+  out.rest = out.current = vessel.surface.points;
+  out.triangles = vessel.surface.triangles;
+  out.point_arrays = loaded.point_arrays;
+  out.cell_arrays = loaded.cell_arrays;
+  out.centerline = centerline_of(vessel.rod, vessel.rod.rest);
+  result.vessels.push_back(std::move(out));
+  result.stages.push_back({"rest", {vessel.surface}, {name}});
+  return result;
+}
+
 }  // namespace vasorod

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "app/collect_vessel.h"
 #include "app/solve_scene.h"
 #include "app/stopwatch.h"
 #include "geometry/error.h"
@@ -44,6 +45,28 @@ int solve_command(const CommandOptions& options) {
   result.environment.inputs[scene.file.filename().string()] = sha256_of_file(scene.file);
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.surface) result.environment.inputs[vessel.surface->filename().string()] = sha256_of_file(*vessel.surface);
+  return finish(result, options);
+}
+
+int fit_command(const CommandOptions& options) {
+  Stopwatch watch;
+  Scene scene;
+  scene.file = options.input;
+  scene.name = options.input.stem().string();
+  scene.units.length = options.length_unit;
+  scene.units.metres = options.length_unit == "mm" ? 1e-3 : options.length_unit == "cm" ? 1e-2 : 1;
+  VesselSpec spec;
+  spec.name = scene.name;
+  spec.surface = options.input;
+  spec.remesh = options.remesh;
+  const LoadedSurface loaded = load_surface(spec, scene);
+  watch.lap("read");
+  const Vessel vessel = fit_vessel(spec.name, loaded.surface);
+  watch.lap("fit");
+  Result result = fitted_result(spec.name, loaded, vessel);
+  result.length_unit = options.length_unit;
+  result.seconds = watch.seconds();
+  result.environment.inputs[options.input.filename().string()] = sha256_of_file(options.input);
   return finish(result, options);
 }
 

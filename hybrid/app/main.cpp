@@ -54,6 +54,13 @@ int run(int argc, char** argv) {
   add_output(solve, &common);
   add_solving(solve, &common);
 
+  auto* fit = app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");
+  fit->add_option("surface", common.command.input, "Surface: VTP, STL, PLY or OBJ")->required();
+  fit->add_option("--length-unit", common.command.length_unit, "The surface's unit")
+      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")->check(CLI::PositiveNumber);
+  add_output(fit, &common);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -66,7 +73,7 @@ int run(int argc, char** argv) {
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
     common.command.solve.progress = [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
 
-  return solve_command(common.command);
+  return *fit ? fit_command(common.command) : solve_command(common.command);
 }
 
 }  // namespace

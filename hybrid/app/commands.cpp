@@ -6,6 +6,7 @@
 #include "app/solve_scene.h"
 #include "app/stopwatch.h"
 #include "geometry/error.h"
+#include "output/compare.h"
 #include "output/result_folder.h"
 #include "output/write_json.h"
 #include "scene/read_surface.h"
@@ -68,6 +69,12 @@ int fit_command(const CommandOptions& options) {
   result.seconds = watch.seconds();
   result.environment.inputs[options.input.filename().string()] = sha256_of_file(options.input);
   return finish(result, options);
+}
+
+int compare_command(const CommandOptions& options) {
+  const Comparison comparison = compare_results(options.input, options.second);
+  std::cout << (options.json ? comparison_json(comparison) : comparison_table(comparison));
+  return 0;
 }
 
 }  // namespace vasorod

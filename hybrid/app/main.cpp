@@ -61,6 +61,11 @@ int run(int argc, char** argv) {
   fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")->check(CLI::PositiveNumber);
   add_output(fit, &common);
 
+  auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
+  compare->add_option("a", common.command.input, "Result folder A")->required();
+  compare->add_option("b", common.command.second, "Result folder B: each rest point of A is looked up on B")->required();
+  compare->add_flag("--json", common.command.json, "Print JSON instead of the table");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -73,7 +78,8 @@ int run(int argc, char** argv) {
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
     common.command.solve.progress = [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
 
-  return *fit ? fit_command(common.command) : solve_command(common.command);
+  if (*solve) return solve_command(common.command);
+  return *fit ? fit_command(common.command) : compare_command(common.command);
 }
 
 }  // namespace

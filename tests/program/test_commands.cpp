@@ -1,0 +1,106 @@
+// The commands' contract with a shell: exit codes, one sentence on standard error, what is written.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program/run_program.h"
+
+namespace vasorod::testing {
+namespace {
+
+const std::string source = VASOROD_SOURCE_DIR;
+
+// A straight tube pulled to 1.05 between rigid ends.
+std::string pulled_tube(const std::string& fidelity) {
+  return "scene: pulled\nunits: {length: mm, stress: MPa}\nvessels:\n"
+         "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n"
+         "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\n"
+         "ends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, move: [0, 0, 5]}\n"
+         "fidelity: " + fidelity + "\n";
+}
+
+int lines_in(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST(Commands, HelpAndVersionEndWithZero) {
+  EXPECT_EQ(run_program(vasorod("--help")).exit_code, 0);
+  const auto version = run_program(vasorod("--version"));
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_NE(version.out.find("vasorod 0."), std::string::npos);
+}
+
+TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
+  for (const char* arguments : {"", "solve", "paint x", "solve x -o y --fidelity glass", "solve x -o y --threads 0"}) {
+    const auto run = run_program(vasorod(arguments));
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(lines_in(run.err), 1) << run.err;
+  }
+}
+
+TEST(Commands, CoupledIsRefusedNotImitated) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("coupled");
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("coupled"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
+  const ScratchFolder scratch;
+  for (const std::string fidelity : {"rod", "skin", "paper"}) {
+    std::ofstream(scratch / "scene.yaml") << pulled_tube(fidelity);
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / fidelity).string() +
+                                         "' --json"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "") << "silent in a pipe";
+    const auto result = nlohmann::json::parse(run.out);
+    EXPECT_EQ(result, nlohmann::json::parse(contents_of(scratch / fidelity / "result.json")));
+    // E A (l - 1), A = 2 pi R t, to what the mesh's polygon of 32 sides makes of R.
+    const double exact = 1.0 * 2 * M_PI * 10 * 1 * 0.05;
+    EXPECT_NEAR(result.at("ends")[1].at("force")[2].get<double>(), exact, 0.01 * exact);
+    EXPECT_NEAR(result.at("ends")[0].at("force")[2].get<double>(), -exact, 0.01 * exact);
+    EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05, 1e-6);
+    EXPECT_TRUE(result.at("validity").at("in_range").get<bool>());
+  }
+  const auto compared = run_program(
+      vasorod("compare '" + (scratch / "skin").string() + "' '" + (scratch / "paper").string() + "' --json"));
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_TRUE(nlohmann::json::accept(compared.out));
+}
+
+TEST(Commands, TwoRunsDifferInNothingButSeconds) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("paper");
+  nlohmann::json runs[2];
+  for (auto& result : runs) {
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "' --json"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    result = nlohmann::json::parse(run.out);
+    result.erase("seconds");
+  }
+  EXPECT_EQ(runs[0], runs[1]);
+}
+
+TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
+  const ScratchFolder scratch;
+  const auto run = run_program(vasorod("fit '" + source + "/meshes/infant/aorta.vtp' -o '" + (scratch / "out").string() + "'"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta_centerline.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "report.html"));
+}
+
+TEST(Commands, AFolderThatIsNotOursIsLeftAlone) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("rod");
+  std::filesystem::create_directory(scratch / "mine");
+  std::ofstream(scratch / "mine" / "thesis.txt") << "years of work";
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "mine").string() + "'"));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(lines_in(run.err), 1) << run.err;
+  EXPECT_EQ(contents_of(scratch / "mine" / "thesis.txt"), "years of work");
+}
+
+}  // namespace
+}  // namespace vasorod::testing

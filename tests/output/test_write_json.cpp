@@ -30,6 +30,7 @@ TEST(WriteJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(v.at("certificate").at("notes").size(), 1u);
   EXPECT_EQ(v.at("validity").at("in_range"), false);
   EXPECT_EQ(v.at("validity").at("brazier_ratio"), 0.1);
+  EXPECT_EQ(v.at("validity").at("wrinkling_ratio"), 0.15);
   EXPECT_EQ(v.at("validity").at("twist_ratio"), 0.2);
   EXPECT_EQ(v.at("validity").at("largest_strain"), 0.3);
   EXPECT_EQ(v.at("validity").at("warnings").at(0), "svc bends to 0.95 of the curvature where a tube kinks.");

@@ -8,7 +8,7 @@ int main() {
   vasorod::TubeSpec spec;
   spec.length = 100;
   spec.radius = 10;
-  const auto vessel = vasorod::fit_vessel("tube", vasorod::make_tube(spec));
+  const auto vessel = vasorod::fit_vessel("tube", vasorod::tube_surface(spec));
   double length = 0;
   for (const auto& element : vessel.rod.elements) length += element.length;
   std::printf("length %.6f\n", length);

@@ -126,11 +126,19 @@ class Sum {
 Distances surface_distances(const ReadVessel& a, const ReadVessel& b, double radius, double& rest_distance) {
   const ClosestPoint closest({b.rest, b.triangles});
   const Points moved = b.current - b.rest;
+  // On one and the same mesh a point is its own partner: the two banks of an incision lie on each other at rest, and the closest
+  // point could be on either.
+  const bool same_mesh = a.rest.rows() == b.rest.rows() && a.rest == b.rest && a.triangles.rows() == b.triangles.rows() &&
+                         a.triangles == b.triangles;
   const Eigen::VectorXd areas = vertex_areas({a.rest, a.triangles});
   Sum sum;
   for (Eigen::Index i = 0; i < a.rest.rows(); ++i) {
     if (areas[i] == 0) continue;  // a point no triangle uses
     const Vec3 at = a.rest.row(i).transpose();
+    if (same_mesh) {
+      sum.add((a.current.row(i) - b.current.row(i)).norm(), areas[i], at);
+      continue;
+    }
     const ClosestPoint::Hit hit = closest.query(at);
     const auto corners = b.triangles.row(hit.triangle);
     Vec3 other = Vec3::Zero();

@@ -1,6 +1,7 @@
 // The commands' contract with a shell: exit codes, one sentence on standard error, what is written.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,17 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
       vasorod("compare '" + (scratch / "skin").string() + "' '" + (scratch / "paper").string() + "' --json"));
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_TRUE(nlohmann::json::accept(compared.out));
+}
+
+TEST(Commands, AResultComparedWithItselfIsZeroApartEvenAtAnIncision) {
+  const ScratchFolder scratch;
+  const auto folder = (scratch / "out").string();
+  ASSERT_EQ(run_program(vasorod("solve '" + source + "/benchmarks/cases/glenn/infant.yaml' --fidelity skin -o '" + folder + "'")).exit_code, 0);
+  const auto run = run_program(vasorod("compare '" + folder + "' '" + folder + "' --json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto compared = nlohmann::json::parse(run.out);
+  ASSERT_EQ(compared.at("vessels").size(), 3U);
+  for (const auto& vessel : compared.at("vessels")) EXPECT_EQ(vessel.at("surface").at("largest"), 0) << vessel;
 }
 
 TEST(Commands, TwoRunsDifferInNothingButSeconds) {

@@ -86,16 +86,26 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
     summary.residual = s.residual;
     p = points_of(x);
   };
-  inner.max_iterations = options.max_iterations;
-  inner.patience = options.max_factorisations > 0 ? options.patience : 0;
-  take(lbfgs(
-      evaluation,
-      [this](const VectorXd& gradient, VectorXd& direction) { precondition(gradient, direction); }, x,
-      inner));
+  const Preconditioner by_bound = [this](const VectorXd& gradient, VectorXd& direction) {
+    precondition(gradient, direction);
+  };
+  const Preconditioner by_hessian = [this](const VectorXd& gradient, VectorXd& direction) {
+    hessian_.solve(gradient.data(), direction.data(), 1);
+  };
   const auto unfinished = [&] {
     return summary.status == LbfgsStatus::slow || summary.status == LbfgsStatus::stalled ||
            summary.status == LbfgsStatus::iteration_limit;
   };
+  if (options.reuse_hessian && hessian_.factorised()) {
+    inner.max_iterations = std::min(iterations_per_hessian, options.max_iterations);
+    inner.patience = iterations_per_hessian / 2;
+    take(lbfgs(evaluation, by_hessian, x, inner));
+  }
+  if (unfinished() && summary.iterations < options.max_iterations) {
+    inner.max_iterations = options.max_iterations - summary.iterations;
+    inner.patience = options.max_factorisations > 0 ? options.patience : 0;
+    take(lbfgs(evaluation, by_bound, x, inner));
+  }
   inner.patience = 0;
   double blend = 0;
   int stalls = 0;
@@ -103,12 +113,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
          summary.iterations < options.max_iterations) {
     if (!factorise_hessian(p, blend, summary.factorisations)) break;
     inner.max_iterations = std::min(iterations_per_hessian, options.max_iterations - summary.iterations);
-    take(lbfgs(
-        evaluation,
-        [this](const VectorXd& gradient, VectorXd& direction) {
-          hessian_.solve(gradient.data(), direction.data(), 1);
-        },
-        x, inner));
+    take(lbfgs(evaluation, by_hessian, x, inner));
     stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
     blend = blend < 0.03 ? 0 : blend / 3;
   }

@@ -13,8 +13,9 @@ namespace vasorod {
 struct PaperMinimiserOptions {
   double tolerance = 1e-8;    ///< on |sum of forces| / sum over the terms of |their forces|
   int max_iterations = 3000;  ///< of both kinds together
-  int patience = 40;          ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  int patience = 100;         ///< iterations for a tenfold smaller residual before the true Hessian is tried
   int max_factorisations = 40;  ///< of the true Hessian
+  bool reuse_hessian = false;   ///< start with the last true Hessian that was factorised, if there is one
   std::function<bool(int iteration, double energy, double residual)>
       keep_going;  ///< false interrupts; may be empty
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +54,7 @@ struct PaperOptions {
                                 ///< in two or three updates, soft enough for the preconditioner
   double contact_stiffness = 2;  ///< penalty times vertex area over k_b + k_s of the softer body
   int max_iterations = 3000;     ///< per minimisation between multiplier updates
-  int patience = 40;    ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  int patience = 100;   ///< iterations for a tenfold smaller residual before the true Hessian is tried
   int max_outer = 100;  ///< multiplier updates
   int max_factorisations = 40;  ///< of the true Hessian, per minimisation; 0: never
   bool certify = false;         ///< ask for the sign of the Hessian's smallest curvature at the end
@@ -90,7 +91,9 @@ struct ContactSolution {
   double area = 0, largest_pressure = 0;
   int swallowed = 0;  ///< vertices so deep in the other body that contact no longer knows their side: the
                       ///< sections were carried through it, and the pressure is too small
-  double smallest_gap = 0;  ///< between outer walls, counted from rest where they overlap there
+  double smallest_gap =
+      std::numeric_limits<double>::infinity();  ///< between outer walls, counted from rest where they
+                                                ///< overlap there; infinite where no walls face
 };
 
 struct PaperSolution {

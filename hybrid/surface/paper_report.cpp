@@ -52,8 +52,7 @@ void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled, co
     ContactSolution& mine = solution.contacts[p];
     mine.within_reach = contacts.within_reach(static_cast<int>(p));
     mine.swallowed = contacts.swallowed(static_cast<int>(p));
-    const double gap = mine.within_reach ? contacts.smallest_gap(static_cast<int>(p), scaled) : 0;
-    mine.smallest_gap = std::isfinite(gap) ? gap * scaled.length : 0;
+    mine.smallest_gap = contacts.smallest_gap(static_cast<int>(p), scaled) * scaled.length;
   }
 }
 

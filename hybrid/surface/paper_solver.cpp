@@ -146,7 +146,8 @@ class PaperSolver {
       const bool pressing = contacts_.pressing(), settling = pressing && settling_outers < most_settling;
       settling_outers += settling ? 1 : 0;
       inner.max_iterations = settling ? settling_iterations : options_.max_iterations;
-      inner.patience = pressing ? 1 : options_.patience;
+      inner.reuse_hessian = !pressing;
+      inner.patience = pressing && !settling ? 1 : options_.patience;
       const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
       solution_.iterations += summary.iterations;
       solution_.factorisations += summary.factorisations;

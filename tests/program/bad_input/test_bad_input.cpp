@@ -1,0 +1,229 @@
+// Bad input as a user meets it: the built program ends with exit code 2, says one line, and leaves no result
+// behind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "program/run_program.h"
+#include "scene/sample_surfaces.h"
+
+namespace vasorod::testing {
+namespace {
+
+// A small Glenn shunt of two generated tubes, in range and solvable.
+const std::string glenn = R"(scene: small-glenn
+units: {length: mm, stress: MPa}
+vessels:
+  - name: svc
+    tube: {length: 40, radius: 3.3, around: 24, along: 50, position: [0, 0, 5]}
+    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
+  - name: rpa
+    tube: {length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0], tangent: [1, 0, 0], normal: [0, 0, 1]}
+    wall: {thickness: 0.45, young: 0.45, poisson: 0.45}
+ends:
+  - {vessel: svc, end: end, hold: true}
+  - {vessel: rpa, end: start, hold: true}
+  - {vessel: rpa, end: end, hold: true}
+surgery:
+  glenn: {svc: svc, rpa: rpa, cut: [3.3, 0, 10], incision: [0, 0, 4], keep: {near: [0, 0, 45]}}
+fidelity: skin
+)";
+
+// One vessel from a file.
+const std::string vessel = R"(scene: vessel
+units: {length: mm, stress: MPa}
+vessels:
+  - name: tube
+    surface: tube.vtp
+    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}
+ends:
+  - {vessel: tube, end: start, hold: true}
+  - {vessel: tube, end: end, move: [0, 0, 1]}
+fidelity: skin
+)";
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the test's scene does not hold " + from);
+  return text.replace(at, from.size(), to);
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+class BadInput : public ::testing::Test {
+ protected:
+  ProgramRun solve(const std::string& scene) const {
+    write(scratch / "scene.yaml", scene);
+    return run_program(
+        vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
+  }
+  static void expect_one_line(const ProgramRun& run, int exit_code, const std::string& words) {
+    EXPECT_EQ(run.exit_code, exit_code) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(run.err.ends_with('\n')) << run.err;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  }
+  void expect_refused(const std::string& scene, const std::string& words) const {
+    expect_one_line(solve(scene), 2, words);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+  }
+  void expect_surface_refused(const TriangleSurface& surface, const std::string& words) const {
+    write_vtp(scratch / "tube.vtp", surface);
+    expect_refused(vessel, words);
+  }
+  ScratchFolder scratch;
+};
+
+// Without these two every refusal below could have another cause.
+TEST_F(BadInput, TheGlennSceneItselfIsSolved) {
+  const auto run = solve(glenn);
+  EXPECT_LE(run.exit_code, 1) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "result.json"));
+}
+
+TEST_F(BadInput, TheVesselSceneItselfIsSolved) {
+  write_vtp(scratch / "tube.vtp", sample_tube());
+  EXPECT_EQ(solve(vessel).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "result.json"));
+}
+
+TEST_F(BadInput, Usage) {
+  expect_one_line(run_program(vasorod("")), 2, "vasorod");
+  expect_one_line(run_program(vasorod("sovle x.yaml -o out")), 2, "vasorod");
+  expect_one_line(run_program(vasorod("solve x.yaml")), 2, "output");
+  expect_one_line(run_program(vasorod("solve --fidelity exact x.yaml -o out")), 2, "fidelity");
+}
+
+TEST_F(BadInput, MissingFiles) {
+  expect_one_line(run_program(vasorod("solve '" + (scratch / "none.yaml").string() + "' -o '" +
+                                      (scratch / "out").string() + "'")),
+                  2, "none.yaml: found no such file");
+  expect_refused(vessel, "tube.vtp: found no such file");
+}
+
+TEST_F(BadInput, EmptyAndTruncatedVtp) {
+  write(scratch / "tube.vtp", "");
+  expect_refused(vessel, "an empty file");
+  for (const Encoding encoding : {Encoding::ascii, Encoding::appended_raw, Encoding::zlib}) {
+    write_vtp(scratch / "whole.vtp", sample_tube(), encoding);
+    const std::string whole = contents_of(scratch / "whole.vtp");
+    write(scratch / "tube.vtp", whole.substr(0, whole.size() * 2 / 3));
+    expect_refused(vessel, "a damaged or truncated file");
+  }
+}
+
+TEST_F(BadInput, NonManifoldEdges) {
+  TriangleSurface fin = sample_tube();
+  const int tip = static_cast<int>(fin.points.rows());
+  fin.points.conservativeResize(tip + 1, 3);
+  fin.points.row(tip) << 20, 0, 20;
+  fin.triangles.conservativeResize(fin.triangles.rows() + 1, 3);
+  fin.triangles.row(fin.triangles.rows() - 1) << 240, 241, tip;
+  expect_surface_refused(fin, "a non-manifold edge with 3 triangles at (");
+}
+
+TEST_F(BadInput, TwoComponents) {
+  TriangleSurface other = sample_tube();
+  other.points.col(0).array() += 30;
+  expect_surface_refused(joined(sample_tube(), other), "2 separate parts");
+}
+
+TEST_F(BadInput, ClosedSurfaceWithoutEnds) {
+  expect_surface_refused(closed_tube({0, 1}, 12), "a closed surface with no ends");
+}
+
+TEST_F(BadInput, InvertedOrientation) {
+  TriangleSurface inverted = sample_tube();
+  inverted.triangles.col(0).swap(inverted.triangles.col(1));
+  expect_surface_refused(inverted, "an inverted surface");
+}
+
+TEST_F(BadInput, SelfIntersection) {
+  TriangleSurface crossing = sample_tube();
+  crossing.points.row(240) << -15, 0, 20;
+  expect_surface_refused(crossing, "crosses itself");
+}
+
+TEST_F(BadInput, PointsThatAreNoNumbers) {
+  TriangleSurface broken = sample_tube();
+  broken.points(17, 1) = std::numeric_limits<double>::quiet_NaN();
+  expect_surface_refused(broken, "point 17");
+}
+
+TEST_F(BadInput, MetresDeclaredAsMillimetres) {
+  TriangleSurface metres = sample_tube();
+  metres.points /= 1000;
+  expect_surface_refused(metres, "if the file is in m)");
+}
+
+TEST_F(BadInput, PicksOffTheirVessels) {
+  expect_refused(changed(glenn, "cut: [3.3, 0, 10]", "cut: [12, 0, 10]"), "off vessel svc");
+  expect_refused(changed(glenn, "incision: [0, 0, 4]", "incision: [0, 0, 12]"), "off vessel rpa");
+}
+
+TEST_F(BadInput, ACutThatLeavesNothing) {
+  expect_refused(changed(glenn, "cut: [3.3, 0, 10]", "cut: [3.3, 0, 44.9]"), "open end of the vessel");
+}
+
+TEST_F(BadInput, AnIncisionLongerThanTheVessel) {
+  // The slit is half the mouth's perimeter, 10.4 mm; the vessel is 9 mm long, or ends 2 mm beside the pick.
+  expect_refused(changed(glenn, "length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0]",
+                         "length: 9, radius: 4, around: 28, along: 12, position: [-4.5, 0, 0]"),
+                 "incision");
+  expect_refused(changed(glenn, "incision: [0, 0, 4]", "incision: [-23, 0, 4]"), "open end of the vessel");
+}
+
+TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
+  const std::string wall = "thickness: 0.4, young: 0.5";
+  for (const auto& [from, to, words] : std::vector<std::array<std::string, 3>>{
+           {"fidelity: skin", "fidelty: skin", "\"fidelity\""},
+           {"ends:", "end:", "\"ends\""},
+           {wall, "thicknes: 0.4, young: 0.5", "\"thickness\""},
+           {wall, "thickness: 0.4, young: soft", "\"soft\""},
+           {wall, "thickness: [0.4], young: 0.5", "a list of 1"},
+           {wall, "thickness: 0, young: 0.5", "vessels.svc.wall.thickness: found 0"},
+           {wall, "thickness: -0.4, young: 0.5", "vessels.svc.wall.thickness: found -0.4"},
+           {wall, "thickness: 0.4, young: 0", "vessels.svc.wall.young: found 0"},
+           {wall, "thickness: 0.4, young: -0.5", "vessels.svc.wall.young: found -0.5"},
+           {wall, "thickness: 0.4, young: 0.5, shear: -1", "vessels.svc.wall.shear: found -1"},
+           {"poisson: 0.45", "poisson: 0.6", "at most 0.5"},
+           {"hold: true", "hold: 7", "true or false"},
+           {"vessel: svc", "vessel: scv", "\"svc\""},
+           {"length: mm", "length: inch", "mm, cm or m"},
+           {"scene: small-glenn", "scene: [", "YAML"},
+           {"fidelity: skin", "fidelity: coupled", "coupled"},
+           {"radius: 3.3", "radius: 3.3, bend_deg: 1e9", "bend_deg"},
+           {"wall:", "pressure: 0.002\n    wall:", "vasorod-fem"}})
+    expect_refused(changed(glenn, from, to), words);
+}
+
+TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {
+  const auto run = solve(changed(glenn, "young: 0.5", "young: -0.5"));
+  EXPECT_NE(run.err.find((scratch / "scene.yaml").string() +
+                         ":6: vessels.svc.wall.young: found -0.5, expected a number above 0\n"),
+            std::string::npos)
+      << run.err;
+}
+
+// A folder that holds something else is the file system's no: exit code 3, and nothing in it is touched.
+TEST_F(BadInput, AResultFolderThatIsNotOurs) {
+  std::filesystem::create_directory(scratch / "out");
+  write(scratch / "out" / "thesis.tex", "years of work");
+  expect_one_line(solve(glenn), 3, "out");
+  EXPECT_EQ(contents_of(scratch / "out" / "thesis.tex"), "years of work");
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out" / "result.json"));
+}
+
+TEST_F(BadInput, AResultFolderThatIsAFile) {
+  write(scratch / "out", "years of work");
+  expect_one_line(solve(glenn), 3, "out");
+  EXPECT_EQ(contents_of(scratch / "out"), "years of work");
+}
+
+}  // namespace
+}  // namespace vasorod::testing

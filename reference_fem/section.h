@@ -28,24 +28,15 @@ struct Section {
   Vec3 center = Vec3::Zero();    ///< rest centre X0, length
   Mat3 axes = Mat3::Identity();  ///< rest frame (d1, d2, d3): `fixed` refers to it
   std::array<bool, 6> fixed{};   ///< x y z rx ry rz
-  /// Path of a section whose six components are all fixed: rotation exp(t rotation), centre X0 + t move, t
-  /// the load.
+  /// Path of fixed components: the centre at X0 + t move along fixed axes, the rotation exp(t rotation) where
+  /// all three are fixed (one or two fixed rotations stay as they are), t the load.
   Vec3 move = Vec3::Zero(), rotation = Vec3::Zero();
   Vec3 force = Vec3::Zero(),
        moment = Vec3::Zero();   ///< dead, space axes, scaled by t; on components that are not fixed
   bool moment_in_body = false;  ///< the moment turns with the section
   std::vector<Member> members;
 
-  bool all_fixed() const {
-    for (const bool f : fixed)
-      if (!f) return false;
-    return true;
-  }
-  bool none_fixed() const {
-    for (const bool f : fixed)
-      if (f) return false;
-    return true;
-  }
+  bool rotation_fixed() const { return fixed[3] && fixed[4] && fixed[5]; }
 };
 
 }  // namespace vasorod::fem

@@ -128,7 +128,9 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
     reaction.center = problem.length_unit * solution.end_pose[e].position;
     balance.support += reaction.force;
     balance.load += problem.force_unit() * force;
-    largest = std::max({largest, reaction.force.norm(), (problem.force_unit() * force).norm()});
+    // a tube under moments alone has forces of round-off only: moments over the radius set their size
+    largest = std::max({largest, reaction.force.norm(), (problem.force_unit() * force).norm(),
+                        reaction.moment.norm() / problem.length_unit, problem.force_unit() * moment.norm()});
     result.ends.push_back(reaction);
   }
   // pressure pushes too: only without it the ends alone are in balance
@@ -197,8 +199,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
              solution.summary.load));
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(
-        "free or soft sections: the tangent is not symmetric or a saddle point's, so its definiteness is not "
-        "asked");
+        "a dead moment on a freely turning section, or a pressure, has no energy: no minimum to certify");
   estimate_error(levels, last.mesh.degree, result);
   result.energy.strain = problem.energy_unit() * solution.summary.energy;
   report_ends(problem, solution, result);

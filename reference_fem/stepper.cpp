@@ -89,11 +89,10 @@ class Path {
 
   bool factor(const System::Assembly& assembly, StepperSummary& summary) {
     const double start = now();
-    const bool ok = solver_.factor(assembly.tangent, system_.symmetric());
+    const bool ok = solver_.factor(assembly.tangent, system_.symmetric(), system_.multipliers());
     summary.factor_seconds += now() - start;
     return ok;
   }
-  bool definite() const { return solver_.positive_definite(); }
 
  private:
   bool assemble(const State& state, double load, System::Assembly& assembly, StepperSummary& summary) {
@@ -172,10 +171,12 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
     if (path.iterations() >= 9) step = std::max(taken / 1.5, options.smallest_step);
     step = std::min(step, options.largest_step);
   }
-  if (options.certify && system.symmetric()) {
+  if (options.certify && system.conservative()) {
     system.assemble(state, 1, true, assembly);
-    path.factor(assembly, summary);
-    summary.positive_definite = path.definite();
+    LinearSolver solver;
+    solver.factor(Sparse(0.5 * (assembly.tangent + Sparse(assembly.tangent.transpose()))), true,
+                  system.multipliers(), LinearSolver::Fallback::none);
+    summary.positive_definite = solver.positive_definite();
   }
   return summary;
 }

@@ -31,11 +31,12 @@ void System::build_numbering() {
   index_.assign(static_cast<size_t>(model_.dof_count()), 0);
   member_.assign(index_.size(), {-1, -1});
   for (const auto& [dof, value] : supports_.prescribed) index_[static_cast<size_t>(dof)] = -1;
-  symmetric_ = model_.symmetric();
+  symmetric_ = conservative_ = model_.symmetric();
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
-    if (section.soft) symmetric_ = false;  // a saddle point
-    if (!section.all_fixed()) symmetric_ = false;
+    // spins of a free rotation do not commute: symmetric only in equilibrium, and not under a dead moment
+    if (!section.rotation_fixed()) symmetric_ = false;
+    if (!section.rotation_fixed() && section.moment.squaredNorm() > 0) conservative_ = false;
     if (section.soft) continue;
     for (size_t m = 0; m < section.members.size(); ++m)
       for (int k = 0; k < 3; ++k) {
@@ -48,10 +49,13 @@ void System::build_numbering() {
   for (int& i : index_)
     if (i == 0) i = size_++;
   for (const Section& section : supports_.sections) {
-    std::array<int, 6> pose{}, multiplier{};
+    std::array<int, 6> pose{};
     for (size_t k = 0; k < 6; ++k) pose[k] = section.fixed[k] ? -1 : size_++;
-    for (size_t k = 0; k < 6; ++k) multiplier[k] = section.soft ? size_++ : -1;
     pose_index_.push_back(pose);
+  }
+  for (const Section& section : supports_.sections) {
+    std::array<int, 6> multiplier{};
+    for (size_t k = 0; k < 6; ++k) multiplier[k] = section.soft ? size_++ : -1;
     multiplier_index_.push_back(multiplier);
   }
 }
@@ -118,6 +122,13 @@ void System::build_pattern() {
   pattern_.makeCompressed();
 }
 
+int System::multipliers() const {
+  int count = 0;
+  for (const Section& section : supports_.sections)
+    if (section.soft) count += 6;
+  return count;
+}
+
 State System::rest() const {
   State state;
   state.u = Eigen::VectorXd::Zero(model_.dof_count());
@@ -133,8 +144,12 @@ void System::prescribe(State& state, double load) const {
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
     Pose& pose = state.pose[s];
-    if (section.all_fixed())
-      pose = {exp_rotation(load * section.rotation), section.center + load * section.move};
+    if (section.rotation_fixed()) pose.rotation = exp_rotation(load * section.rotation);
+    for (size_t k = 0; k < 3; ++k) {
+      if (!section.fixed[k]) continue;
+      const Vec3 axis = section.axes.col(static_cast<Eigen::Index>(k));
+      pose.position += axis.dot(section.center + load * section.move - pose.position) * axis;
+    }
     if (section.soft) continue;
     for (const Member& member : section.members) {
       Vec3 value = pose.rotation * member.arm - member.arm;
@@ -155,7 +170,6 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
         state.multiplier[s][static_cast<Eigen::Index>(k)] += unknowns[multiplier_index_[s][k]];
     }
     const Section& section = supports_.sections[s];
-    if (section.all_fixed()) continue;
     state.pose[s].position += section.axes * step.head<3>();
     state.pose[s].rotation = exp_rotation(section.axes * step.tail<3>()) * state.pose[s].rotation;
     if (section.soft) continue;

@@ -36,6 +36,11 @@ class System {
   const Supports& supports() const { return supports_; }
   int size() const { return size_; }
   bool symmetric() const { return symmetric_; }
+  /// Whether the equilibrium is that of an energy: its tangent is then symmetric there, though not on the
+  /// way.
+  bool conservative() const { return conservative_; }
+  /// How many of the last unknowns are multipliers.
+  int multipliers() const;
   State rest() const;
 
   /// Puts everything prescribed to its value at `load`, members of sections to their pose.
@@ -77,7 +82,7 @@ class System {
   std::vector<std::vector<int>> cell_dofs_;
   Sparse pattern_;
   int size_ = 0;
-  bool symmetric_ = true;
+  bool symmetric_ = true, conservative_ = true;
 };
 
 }  // namespace vasorod::fem

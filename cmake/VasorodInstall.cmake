@@ -10,4 +10,4 @@ configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/vasorodConfig.cmake.in
   ${CMAKE_BINARY_DIR}/vasorodConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/vasorodConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/vasorodConfig.cmake ${CMAKE_BINARY_DIR}/vasorodConfigVersion.cmake
-  ${CMAKE_SOURCE_DIR}/cmake/FindCHOLMOD.cmake DESTINATION ${package_folder})
+  ${CMAKE_SOURCE_DIR}/cmake/FindCHOLMOD.cmake ${CMAKE_SOURCE_DIR}/cmake/FindOpenBLAS.cmake DESTINATION ${package_folder})

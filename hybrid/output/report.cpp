@@ -55,10 +55,10 @@ std::string validity_notice(const Validity& validity) {
     for (const std::string& warning : validity.warnings) html += "<li>" + html_text(warning) + "</li>\n";
     html += "</ul></div>\n";
   }
-  return html + "<p class=\"soft small\">Brazier ratio " + number_text(validity.brazier_ratio) + ", wrinkling ratio " +
-         number_text(validity.wrinkling_ratio) +
-         ", twist ratio " + number_text(validity.twist_ratio) + ", largest strain " +
-         number_text(validity.largest_strain) + ".</p>\n";
+  return html + "<p class=\"soft small\">Brazier ratio " + number_text(validity.brazier_ratio) +
+         ", wrinkling ratio " + number_text(validity.wrinkling_ratio) + ", twist ratio " +
+         number_text(validity.twist_ratio) + ", largest strain " + number_text(validity.largest_strain) +
+         ".</p>\n";
 }
 
 std::string fact(const std::string& name, const std::string& value, const std::string& unit) {

@@ -97,9 +97,20 @@ const DrawnBody* body_of(const std::vector<DrawnBody>& bodies, const std::string
   return best;
 }
 
-// The stages as they were recorded; of a scene without an operation, rest and result.
+// The stages as they were recorded, with what lies beside where a stage does not show it; of a scene without
+// an operation, rest and result.
 std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>& bodies) {
-  if (!result.stages.empty()) return result.stages;
+  if (!result.stages.empty()) {
+    std::vector<Stage> stages = result.stages;
+    for (Stage& stage : stages)
+      for (const DrawnBody& body : bodies)
+        if (body.glass && std::find(stage.names.begin(), stage.names.end(), body.name) == stage.names.end()) {
+          stage.surfaces.push_back({body.rest, body.triangles});
+          stage.names.resize(stage.surfaces.size() - 1);
+          stage.names.push_back(body.name);
+        }
+    return stages;
+  }
   std::vector<Stage> stages{{"rest", {}, {}}, {"result", {}, {}}};
   for (const DrawnBody& body : bodies)
     for (Stage& stage : stages) {
@@ -194,10 +205,14 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
                                          {0.60F, 0.72F, 0.46F}};
   static const std::vector<Colour> arteries{
       {0.85F, 0.45F, 0.42F}, {0.78F, 0.56F, 0.50F}, {0.80F, 0.50F, 0.58F}};
-  const bool movable = std::any_of(result.vessels.begin(), result.vessels.end(),
-                                   [](const VesselResult& vessel) { return !vessel.obstacle; });
+  // An operation is about the two vessels it joins, other scenes about whatever may move.
+  const auto wanted = [&](const VesselResult& vessel) {
+    return result.glenn ? vessel.name == result.glenn->svc || vessel.name == result.glenn->rpa
+                        : !vessel.obstacle;
+  };
+  const bool any_wanted = std::any_of(result.vessels.begin(), result.vessels.end(), wanted);
   std::vector<DrawnBody> bodies;
-  std::size_t obstacles = 0, others = result.glenn ? 2 : 0;
+  std::size_t beside = 0, others = 0;
   for (const VesselResult& vessel : result.vessels) {
     DrawnBody body;
     if (vessel.rest.rows() > 0) {
@@ -209,14 +224,14 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
     }
     body.name = vessel.name;
     body.vessel = &vessel;
-    body.glass = vessel.obstacle && movable;
-    body.wanted = !body.glass;
-    const bool svc = result.glenn && vessel.name == result.glenn->svc,
-               rpa = result.glenn && vessel.name == result.glenn->rpa;
-    body.colour = vessel.obstacle ? arteries[obstacles++ % arteries.size()]
-                  : svc           ? veins[0]
-                  : rpa           ? veins[1]
-                                  : veins[others++ % veins.size()];
+    body.wanted = wanted(vessel) || !any_wanted;
+    body.glass = !body.wanted;
+    if (!wanted(vessel))
+      body.colour = arteries[beside++ % arteries.size()];
+    else if (result.glenn)
+      body.colour = veins[vessel.name == result.glenn->svc ? 0 : 1];
+    else
+      body.colour = veins[others++ % veins.size()];
     bodies.push_back(body);
     if (!vessel.stump) continue;
     DrawnBody& stump = bodies.emplace_back();

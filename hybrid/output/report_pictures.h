@@ -36,9 +36,9 @@ struct DrawnBody {
   std::string name;
   Points rest, current;
   Triangles triangles;
-  Colour colour{};     ///< the operation's own two as veins are drawn, obstacles as arteries and heart are
-  bool glass = false;  ///< an obstacle beside what may move: seen through
-  bool wanted = true;  ///< what the pictures are about
+  Colour colour{};     ///< what is wanted as veins are drawn, the rest as arteries and heart are
+  bool glass = false;  ///< beside what is wanted: seen through
+  bool wanted = true;  ///< what the pictures are about: an operation's two vessels, else what may move
   const VesselResult* vessel = nullptr;  ///< whose fields it carries; a stump has none
 
   /// The field's values at the points, or null where it was not modelled.

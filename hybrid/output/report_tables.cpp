@@ -15,9 +15,8 @@ struct Table {
   std::size_t text_columns = 1;
 };
 
-std::string html_of(const std::string& title, const Table& table) {
-  if (table.rows.empty()) return {};
-  std::string html = "<h2>" + html_text(title) + "</h2>\n<div class=\"scroll\"><table>\n";
+std::string table_html(const Table& table) {
+  std::string html = "<div class=\"scroll\"><table>\n";
   if (!table.head.empty()) {
     html += "<thead><tr>";
     for (std::size_t i = 0; i < table.head.size(); ++i)
@@ -36,6 +35,10 @@ std::string html_of(const std::string& title, const Table& table) {
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
+}
+
+std::string html_of(const std::string& title, const Table& table) {
+  return table.rows.empty() ? std::string() : "<h2>" + html_text(title) + "</h2>\n" + table_html(table);
 }
 
 std::string vector_text(const Vec3& v) {
@@ -58,14 +61,19 @@ std::string metrics_table(const Result& result) {
                           number_text(m.stretch[1]), number_text(m.largest_curvature),
                           number_text(m.flattening), number_text(m.smallest_lumen_ratio),
                           number_text(m.largest_pressure), number_text(m.contact_area)});
-  std::string html = html_of("What became of the vessels", table);
   Table where;
   where.head = {"Vessel", "Extreme", "At, " + result.length_unit};
   where.text_columns = 3;
   for (const VesselMetrics& m : result.metrics)
-    for (const auto& [name, point] : m.where)
-      where.rows.push_back({html_text(m.vessel), html_text(name), vector_text(point)});
-  return html + html_of("Where", where);
+    for (const auto& [name, point] : m.where) {
+      std::string words = name;
+      std::replace(words.begin(), words.end(), '_', ' ');
+      where.rows.push_back({html_text(m.vessel), html_text(words), vector_text(point)});
+    }
+  std::string html = html_of("What became of the vessels", table);
+  if (!where.rows.empty())
+    html += "<details><summary>Where each extreme occurs</summary>\n" + table_html(where) + "</details>\n";
+  return html;
 }
 
 std::string glenn_table(const Result& result) {
@@ -133,6 +141,7 @@ std::string energy_table(const Result& result) {
       {"rod", e.rod},         {"binding", e.binding}, {"bending", e.bending}, {"stretching", e.stretching},
       {"joining", e.joining}, {"contact", e.contact}, {"total", e.total()}};
   for (const auto& [name, value] : rows) table.rows.push_back({name, number_text(value)});
+  if (e.strain != 0) table.rows.insert(table.rows.begin(), {"strain of the wall", number_text(e.strain)});
   return html_of("Energy", table);
 }
 

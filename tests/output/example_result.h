@@ -121,7 +121,12 @@ inline Result example_result(int around = 24, int along = 30) {
   r.program = "vasorod 0.1.0";
   r.fidelity = "skin";
   r.certificate = {1.0 / 3.0, std::nullopt, {"the surface's curvature was not asked for"}};
-  r.validity = {false, 0.1, 0.15, 0.2, 0.3, {"svc bends to 0.95 of the curvature where a tube kinks."}};
+  r.validity = {.in_range = false,
+                .brazier_ratio = 0.1,
+                .wrinkling_ratio = 0.15,
+                .twist_ratio = 0.2,
+                .largest_strain = 0.3,
+                .warnings = {"svc bends to 0.95 of the curvature where a tube kinks."}};
   r.energy = {1.1, 2.2, 3.3, 4.4, 5.5, 6.6};
   r.ends = {{"svc", "start", {0.1, 0.2, 0.3}, {1e-300, -0.0, 1e17}, {1, 2, 3}}};
   Balance balance{"svc", {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}, 1e-9, {}, {}};

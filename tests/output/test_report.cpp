@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -139,6 +140,24 @@ TEST(Report, TheViewHasThePointsWithinAStep) {
             static_cast<std::size_t>(vessel.triangles.size()) * 4);
   EXPECT_TRUE(scene.at("vessels").at(0).at("fields").at(0).is_string());
   EXPECT_TRUE(scene.at("vessels").at(2).at("fields").at(0).is_null()) << "an obstacle has no twist";
+}
+
+TEST(Report, AnOperationIsAboutTheVesselsItJoins) {
+  Result result = test::example_result();
+  result.vessels[1].name = "rpa";
+  result.vessels[1].obstacle = false;
+  VesselResult beside = test::obstacle(24, 30);
+  beside.obstacle = false;  // it may move, but the operation does not join it
+  result.vessels.push_back(beside);
+  const auto wanted = [&] {
+    std::map<std::string, bool> names;
+    for (const DrawnBody& body : drawn_bodies(result)) names[body.name] = body.wanted;
+    return names;
+  };
+  EXPECT_EQ(wanted(), (std::map<std::string, bool>{
+                          {"svc", true}, {"svc stump", false}, {"rpa", true}, {"aorta", false}}));
+  result.glenn.reset();
+  EXPECT_TRUE(wanted().at("aorta"));
 }
 
 TEST(Report, ABareRodIsDrawnAsATube) {

@@ -135,6 +135,10 @@ void add_contact(const Prediction& prediction, Result& result) {
   for (const ContactSolution& pair : prediction.surface->contacts) {
     if (!pair.within_reach) continue;
     const auto name = [&](int body) { return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name; };
+    if (pair.swallowed > 0)
+      result.certificate.notes.push_back("contact of " + name(pair.a) + " and " + name(pair.b) + ": " +
+                                         std::to_string(pair.swallowed) +
+                                         " points were carried past the other vessel's middle; their pressure is left out");
     result.contact.push_back({name(pair.a), name(pair.b), pair.force, pair.area, pair.largest_pressure, pair.smallest_gap});
   }
 }

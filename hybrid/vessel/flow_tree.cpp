@@ -1,10 +1,12 @@
 #include "vessel/flow_tree.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <queue>
+
+#include "geometry/error.h"
+#include "surface/cholesky.h"
 
 namespace vasorod {
 namespace {
@@ -69,11 +71,15 @@ Eigen::VectorXd flow_potential(const TriangleSurface& surface, const std::vector
   for (int i = 0; i < count; ++i) entries.emplace_back(i, i, diagonal[i]);
   Eigen::SparseMatrix<double> laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
   Eigen::VectorXd outflow = Eigen::VectorXd::Zero(count);
   for (size_t k = 1; k < loops.size(); ++k)
     outflow[static_cast<int>(k) - 1] = perimeter(surface.points, loops[k]);
-  const Eigen::VectorXd solution = factor.solve(outflow);
+  Cholesky factor;
+  factor.analyse(laplacian);
+  if (!factor.factorise(laplacian))
+    throw InputError("no flow reaches part of the surface, expected one connected wall");
+  Eigen::VectorXd solution(count);
+  factor.solve(outflow.data(), solution.data(), 1);
   Eigen::VectorXd level = Eigen::VectorXd::Zero(surface.points.rows());
   for (size_t i = 0; i < n; ++i)
     if (unknown[i] >= 0) level[static_cast<Eigen::Index>(i)] = solution[unknown[i]];

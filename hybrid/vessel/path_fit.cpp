@@ -31,10 +31,13 @@ double penalty_for(double interval_weight, double step, double radius, int order
 }  // namespace
 
 double section_through(const Spline<3>& axis, const Vec3& p, double u, double radius) {
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 d = p - axis(u), t = axis.derivative(u);
-    const double slope = std::max(t.squaredNorm() - d.dot(axis.second(u)), 0.1 * t.squaredNorm());
-    u += std::clamp(d.dot(t) / slope, -radius, radius);
+  for (int k = 0; k < 6; ++k) {
+    const auto [position, tangent, bend] = axis.jet(u);
+    const Vec3 d = p - position;
+    const double slope = std::max(tangent.squaredNorm() - d.dot(bend), 0.1 * tangent.squaredNorm());
+    const double step = std::clamp(d.dot(tangent) / slope, -radius, radius);
+    u += step;
+    if (std::abs(step) < 1e-10 * radius) break;  // the next step would be its square
   }
   return u;
 }

@@ -41,6 +41,17 @@ struct Spline {
     for (size_t k = 0; k < 4; ++k) value += b[k] * control[static_cast<size_t>(i) + k];
     return value;
   }
+  /// Value and first two derivatives together.
+  std::array<Value, 3> jet(double u) const {
+    if (u < start || u > end) return {(*this)(u), derivative(u), Value::Zero()};
+    std::array<Value, 3> values{Value::Zero(), Value::Zero(), Value::Zero()};
+    for (int order = 0; order < 3; ++order) {
+      const auto [i, b] = basis(u, order);
+      for (size_t k = 0; k < 4; ++k)
+        values[static_cast<size_t>(order)] += b[k] * control[static_cast<size_t>(i) + k];
+    }
+    return values;
+  }
   Value operator()(double u) const {
     const double inside = std::clamp(u, start, end);
     Value value = sum(inside, 0);

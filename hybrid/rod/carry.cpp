@@ -1,5 +1,7 @@
 #include "rod/carry.h"
 
+#include <algorithm>
+
 #include "geometry/rigid_motion.h"
 
 namespace vasorod {
@@ -42,7 +44,8 @@ std::vector<Vec3> spread(const std::vector<RodLink>& links, const std::vector<co
 }  // namespace
 
 std::vector<Pose> carry_along(const std::vector<RodLink>& links, const std::vector<NodeCondition>& conditions,
-                              const std::vector<Vec3>& turn, const std::vector<Pose>& poses) {
+                              const std::vector<Vec3>& turn, const std::vector<Pose>& poses,
+                              double* largest_turn) {
   const std::size_t n = links.size() + 1;
   std::vector<const Vec3*> given(n, nullptr);
   for (std::size_t c = 0; c < conditions.size(); ++c) {
@@ -50,6 +53,11 @@ std::vector<Pose> carry_along(const std::vector<RodLink>& links, const std::vect
     if (fixed[3] || fixed[4] || fixed[5]) given[index(conditions[c].node)] = &turn[c];
   }
   const std::vector<Vec3> rotation = spread(links, given);
+  if (largest_turn) {
+    *largest_turn = 0;
+    for (std::size_t k = 0; k < links.size(); ++k)
+      *largest_turn = std::max(*largest_turn, (rotation[k + 1] - rotation[index(links[k].parent)]).norm());
+  }
   std::vector<Pose> result(n);
   for (std::size_t k = 0; k < n; ++k) result[k].rotation = exp_rotation(rotation[k]) * poses[k].rotation;
   result[0].position = poses[0].position;

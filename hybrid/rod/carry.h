@@ -9,8 +9,10 @@ namespace vasorod {
 
 /// Poses carried along by what the supports do: `turn` (rotation vector, space axes, may exceed a turn) and
 /// the target positions of the conditions, per condition. Rotations spread harmonically along arc length,
-/// elements turn with them, and what then misses a held position is spread the same way.
+/// elements turn with them, and what then misses a held position is spread the same way. `largest_turn`: of
+/// any link, radians.
 std::vector<Pose> carry_along(const std::vector<RodLink>& links, const std::vector<NodeCondition>& conditions,
-                              const std::vector<Vec3>& turn, const std::vector<Pose>& poses);
+                              const std::vector<Vec3>& turn, const std::vector<Pose>& poses,
+                              double* largest_turn = nullptr);
 
 }  // namespace vasorod

@@ -123,6 +123,12 @@ FreedomSplit split(const NodeCondition& condition, const Pose& pose) {
 
 }  // namespace
 
+Vec6 NodeCondition::load(const Pose& pose) const {
+  Vec6 sum;
+  sum << force, space_moment + pose.rotation * body_moment;
+  return sum;
+}
+
 int NodeCondition::fixed_count() const {
   return static_cast<int>(std::count(fixed.begin(), fixed.end(), true));
 }
@@ -143,10 +149,13 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
   work_.resize(links_.size());
 }
 
-// Second-order terms of loads and reactions in the exponential coordinates of a node: a dead force F does the
-// work F.(v + omega x v / 2); a moment that no energy has adds an antisymmetric part, -M/2 dead in space,
-// +M/2 in the body.
-void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetric) {
+// // // Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force F
+// does the work F.(v + omega x v / 2); that form takes fewest steps. With the force that the links pass to
+// the node in place of F
+// (`from_links`; the same at equilibrium) the coordinates are r and omega instead, in which a dead load adds
+// nothing: an unstressed rod's matrix is then positive. A moment without energy adds an antisymmetric part,
+// -M/2 dead in space, +M/2 in the body.
+void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links) {
   for (std::size_t k = 0; k < s_.size(); ++k) {
     s_[k].setZero();
     g_[k].setZero();
@@ -154,18 +163,18 @@ void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetr
   for (const NodeCondition& c : conditions_) {
     const std::size_t k = index(c.node);
     const Pose& pose = poses[k];
-    const Vec3 body = pose.rotation * c.body_moment;
-    g_[k].head<3>() -= c.force;
-    g_[k].tail<3>() -= c.space_moment + body;
+    const Vec6 load = c.load(pose);
+    g_[k] -= load;
     const int fixed = c.fixed_count();
     if (fixed == 6) continue;
-    const Mat3 f = hat(0.5 * (c.force + c.reaction.head<3>()));
+    const Mat3 f = hat(0.5 * (from_links || fixed > 0 ? Vec3(c.carried.head<3>()) : c.force));
     s_[k].bottomLeftCorner<3, 3>() += f;
     s_[k].topRightCorner<3, 3>() -= f;
-    if (!symmetric) s_[k].bottomRightCorner<3, 3>() += 0.5 * hat(body - c.space_moment);
+    if (!symmetric) s_[k].bottomRightCorner<3, 3>() += 0.5 * hat(load.tail<3>() - 2 * c.space_moment);
     if (c.fixed[3] || c.fixed[4] || c.fixed[5]) {
       const Vec3 turn = log_rotation(pose.rotation * c.target.rotation.transpose());
-      Vec3 multiplier = c.frame.transpose() * (left_jacobian(turn).transpose() * c.reaction.tail<3>());
+      const Vec3 reaction = c.carried.tail<3>() - load.tail<3>();
+      Vec3 multiplier = c.frame.transpose() * (left_jacobian(turn).transpose() * reaction);
       for (int i = 0; i < 3; ++i)
         if (!c.fixed[index(3 + i)]) multiplier[i] = 0;
       // multiplier . log(exp(omega) R): Jl(x) = Jr(-x)
@@ -182,7 +191,7 @@ void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Ve
   negative_ = 0;
   singular_ = false;
   negative_node_ = -1;
-  add_node_terms(poses, symmetric);
+  add_node_terms(poses, symmetric, pivots == Pivots::made_positive);
   for (std::size_t k = links_.size(); k-- > 0;) {
     const Pose &first = poses[index(links_[k].parent)], &second = poses[k + 1];
     const int c = condition_of_[k + 1];
@@ -201,7 +210,7 @@ void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose
                                     Pivots pivots) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
-  const LinkKinematics kin = kinematics(first, second);
+  const LinkKinematics kin = kinematics(link_start(link, first), second);
   work.kind = symmetric ? LinkWork::Kind::symmetric : LinkWork::Kind::general;
   work.j = second.rotation * kin.j;
   work.b = second.rotation * kin.b;
@@ -273,6 +282,7 @@ void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose
     Eigen::MatrixXd changed = t;
     turn_round(changed, link.stiffness.diagonal(), pivots == Pivots::made_positive, lowest);
     negative_node_ = static_cast<int>(k) + 1;
+    negative_stretch_ = lowest;
     negative_twist_ << work.j * lowest.head<3>() + work.b * lowest.tail<3>(), work.j * lowest.tail<3>();
     if (pivots == Pivots::made_positive) {
       q -= (changed - t) * work.eps;
@@ -298,7 +308,7 @@ void RodElimination::eliminate_constrained(std::size_t k, const Pose& first, con
                                            const Vec6& stress, Pivots pivots) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
-  const LinkKinematics kin = kinematics(first, second);
+  const LinkKinematics kin = kinematics(link_start(link, first), second);
   const FreedomSplit freedom = split(conditions_[index(condition_of_[k + 1])], second);
   work.kind = LinkWork::Kind::constrained;
   work.lever = second.position - first.position;
@@ -390,50 +400,63 @@ void RodElimination::eliminate_root(const std::vector<Pose>& poses, Pivots pivot
   root_step_ -= z * lu.solve(rhs);
 }
 
-void RodElimination::walk_back(std::vector<Vec6>& step, std::vector<Vec6>* stress, int from,
-                               bool homogeneous) const {
-  for (std::size_t k = index(std::max(from, 0)); k < links_.size(); ++k) {
+// Without `stress` the homogeneous problem: no misfit, no loads.
+void RodElimination::walk_back(std::vector<Vec6>& step, std::vector<Vec6>& stretch, int from,
+                               std::vector<Vec6>* stress) const {
+  const bool homogeneous = stress == nullptr;
+  for (std::size_t k = index(from); k < links_.size(); ++k) {
     const LinkWork& work = work_[k];
     const Vec6& parent = step[index(links_[k].parent)];
     Vec6 carried = parent;  // A zeta_i
     carried.head<3>() += parent.tail<3>().cross(work.lever);
-    Vec6 y;
+    Vec6 y;  // stretch = y - eps = Jr^-1 delta
     if (work.kind == LinkWork::Kind::constrained) {
       Vec6 delta = -(work.z * carried);
       if (!homogeneous) delta += work.z0;
       step[k + 1] = delta + carried;
-      y = work.lower * delta;
-      if (!homogeneous) y += work.eps;
+      stretch[k].noalias() = work.lower * delta;
+      y = stretch[k] + work.eps;
     } else {
-      y = -(work.z * carried);
+      y.noalias() = -(work.z * carried);
       if (!homogeneous) y -= work.z0;
       if (work.kind == LinkWork::Kind::symmetric) {
         y = y.cwiseQuotient(work.pivot);
         for (int r = 4; r >= 0; --r)
           for (int i = r + 1; i < 6; ++i) y[r] -= work.lower(i, r) * y[i];
       }
-      const Vec6 x = homogeneous ? y : Vec6(y - work.eps);
-      step[k + 1].head<3>() = carried.head<3>() + work.j * x.head<3>() + work.b * x.tail<3>();
-      step[k + 1].tail<3>() = carried.tail<3>() + work.j * x.tail<3>();
+      stretch[k] = homogeneous ? y : Vec6(y - work.eps);
+      const Vec3 v = stretch[k].head<3>(), u = stretch[k].tail<3>();
+      step[k + 1].head<3>() = carried.head<3>() + work.j * v + work.b * u;
+      step[k + 1].tail<3>() = carried.tail<3>() + work.j * u;
     }
-    if (stress) (*stress)[k] = links_[k].stiffness * y;
+    if (!homogeneous) (*stress)[k].noalias() = links_[k].stiffness * y;
   }
 }
 
-void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress) const {
+void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress,
+                           std::vector<Vec6>& stretch) const {
   step.resize(links_.size() + 1);
   stress.resize(links_.size());
+  stretch.resize(links_.size());
   step[0] = root_step_;
-  walk_back(step, &stress, 0, false);
+  walk_back(step, stretch, 0, &stress);
 }
 
-std::vector<Vec6> RodElimination::negative_direction() const {
-  std::vector<Vec6> step(links_.size() + 1, Vec6::Zero());
-  if (negative_node_ < 0) return step;
-  step[index(negative_node_)] = negative_twist_;
-  // everything nearer to the root stays; nodes before it in the order have zero steps already
-  walk_back(step, nullptr, negative_node_, true);
-  return step;
+void RodElimination::negative_direction(std::vector<Vec6>& step, std::vector<Vec6>& stretch) const {
+  step.assign(links_.size() + 1, Vec6::Zero());
+  stretch.assign(links_.size(), Vec6::Zero());
+  if (negative_node_ < 0) return;
+  const std::size_t node = index(negative_node_);
+  step[node] = negative_twist_;
+  if (node > 0) {
+    const LinkWork& work = work_[node - 1];
+    if (work.kind == LinkWork::Kind::constrained)
+      stretch[node - 1] = work.lower * negative_twist_;
+    else
+      stretch[node - 1] = negative_stretch_;
+  }
+  // nodes nearer to the root, and other branches, stay where they are
+  walk_back(step, stretch, negative_node_, nullptr);
 }
 
 }  // namespace vasorod

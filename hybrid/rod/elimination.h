@@ -26,9 +26,16 @@ namespace vasorod {
 struct RodLink {
   int parent = 0;
   double length = 0;
+  bool starts_at_node = true;  ///< false: `start` is the link's own frame at its parent
+  Pose start;
   Vec6 natural = Vec6::Zero();    ///< length * natural strain
   Mat6 stiffness = Mat6::Zero();  ///< C / length
 };
+
+/// /// The frame a link starts from.
+inline Pose link_start(const RodLink& link, const Pose& parent) {
+  return link.starts_at_node ? parent : parent * link.start;
+}
 
 /// What acts on one node. Forces scaled.
 struct NodeCondition {
@@ -37,8 +44,11 @@ struct NodeCondition {
   Mat3 frame = Mat3::Identity();
   Pose target;  ///< at the present time of the motion's path
   Vec3 force = Vec3::Zero(), space_moment = Vec3::Zero(), body_moment = Vec3::Zero();
-  Vec6 reaction = Vec6::Zero();  ///< support's force and moment about the node, last estimate
+  /// Force and moment about the node that its links' stresses pass to it; in equilibrium the load and the
+  /// reaction.
+  Vec6 carried = Vec6::Zero();
 
+  Vec6 load(const Pose& pose) const;  ///< force and moment in space axes
   int fixed_count() const;
   bool supported() const { return fixed_count() > 0; }
 };
@@ -63,13 +73,16 @@ class RodElimination {
   void factor(const std::vector<Pose>& poses, const std::vector<Vec6>& stress,
               Pivots pivots = Pivots::as_they_are, bool certify = false);
   /// Root to leaf: the step of every node and the new stress of every link.
-  void solve(std::vector<Vec6>& step, std::vector<Vec6>& stress) const;
+  /// `stretch` is each link's change of log(g_i^-1 g_j), in which the step is linear.
+  void solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, std::vector<Vec6>& stretch) const;
+  /// log(g_i^-1 g_j) of a link at the last factorisation.
+  Vec6 strain(std::size_t link) const { return work_[link].eps + links_[link].natural; }
 
   /// Negative pivots of the last factorisation = negative directions of the (constrained) Hessian.
   int negative_pivots() const { return negative_; }
   bool singular() const { return singular_; }
   /// A direction of negative curvature, after factor with as_they_are and at least one negative pivot.
-  std::vector<Vec6> negative_direction() const;
+  void negative_direction(std::vector<Vec6>& step, std::vector<Vec6>& stretch) const;
 
  private:
   /// What the way back needs, per link.
@@ -83,7 +96,7 @@ class RodElimination {
     Vec6 eps;
     Vec3 lever;  ///< r_j - r_i
   };
-  void add_node_terms(const std::vector<Pose>& poses, bool symmetric);
+  void add_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links);
   template <bool symmetric>
   void eliminate_free(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress,
                       Pivots pivots);
@@ -91,7 +104,8 @@ class RodElimination {
                              Pivots pivots);
   void eliminate_root(const std::vector<Pose>& poses, Pivots pivots);
   void pass_to_parent(std::size_t k, const Mat6& s, const Vec6& g);
-  void walk_back(std::vector<Vec6>& step, std::vector<Vec6>* stress, int from, bool homogeneous) const;
+  void walk_back(std::vector<Vec6>& step, std::vector<Vec6>& stretch, int from,
+                 std::vector<Vec6>* stress) const;
 
   std::vector<RodLink> links_;
   std::vector<NodeCondition> conditions_;
@@ -104,7 +118,7 @@ class RodElimination {
   int negative_ = 0;
   bool singular_ = false;
   int negative_node_ = -1;  // nearest to the root of the nodes whose pivot block is indefinite
-  Vec6 negative_twist_ = Vec6::Zero();
+  Vec6 negative_twist_ = Vec6::Zero(), negative_stretch_ = Vec6::Zero();
 };
 
 }  // namespace vasorod

@@ -5,7 +5,7 @@
 namespace vasorod {
 
 Vec6 element_strain(const RodElement& element, const Pose& first, const Pose& second) {
-  return log_motion(first.inverse() * second) / element.length;
+  return log_motion((first * element.start).inverse() * second) / element.length;
 }
 
 Vec6 element_stress(const RodElement& element, const Vec6& strain) {
@@ -18,11 +18,11 @@ double element_energy(const RodElement& element, const Pose& first, const Pose& 
 }
 
 Vec12 element_energy_gradient(const RodElement& element, const Pose& first, const Pose& second) {
-  const Vec6 xi = log_motion(first.inverse() * second);
+  const Vec6 xi = log_motion((first * element.start).inverse() * second);
   const Vec6 stress = element_stress(element, xi / element.length);
+  const Vec6 wrench = right_jacobian_inverse(xi).transpose() * stress;
   Vec12 gradient;
-  gradient << -left_jacobian_inverse(xi).transpose() * stress,
-      right_jacobian_inverse(xi).transpose() * stress;
+  gradient << -adjoint(second.inverse() * first).transpose() * wrench, wrench;
   return gradient;
 }
 
@@ -63,7 +63,7 @@ Mat6 geometric_stiffness(const Vec6& xi, const Vec6& stress) {
 Mat12 element_energy_hessian(const RodElement& element, const Pose& first, const Pose& second,
                              const Vec6& stress) {
   const Pose h = first.inverse() * second;
-  const Vec6 xi = log_motion(h);
+  const Vec6 xi = log_motion(element.start.inverse() * h);
   const Mat6 jr = right_jacobian_inverse(xi);
   // In a = -adjoint(h^-1) eta_first and b = eta_second: h -> h exp(b') with b' = a + b + [a, b] / 2 + ...
   const Mat6 k = jr.transpose() * (element.stiffness / element.length + geometric_stiffness(xi, stress)) * jr;

@@ -1,8 +1,8 @@
 // Elastic energy of one rod element [3-5] as a function of its two frames: value, gradient, Hessian.
 //
-// With xi = log(g_first^-1 g_second) = length * strain, U = (xi - L n)^T C (xi - L n) / (2 L), n the natural
-// strain. Derivatives are by body increments, g -> g exp(eta), eta = (first node, second node), 12 numbers:
-// d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second.
+// With xi = log(start^-1 g_first^-1 g_second) = length * strain, U = (xi - L n)^T C (xi - L n) / (2 L), n the
+// natural strain. Derivatives are by body increments, g -> g exp(eta), eta = (first node, second node), 12
+// numbers: d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second.
 #pragma once
 
 #include "rod/rod_tree.h"

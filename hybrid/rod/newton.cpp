@@ -10,7 +10,7 @@
 #include "geometry/rigid_motion.h"
 #include "rod/carry.h"
 #include "rod/elimination.h"
-#include "rod/energy.h"
+#include "rod/scaled_rod.h"
 
 namespace vasorod {
 namespace {
@@ -23,130 +23,91 @@ double since(Clock::time_point t) {
   return std::chrono::duration<double>(Clock::now() - t).count();
 }
 
-/// The rod in units of its own length and bending stiffness, nodes renumbered so that parents come first.
-struct ScaledRod {
-  double length = 1, moment = 1;  ///< units: L, and E I / L for moments and energies
-  Vec3 origin = Vec3::Zero();
-  std::vector<int> node_of, new_of;  ///< tree's node of ours, ours of the tree's
-  std::vector<int> element_of;       ///< tree's element of each link
-  std::vector<RodLink> links;
-  double force() const { return moment / length; }
-  Pose scaled(const Pose& p) const { return {p.rotation, (p.position - origin) / length}; }
-  Pose original(const Pose& p) const { return {nearest_rotation(p.rotation), origin + length * p.position}; }
-};
-
-ScaledRod scale(const RodTree& tree) {
-  ScaledRod rod;
-  rod.length = length_scale(tree);
-  rod.origin = tree.rest[0].position;
-  double weight = 0, bending = 0;
-  for (const RodElement& e : tree.elements) {
-    bending += e.length * 0.5 * (e.stiffness(3, 3) + e.stiffness(4, 4));
-    weight += e.length;
-  }
-  rod.moment = bending / weight / rod.length;
-  const int n = tree.node_count();
-  std::vector<std::vector<int>> leaving(index(n));
-  for (std::size_t e = 0; e < tree.elements.size(); ++e)
-    leaving[index(tree.elements[e].first)].push_back(static_cast<int>(e));
-  rod.new_of.assign(index(n), -1);
-  std::vector<int> waiting;  // elements whose first node is numbered; depth first keeps a branch together
-  const auto number = [&](int node) {
-    rod.new_of[index(node)] = static_cast<int>(rod.node_of.size());
-    rod.node_of.push_back(node);
-    waiting.insert(waiting.end(), leaving[index(node)].rbegin(), leaving[index(node)].rend());
-  };
-  number(0);
-  Vec6 unit;  // strain energy per length in units of moment
-  unit << Vec3::Constant(rod.length), Vec3::Ones();
-  unit /= std::sqrt(rod.moment * rod.length);
-  while (!waiting.empty()) {
-    const int e = waiting.back();
-    waiting.pop_back();
-    const RodElement& element = tree.elements[index(e)];
-    RodLink link;
-    link.parent = rod.new_of[index(element.first)];
-    link.length = element.length / rod.length;
-    link.natural << link.length * element.natural_strain.head<3>(),
-        element.length * element.natural_strain.tail<3>();
-    link.stiffness = unit.asDiagonal() * element.stiffness * unit.asDiagonal();
-    link.stiffness /= link.length;
-    rod.links.push_back(link);
-    rod.element_of.push_back(e);
-    number(element.second);
-  }
-  return rod;
-}
-
-/// Wrench (space axes) a link's stress puts on its second node; on its first it puts minus that, moved there.
-Vec6 link_wrench(const Pose& first, const Pose& second, const Vec6& stress) {
-  const Vec6 xi = log_motion(first.inverse() * second);
-  const Vec6 body = right_jacobian_inverse(xi).transpose() * stress;
-  Vec6 w;
-  w << second.rotation * body.head<3>(), second.rotation * body.tail<3>();
-  return w;
-}
-
-Vec6 at_first(const Pose& first, const Pose& second, const Vec6& wrench) {
-  Vec6 w = -wrench;
-  w.tail<3>() -= (second.position - first.position).cross(wrench.head<3>());
-  return w;
-}
-
 struct Interrupted {};
 
-/// One problem: scaled rod, conditions, and the state that the stages hand on.
+/// A linear step: twist of every node, stretch and new stress of every link.
+struct Step {
+  std::vector<Vec6> twist, stretch, stress;
+  double size() const {  // largest rotation (radians) or translation (over the rod's length)
+    double squared = 0;
+    for (const Vec6& t : twist) {
+      const double v = t.head<3>().squaredNorm(), u = t.tail<3>().squaredNorm();
+      if (!std::isfinite(v + u)) return std::numeric_limits<double>::infinity();
+      squared = std::max({squared, v, u});
+    }
+    return std::sqrt(squared);
+  }
+};
+
+/// One problem and the state that the stages hand on.
 class Solver {
  public:
-  Solver(const RodTree& tree, const RodConditions& conditions, const RodOptions& options)
-      : tree_(tree),
-        given_(conditions),
-        options_(options),
-        rod_(scale(tree)),
-        elimination_(rod_.links, node_conditions()) {
-    const std::size_t n = elimination_.conditions().size();
-    links_at_.resize(n);
-    for (std::size_t c = 0; c < n; ++c)
-      for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-        const int node = elimination_.conditions()[c].node;
-        if (rod_.links[k].parent == node || static_cast<int>(k) + 1 == node)
-          links_at_[c].push_back(static_cast<int>(k));
-      }
-  }
-
+  Solver(const RodTree& tree, const RodConditions& conditions, const RodOptions& options);
   RodSolution solve(const RodPoses* start);
 
  private:
+  struct State {
+    std::vector<Pose> poses;
+    std::vector<Vec6> stress;
+  };
+
   std::vector<NodeCondition> node_conditions() const;
   void set_time(double t);
-  void restore_stiffness();
   void soften(double cap);
-  std::vector<Vec6> elastic_stress() const;
+  void harden();
+  void take_elastic_stress();
   double potential(const std::vector<Pose>& poses) const;
-  void take(const std::vector<Vec6>& step, double fraction, std::vector<Pose>& poses) const;
-  void update_reactions();
+  double slope() const;
+  void take(double fraction, std::vector<Pose>& poses) const;
+  void update_carried(bool all);
   void count_iteration();
   bool newton();
+  double search();
   bool descend(double cap, double tolerance);
   bool soft_start();
+  void carry(const std::vector<Vec3>& turn);
   bool jump(bool moved);
   bool follow_path(int steps);
   void certify();
-  bool leave_saddle();
+  void leave_saddle();
+  void judge();
   void fill(RodSolution& solution);
-  std::vector<Vec6> imbalance() const;
 
   const RodTree& tree_;
   const RodConditions& given_;
   const RodOptions& options_;
   ScaledRod rod_;
   RodElimination elimination_;
-  std::vector<std::vector<int>> links_at_;  // links that meet a condition's node
-  std::vector<Pose> poses_;
-  std::vector<Vec6> stress_;
+  std::vector<std::vector<std::size_t>> links_at_;  // links that meet a condition's node
+  std::vector<bool> follows_;  // per node: nothing beyond it is held, so it follows its link's strain
+  bool searchable_ = false;    // all nodes but the root follow, and the loads have an energy
+  State state_;
+  Step step_;
+  std::vector<Pose> trial_;
   RodSummary summary_;
   Clock::time_point began_ = Clock::now();
 };
+
+Solver::Solver(const RodTree& tree, const RodConditions& conditions, const RodOptions& options)
+    : tree_(tree),
+      given_(conditions),
+      options_(options),
+      rod_(scale(tree)),
+      elimination_(rod_.links, node_conditions()) {
+  const std::vector<NodeCondition>& all = elimination_.conditions();
+  std::vector<int> condition_of(rod_.links.size() + 1, -1);
+  for (std::size_t c = 0; c < all.size(); ++c) condition_of[index(all[c].node)] = static_cast<int>(c);
+  links_at_.resize(all.size());
+  follows_.assign(rod_.links.size() + 1, true);
+  for (std::size_t k = rod_.links.size(); k-- > 0;) {
+    const std::size_t parent = index(rod_.links[k].parent);
+    for (const std::size_t node : {parent, k + 1})
+      if (const int c = condition_of[node]; c >= 0) links_at_[index(c)].push_back(k);
+    if (const int c = condition_of[k + 1]; c >= 0 && all[index(c)].supported()) follows_[k + 1] = false;
+    if (!follows_[k + 1]) follows_[parent] = false;
+  }
+  searchable_ = !elimination_.has_nonconservative_moment() && follows_[0];
+}
 
 std::vector<NodeCondition> Solver::node_conditions() const {
   std::vector<NodeCondition> result;
@@ -159,8 +120,7 @@ std::vector<NodeCondition> Solver::node_conditions() const {
     result.back().target = rod_.scaled(tree_.rest[index(node)]);
     return result.back();
   };
-  for (const RodSupport& s :
-       given_.supports) {  // first, so that the conditions' order is the supports' order
+  for (const RodSupport& s : given_.supports) {  // first, so that the conditions begin in the supports' order
     NodeCondition& c = at(s.node);
     c.fixed = s.fixed;
     c.frame = s.frame.value_or(tree_.rest[index(s.node)].rotation);
@@ -185,11 +145,6 @@ void Solver::set_time(double t) {
   }
 }
 
-void Solver::restore_stiffness() {
-  for (std::size_t k = 0; k < rod_.links.size(); ++k)
-    elimination_.links()[k].stiffness = rod_.links[k].stiffness;
-}
-
 /// Stretch and shear stiffness at most `cap` times the local bending stiffness over L^2.
 void Solver::soften(double cap) {
   for (std::size_t k = 0; k < rod_.links.size(); ++k) {
@@ -201,59 +156,83 @@ void Solver::soften(double cap) {
   }
 }
 
-std::vector<Vec6> Solver::elastic_stress() const {
-  std::vector<Vec6> stress(rod_.links.size());
-  for (std::size_t k = 0; k < stress.size(); ++k) {
-    const RodLink& link = elimination_.links()[k];
-    const Vec6 xi = log_motion(poses_[index(link.parent)].inverse() * poses_[k + 1]);
-    stress[k] = link.stiffness * (xi - link.natural);
-  }
-  return stress;
+void Solver::harden() {
+  for (std::size_t k = 0; k < rod_.links.size(); ++k)
+    elimination_.links()[k].stiffness = rod_.links[k].stiffness;
 }
 
-/// Elastic energy with the present stiffness minus the work of dead forces.
+void Solver::take_elastic_stress() {
+  state_.stress.resize(rod_.links.size());
+  for (std::size_t k = 0; k < rod_.links.size(); ++k)
+    state_.stress[k] = elimination_.links()[k].stiffness *
+                       (link_strain(rod_.links, state_.poses, k) - rod_.links[k].natural);
+}
+
+/// Elastic energy with the present stiffness minus the work of the loads, a moment's counted from the present
+/// state.
 double Solver::potential(const std::vector<Pose>& poses) const {
   double energy = 0;
   for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-    const RodLink& link = elimination_.links()[k];
-    const Vec6 eps = log_motion(poses[index(link.parent)].inverse() * poses[k + 1]) - link.natural;
-    energy += 0.5 * eps.dot(link.stiffness * eps);
+    const Vec6 eps = link_strain(rod_.links, poses, k) - rod_.links[k].natural;
+    energy += 0.5 * eps.dot(elimination_.links()[k].stiffness * eps);
   }
-  for (const NodeCondition& c : elimination_.conditions())
-    energy -= c.force.dot(poses[index(c.node)].position);
+  for (const NodeCondition& c : elimination_.conditions()) {
+    const Pose &pose = poses[index(c.node)], &present = state_.poses[index(c.node)];
+    energy -= c.force.dot(pose.position);
+    if (const Vec3 moment = c.load(present).tail<3>(); !moment.isZero(0))
+      energy -= moment.dot(log_rotation(pose.rotation * present.rotation.transpose()));
+  }
   return energy;
 }
 
-void Solver::take(const std::vector<Vec6>& step, double fraction, std::vector<Pose>& poses) const {
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const Vec3 v = fraction * step[k].head<3>(), u = fraction * step[k].tail<3>();
+/// Derivative of the potential along the step; the stress is the strain's where this is used.
+double Solver::slope() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < step_.stretch.size(); ++k) sum += state_.stress[k].dot(step_.stretch[k]);
+  for (const NodeCondition& c : elimination_.conditions())
+    sum -= c.load(state_.poses[index(c.node)]).dot(step_.twist[index(c.node)]);
+  return sum;
+}
+
+/// Moves poses by a fraction of the step. Where nothing beyond a node is held it follows the strains, in
+/// which the step is linear: stiff strains then stay as small as the step left them. Elsewhere nodes move by
+/// their own twists.
+void Solver::take(double fraction, std::vector<Pose>& poses) const {
+  const auto move = [&](std::size_t node) {
+    const Vec3 v = fraction * step_.twist[node].head<3>(), u = fraction * step_.twist[node].tail<3>();
     const double z = u.squaredNorm();
     const ExpCoefficients e = exp_coefficients(z);
-    const Mat3 h = hat(u);
     const Vec3 uv = u.cross(v);
-    poses[k].position += v + e.b * uv + e.d * u.cross(uv);
-    poses[k].rotation = Mat3((1 - z * e.b) * Mat3::Identity() + (1 - z * e.d) * h + e.b * u * u.transpose()) *
-                        poses[k].rotation;
+    Mat3 turn = (1 - z * e.d) * hat(u) + e.b * u * u.transpose();
+    turn.diagonal().array() += 1 - z * e.b;
+    poses[node].position += v + e.b * uv + e.d * u.cross(uv);
+    poses[node].rotation = turn * poses[node].rotation;
+  };
+  move(0);
+  for (std::size_t k = 0; k < rod_.links.size(); ++k) {
+    if (follows_[k + 1])
+      poses[k + 1] = link_start(rod_.links[k], poses[index(rod_.links[k].parent)]) *
+                     exp_motion(elimination_.strain(k) + fraction * step_.stretch[k]);
+    else
+      move(k + 1);
   }
   if (fraction == 1)
     for (const NodeCondition& c : elimination_.conditions())
       if (c.fixed_count() == 6) poses[index(c.node)] = c.target;
 }
 
-/// A support's reaction is what the links leave unbalanced at its node.
-void Solver::update_reactions() {
+/// /// What the links pass to the nodes with conditions. Inside the iteration nodes that cannot move need
+/// none.
+void Solver::update_carried(bool all) {
   for (std::size_t c = 0; c < links_at_.size(); ++c) {
     NodeCondition& condition = elimination_.conditions()[c];
-    if (!condition.supported()) continue;
+    if (!all && condition.fixed_count() == 6) continue;
     Vec6 sum = Vec6::Zero();
-    for (const int k : links_at_[c]) {
-      const Pose &first = poses_[index(rod_.links[index(k)].parent)], &second = poses_[index(k) + 1];
-      const Vec6 w = link_wrench(first, second, stress_[index(k)]);
-      sum += k + 1 == condition.node ? w : at_first(first, second, w);
+    for (const std::size_t k : links_at_[c]) {
+      const Vec6 w = wrench_on_second(rod_.links, state_.poses, k, state_.stress[k]);
+      sum += k + 1 == index(condition.node) ? w : wrench_on_first(rod_.links, state_.poses, k, w);
     }
-    sum.head<3>() -= condition.force;
-    sum.tail<3>() -= condition.space_moment + poses_[index(condition.node)].rotation * condition.body_moment;
-    condition.reaction = sum;
+    condition.carried = sum;
   }
 }
 
@@ -262,24 +241,54 @@ void Solver::count_iteration() {
   if ((options_.stop && options_.stop()) || since(began_) > options_.time_limit) throw Interrupted{};
 }
 
-/// Mixed Newton with full steps from (poses_, stress_). True when the last step was below the tolerance.
+/// The fraction of the step that goes down the energy enough; the trial poses are left in trial_. 0: none.
+double Solver::search() {
+  const double energy = potential(state_.poses), descent = slope();
+  if (!(descent < 0) || !std::isfinite(step_.size())) return 0;
+  double fraction = 1;
+  for (int i = 0; i < 25; ++i) {
+    trial_ = state_.poses;
+    take(fraction, trial_);
+    const double change = potential(trial_) - energy;
+    if (change <= 1e-4 * fraction * descent + 1e-14 * std::abs(energy)) return fraction;
+    // minimum of the parabola through both values and the slope
+    const double bend = change - fraction * descent;
+    const double best = bend > 0 ? -descent * fraction * fraction / (2 * bend) : 0;
+    fraction = std::clamp(best, 0.1 * fraction, 0.5 * fraction);
+  }
+  return 0;
+}
+
+/// Mixed Newton. Full steps, except that where every node follows the strains the energy is no longer stiff
+/// and can be searched along a large step. True when the last step was below the tolerance.
 bool Solver::newton() {
-  std::vector<Vec6> step;
   for (int i = 0; i < options_.max_iterations; ++i) {
     count_iteration();
     const auto t = Clock::now();
-    elimination_.factor(poses_, stress_);
-    elimination_.solve(step, stress_);
-    double size = 0;
-    bool finite = true;
-    for (const Vec6& s : step) {
-      const double norm = std::max(s.head<3>().norm(), s.tail<3>().norm());
-      finite = finite && std::isfinite(norm);
-      size = std::max(size, norm);
+    update_carried(false);
+    elimination_.factor(state_.poses, state_.stress);
+    elimination_.solve(step_.twist, step_.stress, step_.stretch);
+    double size = step_.size(), fraction = 1;
+    if (searchable_ && size > 0.3) {
+      fraction = search();
+      if (fraction < 0.05) {  // not the way down: make it so
+        elimination_.factor(state_.poses, state_.stress, Pivots::made_positive);
+        elimination_.solve(step_.twist, step_.stress, step_.stretch);
+        size = step_.size();
+        fraction = search();
+      }
+      if (fraction == 0) return false;
+      state_.poses.swap(trial_);
+    } else if (!(size < 1e3)) {
+      return false;
+    } else {
+      take(1, state_.poses);
     }
-    if (!finite || size > 1e3) return false;
-    take(step, 1, poses_);
-    update_reactions();
+    if (fraction == 1)
+      state_.stress.swap(step_.stress);
+    else
+      for (std::size_t k = 0; k < state_.stress.size(); ++k)
+        state_.stress[k] += fraction * (step_.stress[k] - state_.stress[k]);
     summary_.sweep_seconds += since(t);
     summary_.last_step = size;
     if (size < options_.tolerance) return true;
@@ -287,54 +296,47 @@ bool Solver::newton() {
   return false;
 }
 
-/// Goes down the energy with softened stretch and shear: Newton directions made to descend, steps halved
-/// until they do.
+/// Goes down the energy with softened stretch and shear: Newton directions made to descend, halved until they
+/// do.
 bool Solver::descend(double cap, double tolerance) {
   soften(cap);
-  std::vector<Vec6> step, unused;
-  std::vector<Pose> trial;
-  double energy = potential(poses_);
   bool calm = false;
   for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
     count_iteration();
-    stress_ = elastic_stress();
-    update_reactions();
-    elimination_.factor(poses_, stress_, Pivots::made_positive);
-    elimination_.solve(step, unused);
-    double size = 0;
-    for (const Vec6& s : step) size = std::max({size, s.head<3>().norm(), s.tail<3>().norm()});
+    take_elastic_stress();
+    update_carried(false);
+    elimination_.factor(state_.poses, state_.stress, Pivots::made_positive);
+    elimination_.solve(step_.twist, step_.stress, step_.stretch);
+    const double size = step_.size();
     if (!std::isfinite(size)) break;
+    const double energy = potential(state_.poses);
     double fraction = std::min(1., 1.5 / size);
     bool accepted = false;
     for (int half = 0; half < 30 && !accepted; ++half, fraction /= 2) {
-      trial = poses_;
-      take(step, fraction, trial);
-      const double e = potential(trial);
+      trial_ = state_.poses;
+      take(fraction, trial_);
       // near the minimum the decrease drowns in round-off; a full step is then as good as proved
-      if (e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy))) {
-        accepted = true;
-        energy = e;
-        poses_.swap(trial);
+      const double e = potential(trial_);
+      accepted = e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy));
+      if (accepted) {
+        state_.poses.swap(trial_);
         calm = fraction == 1 && size < tolerance;
       }
     }
     if (!accepted) break;
   }
-  stress_ = elastic_stress();
-  update_reactions();
-  restore_stiffness();
+  take_elastic_stress();
+  harden();
   return calm;
 }
 
-/// Soft rod first, then the true one with the soft one's forces as stress; where that jump is too wide, in
+/// Soft rod first, then the true one with the soft one's forces as stress; where that is too wide a jump,
 /// tenfold steps.
 bool Solver::soft_start() {
   descend(100, 1e-2);
-  const std::vector<Pose> soft_poses = poses_;
-  const std::vector<Vec6> soft_stress = stress_;
+  const State soft = state_;
   if (newton()) return true;
-  poses_ = soft_poses;
-  stress_ = soft_stress;
+  state_ = soft;
   double stiffest = 0;
   for (const RodLink& link : rod_.links)
     for (int i = 0; i < 3; ++i)
@@ -343,19 +345,27 @@ bool Solver::soft_start() {
   for (double cap = 100; cap < stiffest; cap *= 10) {
     soften(cap);
     const bool ok = newton();
-    restore_stiffness();
+    harden();
     if (!ok) return false;
   }
   return newton();
 }
 
+void Solver::carry(const std::vector<Vec3>& turn) {
+  double largest = 0;
+  state_.poses = carry_along(rod_.links, elimination_.conditions(), turn, state_.poses, &largest);
+  if (largest >= std::numbers::pi)
+    throw InputError("rod: the prescribed motions turn one element by " +
+                     std::to_string(largest * 180 / std::numbers::pi) +
+                     " degrees, expected below 180: use more elements");
+}
+
 /// Straight to the end of the path.
 bool Solver::jump(bool moved) {
-  const std::vector<Pose> start = poses_;
+  const State start = state_;
   if (!moved) {
-    stress_.assign(rod_.links.size(), Vec6::Zero());
     if (newton()) return true;
-    poses_ = start;
+    state_ = start;
   }
   return soft_start();
 }
@@ -363,205 +373,195 @@ bool Solver::jump(bool moved) {
 /// In steps along the path, halved where one fails.
 bool Solver::follow_path(int steps) {
   double t = 0, dt = 1. / steps;
-  for (const RodSupport& s : given_.supports) dt = std::min(dt, 0.5 / std::max(0.5, s.motion.rotate.norm()));
-  std::vector<Pose> poses = poses_;
-  std::vector<Vec6> stress(rod_.links.size(), Vec6::Zero());
+  // no step turns a support by more than a third of a turn, so that the way round stays the meant one
+  for (const RodSupport& s : given_.supports) dt = std::min(dt, 2 / std::max(2., s.motion.rotate.norm()));
+  State reached = state_;
   while (t < 1) {
-    const double next = std::min(1., t + dt > 1 - 1e-12 ? 1. : t + dt);
+    const double next = t + dt > 1 - 1e-9 ? 1 : t + dt;
     set_time(next);
-    poses_ = poses;
-    stress_ = stress;
-    std::vector<Vec3> turn;
-    for (const NodeCondition& c : elimination_.conditions())
-      turn.push_back(c.supported()
-                         ? log_rotation(c.target.rotation * poses_[index(c.node)].rotation.transpose())
-                         : Vec3::Zero());
-    poses_ = carry_along(rod_.links, elimination_.conditions(), turn, poses_);
-    bool ok = newton();
-    if (!ok) {
-      poses_ = carry_along(rod_.links, elimination_.conditions(), turn, poses);
-      ok = soft_start();
+    bool ok = false;
+    for (const bool soft : {false, true}) {
+      state_ = reached;
+      std::vector<Vec3> turn;
+      for (const NodeCondition& c : elimination_.conditions())
+        turn.push_back(
+            c.supported() ? log_rotation(c.target.rotation * state_.poses[index(c.node)].rotation.transpose())
+                          : Vec3::Zero());
+      carry(turn);
+      ok = soft ? soft_start() : newton();
+      if (ok) break;
     }
     if (!ok) {
       dt /= 2;
       if (dt < 1e-3) {
-        poses_ = poses;
-        stress_ = stress;
-        summary_.message = "the path could be followed only to the fraction " + std::to_string(t);
+        state_ = reached;
+        summary_.message = "the path could be followed only to " + std::to_string(100 * t) + " % of it";
         return false;
       }
       continue;
     }
     certify();
     if (summary_.negative_directions > 0 && options_.leave_saddle) leave_saddle();
-    poses = poses_;
-    stress = stress_;
+    reached = state_;
     t = next;
   }
   return true;
 }
 
 void Solver::certify() {
-  elimination_.factor(poses_, stress_, Pivots::as_they_are, true);
+  update_carried(false);
+  elimination_.factor(state_.poses, state_.stress, Pivots::as_they_are, true);
   summary_.negative_directions = elimination_.negative_pivots();
 }
 
-/// Down a negative direction, both ways; keeps the lower minimum. True when a certified minimum was reached.
-bool Solver::leave_saddle() {
+/// Down a negative direction, both ways; keeps the lower end. Repeats while that is a saddle again.
+void Solver::leave_saddle() {
   for (int round = 0; round < 8 && summary_.negative_directions > 0; ++round) {
-    const std::vector<Pose> saddle = poses_;
-    const std::vector<Vec6> saddle_stress = stress_;
-    const double saddle_energy = potential(saddle);
+    const State saddle = state_;
     certify();
-    const std::vector<Vec6> direction = elimination_.negative_direction();
-    double size = 0;
-    for (const Vec6& d : direction) size = std::max({size, d.head<3>().norm(), d.tail<3>().norm()});
-    std::vector<Pose> best;
-    std::vector<Vec6> best_stress;
-    double best_energy = saddle_energy;
-    int best_negative = 0;
+    Step away;
+    elimination_.negative_direction(away.twist, away.stretch);
+    const double size = away.size();
+    State best;
+    double lowest = 0;  // change of the potential
+    int best_negative = summary_.negative_directions;
     for (const double sign : {1., -1.}) {
-      poses_ = saddle;
-      stress_ = saddle_stress;
-      take(direction, sign * 0.3 / size, poses_);
-      descend(1e4, 1e-2);
+      state_ = saddle;
+      certify();  // its strains are what the step starts from
+      step_ = away;
+      take(sign * 0.3 / size, state_.poses);
+      if (searchable_)
+        take_elastic_stress();
+      else
+        descend(1e4, 1e-2);
       if (!newton()) continue;
       certify();
-      const double energy = potential(poses_);
-      if (energy < best_energy - 1e-12 * std::abs(saddle_energy)) {
-        best_energy = energy;
-        best = poses_;
-        best_stress = stress_;
+      const State end = state_;
+      state_ = saddle;  // potentials count a moment's work from here
+      const double before = potential(saddle.poses), change = potential(end.poses) - before;
+      if (change < lowest - 1e-12 * std::abs(before)) {
+        lowest = change;
+        best = end;
         best_negative = summary_.negative_directions;
       }
     }
-    if (best.empty()) {
-      poses_ = saddle;
-      stress_ = saddle_stress;
-      certify();
-      return false;
-    }
-    poses_ = best;
-    stress_ = best_stress;
-    update_reactions();
+    state_ = best.poses.empty() ? saddle : best;
+    certify();
     summary_.negative_directions = best_negative;
+    if (best.poses.empty()) return;
   }
-  return summary_.negative_directions == 0;
 }
 
-std::vector<Vec6> Solver::imbalance() const {
-  std::vector<Vec6> sum(poses_.size(), Vec6::Zero());
-  for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-    const std::size_t parent = index(rod_.links[k].parent);
-    const Vec6 w = link_wrench(poses_[parent], poses_[k + 1], stress_[k]);
-    sum[k + 1] += w;
-    sum[parent] += at_first(poses_[parent], poses_[k + 1], w);
+void Solver::judge() {
+  certify();
+  const bool energy = !elimination_.has_nonconservative_moment();
+  if (summary_.negative_directions > 0 && options_.leave_saddle && energy) leave_saddle();
+  if (!energy) {
+    summary_.status = RodStatus::equilibrium_only;
+    summary_.message = "a moment on a freely turning end has no energy, so no minimum can be certified";
+  } else if (summary_.negative_directions > 0) {
+    summary_.status = RodStatus::unstable;
+    summary_.message = "the equilibrium is not a minimum: its Hessian has " +
+                       std::to_string(summary_.negative_directions) + " negative direction(s)";
+  } else if (elimination_.singular()) {
+    summary_.status = RodStatus::equilibrium_only;
+    summary_.message = "the rod is free to move in a direction that costs nothing";
+  } else {
+    summary_.status = RodStatus::converged;
   }
-  for (const NodeCondition& c : elimination_.conditions()) {
-    sum[index(c.node)].head<3>() -= c.force;
-    sum[index(c.node)].tail<3>() -= c.space_moment + poses_[index(c.node)].rotation * c.body_moment;
-  }
-  return sum;
 }
 
 void Solver::fill(RodSolution& solution) {
-  // largest force that acts anywhere, as the measure of imbalance
-  double largest = 0, unbalanced = 0, misfit = 0, energy = 0;
-  std::vector<Vec6> sum = imbalance();
+  const std::vector<Pose>& poses = state_.poses;
+  double largest = 0, unbalanced = 0, misfit = 0,
+         energy = 0;  // the largest wrench anywhere measures the imbalance
+  std::vector<Vec6> sum(poses.size(), Vec6::Zero());
   for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-    const Pose &first = poses_[index(rod_.links[k].parent)], &second = poses_[k + 1];
-    largest = std::max(largest, link_wrench(first, second, stress_[k]).norm());
-    const Vec6 y = rod_.links[k].stiffness.ldlt().solve(stress_[k]);
-    energy += 0.5 * y.dot(stress_[k]);
-    misfit = std::max(misfit, (log_motion(first.inverse() * second) - rod_.links[k].natural - y).norm());
+    const Vec6 second = wrench_on_second(rod_.links, poses, k, state_.stress[k]);
+    sum[k + 1] += second;
+    sum[index(rod_.links[k].parent)] += wrench_on_first(rod_.links, poses, k, second);
+    largest = std::max(largest, second.norm());
+    const Vec6 strain = rod_.links[k].stiffness.ldlt().solve(state_.stress[k]);
+    energy += 0.5 * strain.dot(state_.stress[k]);
+    misfit = std::max(misfit, (link_strain(rod_.links, poses, k) - rod_.links[k].natural - strain).norm());
   }
   for (const NodeCondition& c : elimination_.conditions()) {
-    largest = std::max({largest, c.force.norm(), c.space_moment.norm(), c.body_moment.norm()});
+    Vec6& s = sum[index(c.node)];
+    const Vec6 load = c.load(poses[index(c.node)]);
+    s -= load;
+    largest = std::max({largest, load.head<3>().norm(), load.tail<3>().norm()});
     for (int i = 0; i < 6; ++i) {
       if (!c.fixed[index(i)]) continue;
       const Vec3 axis = c.frame.col(i % 3);
-      auto part = i < 3 ? sum[index(c.node)].head<3>() : sum[index(c.node)].tail<3>();
-      part -= axis * axis.dot(part);
+      const int at = i < 3 ? 0 : 3;
+      s.segment<3>(at) -= axis * axis.dot(s.segment<3>(at));
     }
   }
   for (const Vec6& s : sum) unbalanced = std::max(unbalanced, s.norm());
   summary_.residual = std::max(largest > 0 ? unbalanced / largest : 0., misfit);
   summary_.energy = energy * rod_.moment;
-  solution.poses.resize(poses_.size());
-  for (std::size_t k = 0; k < poses_.size(); ++k)
-    solution.poses[index(rod_.node_of[k])] = rod_.original(poses_[k]);
-  solution.stress.resize(stress_.size());
-  for (std::size_t k = 0; k < stress_.size(); ++k) {
-    Vec6& s = solution.stress[index(rod_.element_of[k])];
-    s << stress_[k].head<3>() * rod_.force(), stress_[k].tail<3>() * rod_.moment;
-  }
-  update_reactions();
+
+  solution.poses.resize(poses.size());
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    solution.poses[index(rod_.node_of[k])] = rod_.original(poses[k]);
+  solution.stress.resize(state_.stress.size());
+  for (std::size_t k = 0; k < state_.stress.size(); ++k)
+    solution.stress[index(rod_.element_of[k])] << state_.stress[k].head<3>() * rod_.force(),
+        state_.stress[k].tail<3>() * rod_.moment;
+  update_carried(true);
   for (std::size_t c = 0; c < given_.supports.size(); ++c) {
     const NodeCondition& condition = elimination_.conditions()[c];
+    const Vec6 reaction = condition.carried - condition.load(poses[index(condition.node)]);
     const int node = given_.supports[c].node;
-    solution.reactions.push_back({node, condition.reaction.head<3>() * rod_.force(),
-                                  condition.reaction.tail<3>() * rod_.moment,
+    solution.reactions.push_back({node, reaction.head<3>() * rod_.force(), reaction.tail<3>() * rod_.moment,
                                   solution.poses[index(node)].position});
   }
 }
 
 RodSolution Solver::solve(const RodPoses* start) {
-  const std::vector<NodeCondition>& conditions = elimination_.conditions();
-  poses_.resize(rod_.node_of.size());
-  for (std::size_t k = 0; k < poses_.size(); ++k)
-    poses_[k] = rod_.scaled((start ? *start : tree_.rest)[index(rod_.node_of[k])]);
-  stress_.assign(rod_.links.size(), Vec6::Zero());
-  const std::vector<Pose> initial = poses_;
+  const auto poses_of = [&](const RodPoses& given) {
+    std::vector<Pose> poses(rod_.node_of.size());
+    for (std::size_t k = 0; k < poses.size(); ++k) poses[k] = rod_.scaled(given[index(rod_.node_of[k])]);
+    return poses;
+  };
+  state_.poses = poses_of(start ? *start : tree_.rest);
+  state_.stress.assign(rod_.links.size(), Vec6::Zero());
 
   bool moved = false;
+  const std::vector<NodeCondition>& conditions = elimination_.conditions();
   std::vector<Vec3> turn(conditions.size(), Vec3::Zero());
   for (std::size_t c = 0; c < given_.supports.size(); ++c) {
-    const Pose& pose = poses_[index(conditions[c].node)];
+    const Pose& pose = state_.poses[index(conditions[c].node)];
     turn[c] = start ? log_rotation(conditions[c].target.rotation * pose.rotation.transpose())
                     : given_.supports[c].motion.rotate;
     moved = moved || turn[c].norm() > 1e-12 || (conditions[c].target.position - pose.position).norm() > 1e-12;
   }
-  bool found = false;
   RodSolution solution;
   try {
+    bool found = false;
     if (options_.path_steps <= 1) {
-      if (moved) poses_ = carry_along(rod_.links, conditions, turn, poses_);
+      if (moved) carry(turn);
+      if (start) {
+        soften(100);
+        take_elastic_stress();
+        harden();
+      }
       found = jump(moved);
     }
     if (!found) {
-      poses_ = initial;
-      if (start)
-        for (std::size_t k = 0; k < poses_.size(); ++k)
-          poses_[k] = rod_.scaled(tree_.rest[index(rod_.node_of[k])]);
+      state_.poses = poses_of(tree_.rest);
+      state_.stress.assign(rod_.links.size(), Vec6::Zero());
       found = follow_path(std::max(options_.path_steps, 4));
     }
-    if (found) {
-      certify();
-      if (summary_.negative_directions > 0 && options_.leave_saddle &&
-          !elimination_.has_nonconservative_moment())
-        leave_saddle();
-      if (elimination_.has_nonconservative_moment()) {
-        summary_.status = RodStatus::equilibrium_only;
-        summary_.message =
-            "a moment on a freely turning end has no energy, so the equilibrium is not a minimum of one";
-      } else if (summary_.negative_directions > 0) {
-        summary_.status = RodStatus::unstable;
-        summary_.message =
-            "the equilibrium is not a minimum: " + std::to_string(summary_.negative_directions) +
-            " negative direction(s)";
-      } else {
-        summary_.status = elimination_.singular() ? RodStatus::equilibrium_only : RodStatus::converged;
-        if (elimination_.singular())
-          summary_.message = "the rod is free to move in a direction that costs nothing";
-      }
-    } else {
+    if (found)
+      judge();
+    else
       summary_.status = RodStatus::iteration_limit;
-    }
   } catch (const Interrupted&) {
-    restore_stiffness();
+    harden();
     summary_.status = RodStatus::interrupted;
+    summary_.message = "stopped before the end";
   }
-  set_time(1);
   fill(solution);
   summary_.seconds = since(began_);
   solution.summary = summary_;

@@ -14,6 +14,9 @@ struct RodElement {
   double length = 0;                  ///< rest arc length, length unit
   Vec6 rest_strain = Vec6::Zero();    ///< strain of the drawn shape (v = (0,0,1) when drawn along d3)
   Vec6 natural_strain = Vec6::Zero(); ///< strain at which the element is unstressed [3]; a fitted vessel: = rest_strain
+  /// The element's own frame at its first node, in that node's frame. The identity, except where a branch of a bare rod
+  /// leaves its parent's end in another direction: the strains above then count from here.
+  Pose start;
   Mat6 stiffness = Mat6::Zero();      ///< energy per length is 1/2 (strain - natural)^T stiffness (strain - natural)
 };
 

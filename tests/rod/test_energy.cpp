@@ -21,6 +21,7 @@ struct Fixture {
   Pose second;
   explicit Fixture(double angle) {
     element.length = 0.7;
+    element.start = exp_motion(vec6(0.2, 0.1, -0.3, 0.5, 0.4, -0.6));
     element.natural_strain = vec6(0.02, -0.05, 1.1, 0.4, -0.3, 0.2);
     Mat6 m;
     for (int i = 0; i < 6; ++i)
@@ -28,7 +29,7 @@ struct Fixture {
     element.stiffness = m * m.transpose() + Mat6(vec6(5, 6, 9, 1, 2, 1.5).asDiagonal());
     Vec6 xi = vec6(0.1, -0.2, 0.8, 0.6, -0.7, 0.4);
     xi.tail<3>() *= angle / xi.tail<3>().norm();
-    second = first * exp_motion(xi);
+    second = first * element.start * exp_motion(xi);
   }
   double energy(const Vec12& eta) const {
     return element_energy(element, first * exp_motion(eta.head<6>()), second * exp_motion(eta.tail<6>()));
@@ -98,7 +99,7 @@ TEST(Energy, RigidMotionsCostNothing) {
 
 TEST(Energy, StressFreeAtTheNaturalStrain) {
   Fixture f(0);
-  f.second = f.first * exp_motion(f.element.length * f.element.natural_strain);
+  f.second = f.first * f.element.start * exp_motion(f.element.length * f.element.natural_strain);
   EXPECT_LT(element_energy(f.element, f.first, f.second), 1e-28);
   EXPECT_LT(element_energy_gradient(f.element, f.first, f.second).norm(), 1e-13);
 }

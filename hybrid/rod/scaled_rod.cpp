@@ -1,0 +1,85 @@
+#include "rod/scaled_rod.h"
+
+#include <cmath>
+
+#include "geometry/rigid_motion.h"
+
+namespace vasorod {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+Pose ScaledRod::original(const Pose& p) const {
+  return {nearest_rotation(p.rotation), origin + length * p.position};
+}
+
+ScaledRod scale(const RodTree& tree) {
+  ScaledRod rod;
+  rod.length = length_scale(tree);
+  rod.origin = tree.rest[0].position;
+  double weight = 0, bending = 0;
+  for (const RodElement& e : tree.elements) {
+    bending += e.length * 0.5 * (e.stiffness(3, 3) + e.stiffness(4, 4));
+    weight += e.length;
+  }
+  rod.moment = bending / weight / rod.length;
+
+  const int n = tree.node_count();
+  std::vector<std::vector<int>> leaving(index(n));
+  for (std::size_t e = 0; e < tree.elements.size(); ++e)
+    leaving[index(tree.elements[e].first)].push_back(static_cast<int>(e));
+  rod.new_of.assign(index(n), -1);
+  std::vector<int> waiting;  // elements whose first node is numbered; depth first keeps a branch together
+  const auto number = [&](int node) {
+    rod.new_of[index(node)] = static_cast<int>(rod.node_of.size());
+    rod.node_of.push_back(node);
+    waiting.insert(waiting.end(), leaving[index(node)].rbegin(), leaving[index(node)].rend());
+  };
+  number(0);
+  Vec6 unit;  // of a strain, over the root of the unit of energy per length
+  unit << Vec3::Constant(rod.length), Vec3::Ones();
+  unit /= std::sqrt(rod.moment * rod.length);
+  while (!waiting.empty()) {
+    const int e = waiting.back();
+    waiting.pop_back();
+    const RodElement& element = tree.elements[index(e)];
+    RodLink link;
+    link.parent = rod.new_of[index(element.first)];
+    link.length = element.length / rod.length;
+    link.start = {element.start.rotation, element.start.position / rod.length};
+    link.starts_at_node = element.start.rotation.isIdentity(0) && element.start.position.isZero(0);
+    link.natural << link.length * element.natural_strain.head<3>(),
+        element.length * element.natural_strain.tail<3>();
+    link.stiffness = unit.asDiagonal() * element.stiffness * unit.asDiagonal();
+    link.stiffness /= link.length;
+    rod.links.push_back(link);
+    rod.element_of.push_back(e);
+    number(element.second);
+  }
+  return rod;
+}
+
+Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k) {
+  return log_motion(link_start(links[k], poses[index(links[k].parent)]).inverse() * poses[k + 1]);
+}
+
+Vec6 wrench_on_second(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
+                      const Vec6& stress) {
+  const Vec6 body = right_jacobian_inverse(link_strain(links, poses, k)).transpose() * stress;
+  Vec6 w;
+  w << poses[k + 1].rotation * body.head<3>(), poses[k + 1].rotation * body.tail<3>();
+  return w;
+}
+
+Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
+                     const Vec6& on_second) {
+  Vec6 w = -on_second;
+  w.tail<3>() -= (poses[k + 1].position - poses[index(links[k].parent)].position).cross(on_second.head<3>());
+  return w;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,38 @@
+// A rod tree in units of its own length and bending stiffness, so that mm or m, Pa or MPa give the same
+// numbers.
+#pragma once
+
+#include <vector>
+
+#include "rod/elimination.h"
+#include "rod/rod_tree.h"
+
+namespace vasorod {
+
+struct ScaledRod {
+  double length = 1;           ///< unit of length: the longest way from the root to a leaf
+  double moment = 1;           ///< unit of moment and energy: mean bending stiffness over that length
+  Vec3 origin = Vec3::Zero();  ///< the root's rest position
+  std::vector<int> node_of,
+      new_of;                   ///< tree's node of each of ours (parents first), ours of each of the tree's
+  std::vector<int> element_of;  ///< tree's element of each link
+  std::vector<RodLink> links;
+
+  double force() const { return moment / length; }
+  Pose scaled(const Pose& p) const { return {p.rotation, (p.position - origin) / length}; }
+  Pose original(const Pose& p) const;
+};
+
+ScaledRod scale(const RodTree& tree);
+
+/// length * strain of link k.
+Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k);
+
+/// Wrench (force, moment about the node; space axes) that link k's stress puts on its second node.
+Vec6 wrench_on_second(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
+                      const Vec6& stress);
+/// The same link's wrench on its first node.
+Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
+                     const Vec6& on_second);
+
+}  // namespace vasorod

@@ -1,0 +1,235 @@
+#include "vessel/rod_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "geometry/rigid_motion.h"
+#include "rod/strains.h"
+
+namespace vasorod {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Status status_of(RodStatus status) {
+  switch (status) {
+    case RodStatus::converged:
+      return Status::converged;
+    case RodStatus::equilibrium_only:
+      return Status::equilibrium_only;
+    case RodStatus::unstable:
+      return Status::unstable;
+    case RodStatus::iteration_limit:
+      return Status::iteration_limit;
+    case RodStatus::interrupted:
+      return Status::interrupted;
+  }
+  return Status::iteration_limit;
+}
+
+/// From bad to worse, for scenes with several rods.
+int severity(Status status) {
+  switch (status) {
+    case Status::converged:
+      return 0;
+    case Status::equilibrium_only:
+      return 1;
+    case Status::unstable:
+      return 2;
+    case Status::iteration_limit:
+      return 3;
+    default:
+      return 4;
+  }
+}
+
+/// Second-order errors cancel in (4 fine - coarse) / 3; for poses along the screw from coarse to fine.
+RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse, const RodTree& fine_tree,
+                         const RodSolution& fine) {
+  const auto mix = [](const auto& c, const auto& f) { return ((4 * f - c) / 3).eval(); };
+  RodSolution result = fine;
+  result.poses = coarse.poses;
+  result.stress = coarse.stress;
+  for (std::size_t b = 0; b < coarse_tree.branches.size(); ++b) {
+    const RodBranch &small = coarse_tree.branches[b], &large = fine_tree.branches[b];
+    for (std::size_t i = 0; i < small.nodes.size(); ++i) {
+      const Pose& c = coarse.poses[index(small.nodes[i])];
+      const Pose& f = fine.poses[index(large.nodes[2 * i])];
+      result.poses[index(small.nodes[i])] = f * exp_motion(log_motion(c.inverse() * f) / 3);
+    }
+    for (std::size_t i = 0; i < small.elements.size(); ++i) {
+      const Vec6 f =
+          0.5 * (fine.stress[index(large.elements[2 * i])] + fine.stress[index(large.elements[2 * i + 1])]);
+      result.stress[index(small.elements[i])] = mix(coarse.stress[index(small.elements[i])], f);
+    }
+  }
+  for (std::size_t i = 0; i < result.reactions.size(); ++i) {
+    RodReaction& r = result.reactions[i];
+    r.node = coarse.reactions[i].node;
+    r.force = mix(coarse.reactions[i].force, fine.reactions[i].force);
+    r.moment = mix(coarse.reactions[i].moment, fine.reactions[i].moment);
+    r.center = result.poses[index(r.node)].position;
+  }
+  result.summary.energy = (4 * fine.summary.energy - coarse.summary.energy) / 3;
+  result.summary.iterations += coarse.summary.iterations;
+  result.summary.residual = std::max(coarse.summary.residual, fine.summary.residual);
+  if (severity(status_of(coarse.summary.status)) > severity(status_of(fine.summary.status)))
+    result.summary.status = coarse.summary.status;
+  return result;
+}
+
+CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const RodPoses& poses) {
+  CenterlineResult line;
+  const auto n = static_cast<Eigen::Index>(branch.nodes.size());
+  line.rest.resize(n, 3);
+  line.current.resize(n, 3);
+  line.lines.emplace_back();
+  double s = 0;
+  std::vector<Vec6> rest;
+  for (const RodElement& e : tree.elements) rest.push_back(e.rest_strain);
+  const std::vector<Vec6> now = branch_node_values(tree, branch, element_strains(tree, poses));
+  const std::vector<Vec6> then = branch_node_values(tree, branch, rest);
+  for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
+    const std::size_t node = index(branch.nodes[i]);
+    const auto row = static_cast<Eigen::Index>(i);
+    line.rest.row(row) = tree.rest[node].position.transpose();
+    line.current.row(row) = poses[node].position.transpose();
+    if (i > 0) s += tree.elements[index(branch.elements[i - 1])].length;
+    line.abscissa.push_back(s);
+    line.directors.push_back(poses[node].rotation);
+    line.v.push_back(now[i].head<3>());
+    line.u.push_back(now[i].tail<3>());
+    line.v0.push_back(then[i].head<3>());
+    line.u0.push_back(then[i].tail<3>());
+    line.lines.back().push_back(static_cast<int>(i));
+  }
+  return line;
+}
+
+VesselMetrics metrics(const std::string& name, const CenterlineResult& line) {
+  VesselMetrics m;
+  m.vessel = name;
+  m.stretch = {line.v[0].z(), line.v[0].z()};
+  m.where["stretch"] = m.where["largest_curvature"] = line.current.row(0);
+  for (std::size_t i = 0; i < line.v.size(); ++i) {
+    const Vec3 here = line.current.row(static_cast<Eigen::Index>(i));
+    m.stretch[0] = std::min(m.stretch[0], line.v[i].z());
+    if (line.v[i].z() > m.stretch[1]) {
+      m.stretch[1] = line.v[i].z();
+      m.where["stretch"] = here;
+    }
+    if (const double curvature = line.u[i].head<2>().norm(); curvature > m.largest_curvature) {
+      m.largest_curvature = curvature;
+      m.where["largest_curvature"] = here;
+    }
+  }
+  return m;
+}
+
+/// Forces on each branch: its supports, its loads, and what the branches it joins do to it.
+void add_balance(const RodAssembly& assembly, const RodSolution& solution, Result& result) {
+  const RodTree& tree = assembly.tree;
+  std::vector<Balance> balance(tree.branches.size());
+  std::vector<int> branch_of(tree.rest.size(), 0);  // of a node: the branch it ends, or the root's
+  for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+    balance[b].vessel = assembly.vessels[b];
+    for (std::size_t i = 1; i < tree.branches[b].nodes.size(); ++i)
+      branch_of[index(tree.branches[b].nodes[i])] = static_cast<int>(b);
+  }
+  for (const RodReaction& r : solution.reactions) balance[index(branch_of[index(r.node)])].support += r.force;
+  for (const RodLoad& l : assembly.conditions.loads) balance[index(branch_of[index(l.node)])].load += l.force;
+  for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+    if (tree.branches[b].parent < 0) continue;
+    const std::size_t e = index(tree.branches[b].elements.front());
+    const Vec3 force = start_wrench(tree.elements[e], solution.poses, solution.stress[e]).head<3>();
+    balance[b].join += force;
+    balance[index(tree.branches[b].parent)].join -= force;
+  }
+  for (Balance& b : balance) {
+    const double largest = std::max({b.support.norm(), b.load.norm(), b.join.norm()});
+    b.residual = largest > 0 ? (b.support + b.load + b.join).norm() / largest : 0;
+    result.balance.push_back(b);
+  }
+}
+
+void add(const RodAssembly& assembly, const RodSolution& solution, Result& result) {
+  const RodTree& tree = assembly.tree;
+  const RodSummary& summary = solution.summary;
+  const Status status = status_of(summary.status);
+  if (severity(status) > severity(result.status)) result.status = status;
+  result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
+  if (status != Status::iteration_limit && status != Status::interrupted)
+    result.certificate.smallest_curvature_positive =
+        result.certificate.smallest_curvature_positive.value_or(true) && summary.negative_directions == 0;
+  if (!summary.message.empty())
+    result.certificate.notes.push_back("'" + assembly.vessels.front() + "': " + summary.message);
+  result.energy.rod += summary.energy;
+  result.iterations["rod"] += summary.iterations;
+  result.model.rod_nodes += tree.node_count();
+  for (const RodAssembly::End& end : assembly.ends) {
+    EndReaction reaction;
+    reaction.vessel = end.vessel;
+    reaction.end = end.name;
+    reaction.center = solution.poses[index(end.node)].position;
+    if (end.support >= 0) {
+      reaction.force = solution.reactions[index(end.support)].force;
+      reaction.moment = solution.reactions[index(end.support)].moment;
+    }
+    result.ends.push_back(reaction);
+  }
+  add_balance(assembly, solution, result);
+  for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+    VesselResult vessel;
+    vessel.name = assembly.vessels[b];
+    vessel.centerline = centerline(tree, tree.branches[b], solution.poses);
+    for (std::size_t i = 0; i < vessel.centerline->v.size(); ++i)
+      result.validity.largest_strain = std::max(result.validity.largest_strain,
+                                                (vessel.centerline->v[i] - vessel.centerline->v0[i]).norm());
+    result.metrics.push_back(metrics(vessel.name, *vessel.centerline));
+    result.vessels.push_back(std::move(vessel));
+  }
+}
+
+}  // namespace
+
+Result solve_rod_scene(const Scene& scene, const RodSceneOptions& options) {
+  const auto began = Clock::now();
+  Result result;
+  result.scene = scene.name;
+  result.fidelity = to_string(Fidelity::rod);
+  result.length_unit = scene.units.length;
+  result.stress_unit = scene.units.stress;
+  result.model.terms = {"rod"};
+  result.model.left_out = {{"surface", "the vessels are bare rods"},
+                           {"contact", "bare rods have no surface"},
+                           {"kinking and wrinkling", "bare rods have no wall"}};
+  RodOptions rod_options;
+  rod_options.stop = options.stop;
+  const std::vector<RodAssembly> rods = assemble_rods(scene);
+  const std::vector<RodAssembly> halves =
+      options.extrapolate ? assemble_rods(scene, 2) : std::vector<RodAssembly>{};
+  for (std::size_t r = 0; r < rods.size(); ++r) {
+    const auto left = [&] {
+      return options.time_limit - std::chrono::duration<double>(Clock::now() - began).count();
+    };
+    const std::string where = scene.file.string() + ": rod '" + rods[r].vessels.front() + "'";
+    check_tree(rods[r].tree, where);
+    check_conditions(rods[r].tree, rods[r].conditions, where);
+    rod_options.time_limit = left();
+    RodSolution solution = solve_rod(rods[r].tree, rods[r].conditions, rod_options);
+    if (options.extrapolate) {
+      rod_options.time_limit = left();
+      solution = extrapolated(rods[r].tree, solution, halves[r].tree,
+                              solve_rod(halves[r].tree, halves[r].conditions, rod_options));
+    }
+    add(rods[r], solution, result);
+  }
+  result.seconds["solve"] = std::chrono::duration<double>(Clock::now() - began).count();
+  return result;
+}
+
+}  // namespace vasorod

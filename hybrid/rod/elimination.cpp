@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
@@ -68,20 +69,17 @@ Vec6 wrench_of(const LinkKinematics& k, const Mat3& rotation, const Vec6& s) {
   return w;
 }
 
-/// Makes a symmetric matrix positive definite by turning its negative directions round, relative to `scale`.
-/// Returns the number of negative eigenvalues; `lowest` is the scaled direction of the lowest.
-int turn_round(Eigen::Ref<Eigen::MatrixXd> t, const Eigen::VectorXd& scale, bool change,
-               Eigen::VectorXd& lowest) {
+///
+
+/// Number of negative eigenvalues of a symmetric matrix relative to `scale`, the direction of the lowest, and
+/// whether one is neutral: within round-off of zero, a direction that costs nothing, neither up nor down.
+int negative_eigenvalues(const Eigen::MatrixXd& t, const Eigen::VectorXd& scale, Eigen::VectorXd& lowest,
+                         double neutral, bool& singular) {
   const Eigen::VectorXd s = scale.cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(s.asDiagonal() * t * s.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues();
   lowest = s.asDiagonal() * eigen.eigenvectors().col(0);
-  if (change) {
-    const Eigen::VectorXd positive = values.cwiseAbs().cwiseMax(1e-10);
-    const Eigen::MatrixXd v = s.cwiseInverse().asDiagonal() * eigen.eigenvectors();
-    t = v * positive.asDiagonal() * v.transpose();
-  }
-  return static_cast<int>((values.array() < 0).count());
+  singular = singular || (eigen.eigenvalues().array().abs() <= neutral).any();
+  return static_cast<int>((eigen.eigenvalues().array() < -neutral).count());
 }
 
 /// Orthonormal bases of what a node's support fixes (columns of n) and leaves (z), and the step the fixed
@@ -144,6 +142,15 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
     if (free_turns > 1 && (condition.space_moment.norm() > 0 || condition.body_moment.norm() > 0))
       unsymmetric_ = true;
   }
+  weight_.assign(nodes, 0);
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    weight_[k + 1] += 0.5 * links_[k].length;
+    weight_[index(links_[k].parent)] += 0.5 * links_[k].length;
+    // what eps of the stretch stiffness is to the link's own bending stiffness
+    const Mat6& c = links_[k].stiffness;
+    neutral_ = std::max(neutral_, 10 * std::numeric_limits<double>::epsilon() * links_[k].length *
+                                      c.diagonal().head<3>().maxCoeff() / std::min(c(3, 3), c(4, 4)));
+  }
   s_.resize(nodes);
   g_.resize(nodes);
   work_.resize(links_.size());
@@ -185,29 +192,31 @@ void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetr
   }
 }
 
-void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Vec6>& stress, Pivots pivots,
-                            bool certify) {
-  const bool symmetric = certify || !unsymmetric_ || pivots == Pivots::made_positive;
+void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Vec6>& stress, Purpose purpose,
+                            double shift) {
+  const bool symmetric = purpose != Purpose::newton || !unsymmetric_;
   negative_ = 0;
   singular_ = false;
   negative_node_ = -1;
-  add_node_terms(poses, symmetric, pivots == Pivots::made_positive);
+  add_node_terms(poses, symmetric, purpose == Purpose::descent);
+  if (shift > 0)
+    for (std::size_t k = 0; k < s_.size(); ++k) s_[k].diagonal().array() += shift * weight_[k];
   for (std::size_t k = links_.size(); k-- > 0;) {
     const Pose &first = poses[index(links_[k].parent)], &second = poses[k + 1];
     const int c = condition_of_[k + 1];
     if (c >= 0 && conditions_[index(c)].supported())
-      eliminate_constrained(k, first, second, stress[k], pivots);
+      eliminate_constrained(k, first, second, stress[k]);
     else if (symmetric)
-      eliminate_free<true>(k, first, second, stress[k], pivots);
+      eliminate_free<true>(k, first, second, stress[k]);
     else
-      eliminate_free<false>(k, first, second, stress[k], pivots);
+      eliminate_free<false>(k, first, second, stress[k]);
   }
-  eliminate_root(poses, pivots);
+  eliminate_root(poses);
 }
 
 template <bool symmetric>
-void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress,
-                                    Pivots pivots) {
+void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose& second,
+                                    const Vec6& stress) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
   const LinkKinematics kin = kinematics(link_start(link, first), second);
@@ -258,7 +267,7 @@ void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose
 
   // T = L D L^T; C leads with its stiff rows, so no pivoting is needed for accuracy
   const auto decompose = [&] {
-    int negative = 0;
+    bool low = false;
     for (int c = 0; c < 6; ++c) {
       double d = t(c, c);
       for (int i = 0; i < c; ++i) d -= work.lower(c, i) * work.lower(c, i) * work.pivot[i];
@@ -267,27 +276,23 @@ void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose
         d = 1e-300 + 1e-16 * std::abs(t(c, c));
       }
       work.pivot[c] = d;
-      negative += d < 0;
+      low = low || d < neutral_ * link.stiffness(c, c);
       for (int r = c + 1; r < 6; ++r) {
         double x = t(r, c);
         for (int i = 0; i < c; ++i) x -= work.lower(r, i) * work.lower(c, i) * work.pivot[i];
         work.lower(r, c) = x / d;
       }
     }
-    return negative;
+    return low;
   };
-  if (const int negative = decompose(); negative > 0) {
-    negative_ += negative;
+  if (decompose()) {
     Eigen::VectorXd lowest;
-    Eigen::MatrixXd changed = t;
-    turn_round(changed, link.stiffness.diagonal(), pivots == Pivots::made_positive, lowest);
-    negative_node_ = static_cast<int>(k) + 1;
-    negative_stretch_ = lowest;
-    negative_twist_ << work.j * lowest.head<3>() + work.b * lowest.tail<3>(), work.j * lowest.tail<3>();
-    if (pivots == Pivots::made_positive) {
-      q -= (changed - t) * work.eps;
-      t = changed;
-      decompose();
+    const int negative = negative_eigenvalues(t, link.stiffness.diagonal(), lowest, neutral_, singular_);
+    negative_ += negative;
+    if (negative > 0) {
+      negative_node_ = static_cast<int>(k) + 1;
+      negative_stretch_ = lowest;
+      negative_twist_ << work.j * lowest.head<3>() + work.b * lowest.tail<3>(), work.j * lowest.tail<3>();
     }
   }
   work.z = q_right;
@@ -305,7 +310,7 @@ void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose
 // delta = Z delta_z + u, u = E a + step, E = N N^T the projector on what is fixed (b = delta - a has b_n =
 // step_n). What the node's side does along fixed directions is a constant and drops out of S and g first.
 void RodElimination::eliminate_constrained(std::size_t k, const Pose& first, const Pose& second,
-                                           const Vec6& stress, Pivots pivots) {
+                                           const Vec6& stress) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
   const LinkKinematics kin = kinematics(link_start(link, first), second);
@@ -330,21 +335,18 @@ void RodElimination::eliminate_constrained(std::size_t k, const Pose& first, con
   Mat6 passed_s = fixed * t * fixed - fixed * p + p * fixed + s;
   Vec6 passed_g = fixed * (elastic + t * freedom.step) + p * freedom.step - g;
   if (z.cols() > 0) {
-    Eigen::MatrixXd tzz = z.transpose() * t * z;
+    const Eigen::MatrixXd tzz = z.transpose() * t * z;
     const Eigen::MatrixXd right = z.transpose() * (t * fixed - (s + p));
     const Eigen::MatrixXd left = (fixed * t - (s - p)) * z;
     const Eigen::VectorXd rhs = z.transpose() * (elastic + t * freedom.step + g);
     const Mat6 stiff = work.lower.transpose() * link.stiffness * work.lower;
     Eigen::VectorXd lowest;
-    const Eigen::MatrixXd symmetric = 0.5 * (tzz + tzz.transpose());
-    Eigen::MatrixXd changed = symmetric;
-    const int negative =
-        turn_round(changed, (z.transpose() * stiff * z).diagonal(), pivots == Pivots::made_positive, lowest);
+    const int negative = negative_eigenvalues(
+        0.5 * (tzz + tzz.transpose()), (z.transpose() * stiff * z).diagonal(), lowest, neutral_, singular_);
     if (negative > 0) {
       negative_ += negative;
       negative_node_ = static_cast<int>(k) + 1;
       negative_twist_ = z * lowest;
-      if (pivots == Pivots::made_positive) tzz = changed;
     }
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(tzz);
     const Eigen::MatrixXd gain = lu.solve(right);
@@ -372,7 +374,7 @@ void RodElimination::pass_to_parent(std::size_t k, const Mat6& s, const Vec6& g)
   g_[parent].tail<3>() += g.tail<3>() + t.cross(g.head<3>());
 }
 
-void RodElimination::eliminate_root(const std::vector<Pose>& poses, Pivots pivots) {
+void RodElimination::eliminate_root(const std::vector<Pose>& poses) {
   const int c = condition_of_[0];
   FreedomSplit freedom;
   if (c >= 0 && conditions_[index(c)].supported())
@@ -382,19 +384,17 @@ void RodElimination::eliminate_root(const std::vector<Pose>& poses, Pivots pivot
   root_step_ = freedom.step;
   const auto& z = freedom.free;
   if (z.cols() == 0) return;
-  Eigen::MatrixXd t = z.transpose() * s_[0] * z;
+  const Eigen::MatrixXd t = z.transpose() * s_[0] * z;
   const Eigen::VectorXd rhs = z.transpose() * (g_[0] + s_[0] * freedom.step);
   Eigen::VectorXd lowest;
-  Eigen::MatrixXd changed = 0.5 * (t + t.transpose());
-  const double size = std::max(changed.diagonal().cwiseAbs().maxCoeff(), 1e-300);
-  const int negative =
-      turn_round(changed, Eigen::VectorXd::Constant(z.cols(), size), pivots == Pivots::made_positive, lowest);
+  const double size = std::max(t.diagonal().cwiseAbs().maxCoeff(), 1e-300);
+  const int negative = negative_eigenvalues(
+      0.5 * (t + t.transpose()), Eigen::VectorXd::Constant(z.cols(), size), lowest, neutral_, singular_);
   if (negative > 0) {
     negative_ += negative;
     negative_node_ = 0;
     negative_twist_ = z * lowest;
   }
-  if (pivots == Pivots::made_positive) t = changed;
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(t);
   if (!lu.isInvertible()) singular_ = true;
   root_step_ -= z * lu.solve(rhs);

@@ -53,7 +53,9 @@ struct NodeCondition {
   bool supported() const { return fixed_count() > 0; }
 };
 
-enum class Pivots { as_they_are, made_positive };
+/// What a factorisation is for. Newton: the full tangent. Descent and certificate: the energy's Hessian,
+/// symmetric.
+enum class Purpose { newton, descent, certificate };
 
 /// One linear step and its by-products.
 class RodElimination {
@@ -70,8 +72,10 @@ class RodElimination {
   bool has_nonconservative_moment() const { return unsymmetric_; }
 
   /// Leaf to root. `stress` is per link. With `certify`, the symmetric part alone: the energy's Hessian.
+  ///  `shift` adds that stiffness per length to every freedom of every node, so that the step goes down and
+  ///  stays short.
   void factor(const std::vector<Pose>& poses, const std::vector<Vec6>& stress,
-              Pivots pivots = Pivots::as_they_are, bool certify = false);
+              Purpose purpose = Purpose::newton, double shift = 0);
   /// Root to leaf: the step of every node and the new stress of every link.
   /// `stretch` is each link's change of log(g_i^-1 g_j), in which the step is linear.
   void solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, std::vector<Vec6>& stretch) const;
@@ -81,7 +85,7 @@ class RodElimination {
   /// Negative pivots of the last factorisation = negative directions of the (constrained) Hessian.
   int negative_pivots() const { return negative_; }
   bool singular() const { return singular_; }
-  /// A direction of negative curvature, after factor with as_they_are and at least one negative pivot.
+  /// A direction of negative curvature, after a factorisation with at least one negative pivot.
   void negative_direction(std::vector<Vec6>& step, std::vector<Vec6>& stretch) const;
 
  private:
@@ -98,11 +102,9 @@ class RodElimination {
   };
   void add_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links);
   template <bool symmetric>
-  void eliminate_free(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress,
-                      Pivots pivots);
-  void eliminate_constrained(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress,
-                             Pivots pivots);
-  void eliminate_root(const std::vector<Pose>& poses, Pivots pivots);
+  void eliminate_free(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress);
+  void eliminate_constrained(std::size_t k, const Pose& first, const Pose& second, const Vec6& stress);
+  void eliminate_root(const std::vector<Pose>& poses);
   void pass_to_parent(std::size_t k, const Mat6& s, const Vec6& g);
   void walk_back(std::vector<Vec6>& step, std::vector<Vec6>& stretch, int from,
                  std::vector<Vec6>* stress) const;
@@ -110,8 +112,10 @@ class RodElimination {
   std::vector<RodLink> links_;
   std::vector<NodeCondition> conditions_;
   std::vector<int> condition_of_;  // per node, -1: none
+  std::vector<double> weight_;     // per node, half the length of its links
   bool unsymmetric_ = false;
-  std::vector<Mat6> s_;  // gathered per node
+  double neutral_ = 1e-10;  // pivots this small, relative to the link's own stiffness, are round-off
+  std::vector<Mat6> s_;     // gathered per node
   std::vector<Vec6> g_;
   std::vector<LinkWork> work_;
   Vec6 root_step_ = Vec6::Zero();

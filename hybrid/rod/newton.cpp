@@ -62,6 +62,7 @@ class Solver {
   void update_carried(bool all);
   void count_iteration();
   bool newton();
+  void step_down(double& shift);
   double search();
   bool descend(double cap, double tolerance);
   bool soft_start();
@@ -80,6 +81,7 @@ class Solver {
   RodElimination elimination_;
   std::vector<std::vector<std::size_t>> links_at_;  // links that meet a condition's node
   std::vector<bool> follows_;  // per node: nothing beyond it is held, so it follows its link's strain
+  double floor_ = 0;           // what round-off in the stiffest strain makes of a step between two clamps
   bool searchable_ = false;    // all nodes but the root follow, and the loads have an energy
   State state_;
   Step step_;
@@ -107,6 +109,10 @@ Solver::Solver(const RodTree& tree, const RodConditions& conditions, const RodOp
     if (!follows_[k + 1]) follows_[parent] = false;
   }
   searchable_ = !elimination_.has_nonconservative_moment() && follows_[0];
+  if (!follows_[0])
+    for (const RodLink& link : rod_.links)
+      floor_ = std::max(floor_, std::numeric_limits<double>::epsilon() * link.length *
+                                    link.stiffness.topLeftCorner<3, 3>().diagonal().maxCoeff());
 }
 
 std::vector<NodeCondition> Solver::node_conditions() const {
@@ -262,6 +268,7 @@ double Solver::search() {
 /// Mixed Newton. Full steps, except that where every node follows the strains the energy is no longer stiff
 /// and can be searched along a large step. True when the last step was below the tolerance.
 bool Solver::newton() {
+  double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < options_.max_iterations; ++i) {
     count_iteration();
     const auto t = Clock::now();
@@ -272,8 +279,8 @@ bool Solver::newton() {
     if (searchable_ && size > 0.3) {
       fraction = search();
       if (fraction < 0.05) {  // not the way down: make it so
-        elimination_.factor(state_.poses, state_.stress, Pivots::made_positive);
-        elimination_.solve(step_.twist, step_.stress, step_.stretch);
+        double shift = 0;
+        step_down(shift);
         size = step_.size();
         fraction = search();
       }
@@ -291,22 +298,33 @@ bool Solver::newton() {
         state_.stress[k] += fraction * (step_.stress[k] - state_.stress[k]);
     summary_.sweep_seconds += since(t);
     summary_.last_step = size;
-    if (size < options_.tolerance) return true;
+    if (size < options_.tolerance || (size < floor_ && size > 0.3 * before)) return true;
+    before = size;
   }
   return false;
 }
 
-/// Goes down the energy with softened stretch and shear: Newton directions made to descend, halved until they
-/// do.
+/// /// A step that goes down the energy: the Hessian shifted until it is positive definite. The shift is kept
+/// for the next.
+void Solver::step_down(double& shift) {
+  elimination_.factor(state_.poses, state_.stress, Purpose::descent, shift);
+  while (elimination_.negative_pivots() > 0 && shift < 1e12) {
+    shift = std::max(1., 4 * shift);
+    elimination_.factor(state_.poses, state_.stress, Purpose::descent, shift);
+  }
+  elimination_.solve(step_.twist, step_.stress, step_.stretch);
+}
+
+/// Goes down the energy with softened stretch and shear: steps halved until they do.
 bool Solver::descend(double cap, double tolerance) {
   soften(cap);
   bool calm = false;
+  double shift = 0;
   for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
     count_iteration();
     take_elastic_stress();
     update_carried(false);
-    elimination_.factor(state_.poses, state_.stress, Pivots::made_positive);
-    elimination_.solve(step_.twist, step_.stress, step_.stretch);
+    step_down(shift);
     const double size = step_.size();
     if (!std::isfinite(size)) break;
     const double energy = potential(state_.poses);
@@ -321,6 +339,7 @@ bool Solver::descend(double cap, double tolerance) {
       if (accepted) {
         state_.poses.swap(trial_);
         calm = fraction == 1 && size < tolerance;
+        shift = fraction == 1 ? (shift > 0.1 ? shift / 4 : 0) : std::max(1., 2 * shift);
       }
     }
     if (!accepted) break;
@@ -343,10 +362,13 @@ bool Solver::soft_start() {
       stiffest =
           std::max(stiffest, link.stiffness(i, i) / std::min(link.stiffness(3, 3), link.stiffness(4, 4)));
   for (double cap = 100; cap < stiffest; cap *= 10) {
+    const State reached = state_;
     soften(cap);
     const bool ok = newton();
     harden();
-    if (!ok) return false;
+    if (ok) continue;
+    state_ = reached;
+    descend(cap, 1e-2);
   }
   return newton();
 }
@@ -410,7 +432,7 @@ bool Solver::follow_path(int steps) {
 
 void Solver::certify() {
   update_carried(false);
-  elimination_.factor(state_.poses, state_.stress, Pivots::as_they_are, true);
+  elimination_.factor(state_.poses, state_.stress, Purpose::certificate);
   summary_.negative_directions = elimination_.negative_pivots();
 }
 
@@ -465,7 +487,7 @@ void Solver::judge() {
                        std::to_string(summary_.negative_directions) + " negative direction(s)";
   } else if (elimination_.singular()) {
     summary_.status = RodStatus::equilibrium_only;
-    summary_.message = "the rod is free to move in a direction that costs nothing";
+    summary_.message = "a direction costs nothing, so the minimum is not a strict one";
   } else {
     summary_.status = RodStatus::converged;
   }

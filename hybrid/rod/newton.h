@@ -24,8 +24,9 @@ std::string to_string(RodStatus status);
 
 struct RodOptions {
   /// Stop when the largest step of any node (rotation in radians, translation over the rod's length) is below
-  /// this. Newton is quadratic there: what remains is its square. A force criterion would not do, its floor
-  /// is eps E A.
+  /// this. /// Newton is quadratic there: what remains is its square. A force criterion would not do, its
+  /// floor is eps E A. Between two clamps steps too have a floor, eps E A L^2 / E I: below that a step that
+  /// no longer shrinks ends it.
   double tolerance = 1e-8;
   int max_iterations = 40;  ///< of one Newton attempt; one that works takes 5 to 15
   /// Follow the motions' and loads' path in at least this many equal steps. 1: jump, and follow only if that

@@ -79,7 +79,7 @@ Units read_units(const Field& field) {
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) {
   const Field root = read_yaml(file.string());
   root.check_keys(
-      {"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity", "accuracy", "explore"});
+      {"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity", "accuracy", "explore", "extrapolate"});
   Scene scene;
   scene.file = file;
   scene.name = root.at("scene", "the scene's name").text("the scene's name");
@@ -92,6 +92,12 @@ Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) 
     scene.glenn = read_glenn(surgery->at("glenn", "the operation"), scene.vessels);
   }
   read_fidelity(root, scene);
+  if (const auto extrapolate = root.find("extrapolate")) {
+    scene.extrapolate = extrapolate->boolean();
+    for (const VesselSpec& vessel : scene.vessels)
+      if (scene.extrapolate && !vessel.rod)
+        extrapolate->refuse("it with the vessel '" + vessel.name + "'", "it in a scene of bare rods alone");
+  }
   if (const auto explore = root.find("explore")) {
     scene.explore = read_explore(*explore);
     if (!scene.glenn) explore->refuse("it without surgery.glenn", "an operation to explore");

@@ -135,6 +135,7 @@ struct Scene {
   std::optional<Fidelity> fidelity;  ///< absent with `accuracy`
   std::optional<double> accuracy;    ///< RMS distance over R
   std::optional<ExploreSpec> explore;
+  bool extrapolate = false;             ///< bare rods: solve with n and 2n elements and extrapolate to order 4
 
   const VesselSpec& vessel(const std::string& vessel_name) const;  ///< throws InputError when there is none
 };

@@ -130,8 +130,9 @@ VesselMetrics metrics(const std::string& name, const CenterlineResult& line) {
   return m;
 }
 
-/// Forces on each branch: its supports, its loads, and what the branches it joins do to it.
-void add_balance(const RodAssembly& assembly, const RodSolution& solution, Result& result) {
+/// Forces on each branch: its supports, its loads, and what the branches it joins do to it. `residual` is
+/// filled with the largest single force.
+std::vector<Balance> forces_on_branches(const RodAssembly& assembly, const RodSolution& solution) {
   const RodTree& tree = assembly.tree;
   std::vector<Balance> balance(tree.branches.size());
   std::vector<int> branch_of(tree.rest.size(), 0);  // of a node: the branch it ends, or the root's
@@ -140,23 +141,26 @@ void add_balance(const RodAssembly& assembly, const RodSolution& solution, Resul
     for (std::size_t i = 1; i < tree.branches[b].nodes.size(); ++i)
       branch_of[index(tree.branches[b].nodes[i])] = static_cast<int>(b);
   }
-  for (const RodReaction& r : solution.reactions) balance[index(branch_of[index(r.node)])].support += r.force;
-  for (const RodLoad& l : assembly.conditions.loads) balance[index(branch_of[index(l.node)])].load += l.force;
+  const auto add = [](Balance& on, Vec3 Balance::*kind, const Vec3& force) {
+    on.*kind += force;
+    on.residual = std::max(on.residual, force.norm());
+  };
+  for (const RodReaction& r : solution.reactions)
+    add(balance[index(branch_of[index(r.node)])], &Balance::support, r.force);
+  for (const RodLoad& l : assembly.conditions.loads)
+    add(balance[index(branch_of[index(l.node)])], &Balance::load, l.force);
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
     if (tree.branches[b].parent < 0) continue;
     const std::size_t e = index(tree.branches[b].elements.front());
     const Vec3 force = start_wrench(tree.elements[e], solution.poses, solution.stress[e]).head<3>();
-    balance[b].join += force;
-    balance[index(tree.branches[b].parent)].join -= force;
+    add(balance[b], &Balance::join, force);
+    add(balance[index(tree.branches[b].parent)], &Balance::join, -force);
   }
-  for (Balance& b : balance) {
-    const double largest = std::max({b.support.norm(), b.load.norm(), b.join.norm()});
-    b.residual = largest > 0 ? (b.support + b.load + b.join).norm() / largest : 0;
-    result.balance.push_back(b);
-  }
+  return balance;
 }
 
-void add(const RodAssembly& assembly, const RodSolution& solution, Result& result) {
+void add(const RodAssembly& assembly, const RodSolution& solution, const std::vector<Balance>& balance,
+         Result& result) {
   const RodTree& tree = assembly.tree;
   const RodSummary& summary = solution.summary;
   const Status status = status_of(summary.status);
@@ -181,7 +185,10 @@ void add(const RodAssembly& assembly, const RodSolution& solution, Result& resul
     }
     result.ends.push_back(reaction);
   }
-  add_balance(assembly, solution, result);
+  for (Balance b : balance) {
+    if (b.residual > 0) b.residual = (b.support + b.load + b.join).norm() / b.residual;
+    result.balance.push_back(b);
+  }
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
     VesselResult vessel;
     vessel.name = assembly.vessels[b];
@@ -211,7 +218,7 @@ Result solve_rod_scene(const Scene& scene, const RodSceneOptions& options) {
   rod_options.stop = options.stop;
   const std::vector<RodAssembly> rods = assemble_rods(scene);
   const std::vector<RodAssembly> halves =
-      options.extrapolate ? assemble_rods(scene, 2) : std::vector<RodAssembly>{};
+      scene.extrapolate ? assemble_rods(scene, 2) : std::vector<RodAssembly>{};
   for (std::size_t r = 0; r < rods.size(); ++r) {
     const auto left = [&] {
       return options.time_limit - std::chrono::duration<double>(Clock::now() - began).count();
@@ -221,12 +228,18 @@ Result solve_rod_scene(const Scene& scene, const RodSceneOptions& options) {
     check_conditions(rods[r].tree, rods[r].conditions, where);
     rod_options.time_limit = left();
     RodSolution solution = solve_rod(rods[r].tree, rods[r].conditions, rod_options);
-    if (options.extrapolate) {
+    std::vector<Balance> balance = forces_on_branches(rods[r], solution);
+    if (scene.extrapolate) {
       rod_options.time_limit = left();
-      solution = extrapolated(rods[r].tree, solution, halves[r].tree,
-                              solve_rod(halves[r].tree, halves[r].conditions, rod_options));
+      const RodSolution fine = solve_rod(halves[r].tree, halves[r].conditions, rod_options);
+      const std::vector<Balance> fine_balance = forces_on_branches(halves[r], fine);
+      for (std::size_t b = 0; b < balance.size(); ++b) {
+        balance[b].support = (4 * fine_balance[b].support - balance[b].support) / 3;
+        balance[b].join = (4 * fine_balance[b].join - balance[b].join) / 3;
+      }
+      solution = extrapolated(rods[r].tree, solution, halves[r].tree, fine);
     }
-    add(rods[r], solution, result);
+    add(rods[r], solution, balance, result);
   }
   result.seconds["solve"] = std::chrono::duration<double>(Clock::now() - began).count();
   return result;

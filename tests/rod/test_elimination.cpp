@@ -1,0 +1,171 @@
+// The block elimination against the same Newton step by a dense matrix, built from the tested element
+// derivatives.
+#include "rod/elimination.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "rod/energy.h"
+#include "rod/strains.h"
+#include "rods.h"
+
+namespace vasorod {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+// Trunk and two branches, deformed, stressed, with a full stiffness; nodes already parents first.
+struct Fixture {
+  RodTree tree;
+  std::vector<Pose> poses;
+  std::vector<RodLink> links;
+  std::vector<Vec6> stress;
+  Fixture() {
+    const Vec6 c = vec6(40, 50, 90, 1, 2, 1.5);
+    append(tree, Pose{}, 0, 1, {0.2, 0.3, 0.1}, 2, c);
+    append(tree, tree.rest[2], 2, 0.8, {0, -0.5, 0}, 2, c);
+    append(tree, tree.rest[2], 2, 0.7, {1, 0, 0.4}, 2, c);
+    for (std::size_t i = 0; i < tree.rest.size(); ++i) {
+      const double x = static_cast<double>(i);
+      poses.push_back(tree.rest[i] * exp_motion(0.1 * vec6(std::sin(x), std::cos(2 * x), 0.3, std::sin(3 * x),
+                                                           -0.6, std::cos(x))));
+    }
+    for (RodElement& e : tree.elements) {
+      e.stiffness(0, 3) = e.stiffness(3, 0) = 0.7;
+      e.stiffness(2, 5) = e.stiffness(5, 2) = -1.1;
+      RodLink link;
+      link.parent = e.first;
+      link.length = e.length;
+      link.natural = e.length * e.natural_strain;
+      link.stiffness = e.stiffness / e.length;
+      links.push_back(link);
+      stress.push_back(vec6(0.5, -0.3, 1.0, 0.2, 0.1, -0.4) * (1 + static_cast<double>(e.second)));
+    }
+  }
+};
+
+// Dense step in space-axes node twists: B^T (C/L)(B z + eps) + G(stress) z = loads, with held freedoms
+// removed.
+Eigen::VectorXd dense_step(const Fixture& f, const std::vector<bool>& held, const Eigen::VectorXd& load,
+                           const Eigen::MatrixXd& node_terms, int* negative) {
+  const int n = static_cast<int>(f.poses.size());
+  Eigen::MatrixXd h = node_terms;
+  Eigen::VectorXd g = -load;
+  for (const RodElement& e : f.tree.elements) {
+    const std::size_t k = index(e.second) - 1;
+    const Pose &first = f.poses[index(e.first)], &second = f.poses[index(e.second)];
+    const Mat12 local = element_energy_hessian(e, first, second, f.stress[k]);
+    const Vec12 gradient = element_energy_gradient(e, first, second);
+    Mat12 turn = Mat12::Zero();  // space axes -> body axes of each node
+    for (int b = 0; b < 4; ++b)
+      turn.block<3, 3>(3 * b, 3 * b) = (b < 2 ? first : second).rotation.transpose();
+    const Mat12 space = turn.transpose() * local * turn;
+    const Vec12 force = turn.transpose() * gradient;
+    const int at[2] = {6 * e.first, 6 * e.second};
+    for (int a = 0; a < 2; ++a) {
+      g.segment<6>(at[a]) += force.segment<6>(6 * a);
+      for (int b = 0; b < 2; ++b) h.block<6, 6>(at[a], at[b]) += space.block<6, 6>(6 * a, 6 * b);
+    }
+  }
+  std::vector<int> open;
+  for (int i = 0; i < 6 * n; ++i)
+    if (!held[index(i)]) open.push_back(i);
+  const Eigen::MatrixXd reduced = h(open, open);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(6 * n);
+  step(open) = -reduced.partialPivLu().solve(g(open).eval());
+  *negative = static_cast<int>(
+      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced).eigenvalues().array() < 0).count());
+  return step;
+}
+
+TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
+  for (const double size : {1., 30., -60.}) {  // the last two make the Hessian indefinite
+    Fixture f;
+    for (Vec6& s : f.stress) s *= size;
+    NodeCondition root, tip, pin;
+    root.node = 0;
+    root.fixed.fill(true);
+    root.target = f.poses[0];
+    tip.node = 4;
+    tip.force = {0.3, -0.2, 0.5};
+    pin.node = 6;
+    pin.fixed = {true, false, true, false, false, false};
+    pin.target = f.poses[6];
+    pin.carried << 0.4, 0.1, -0.2, 0, 0, 0;
+    RodElimination elimination(f.links, {root, tip, pin});
+    elimination.factor(f.poses, f.stress);
+    std::vector<Vec6> step, stress, stretch;
+    elimination.solve(step, stress, stretch);
+
+    const int n = static_cast<int>(f.poses.size());
+    std::vector<bool> held(index(6 * n), false);
+    for (int i = 0; i < 6; ++i) held[index(i)] = true;
+    held[36] = held[38] = true;  // space axes: the pin's frame is the identity
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(6 * n);
+    load.segment<3>(24) = tip.force;
+    Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+    const auto dead = [&](int node, const Vec3& force) {
+      terms.block<3, 3>(6 * node + 3, 6 * node) = 0.5 * hat(force);
+      terms.block<3, 3>(6 * node, 6 * node + 3) = -0.5 * hat(force);
+    };
+    dead(4, tip.force);
+    dead(6, pin.carried.head<3>());
+    int negative = 0;
+    const Eigen::VectorXd expected = dense_step(f, held, load, terms, &negative);
+    for (int i = 0; i < n; ++i)
+      EXPECT_LT((step[index(i)] - expected.segment<6>(6 * i)).norm(), 1e-11 * expected.norm())
+          << size << ' ' << i;
+    EXPECT_EQ(elimination.negative_pivots(), negative) << size;
+    if (size != 1) {
+      EXPECT_GT(negative, 0);
+    }
+  }
+}
+
+TEST(Elimination, NegativeDirectionHasNegativeCurvature) {
+  Fixture f;
+  for (Vec6& s : f.stress) s *= -60;
+  NodeCondition root;
+  root.fixed.fill(true);
+  root.target = f.poses[0];
+  RodElimination elimination(f.links, {root});
+  elimination.factor(f.poses, f.stress);
+  ASSERT_GT(elimination.negative_pivots(), 0);
+  std::vector<Vec6> step, stretch;
+  elimination.negative_direction(step, stretch);
+  double curvature = 0, size = 0;
+  for (const RodElement& e : f.tree.elements) {
+    const std::size_t k = index(e.second) - 1;
+    const Pose &first = f.poses[index(e.first)], &second = f.poses[index(e.second)];
+    Vec12 eta;
+    eta << first.rotation.transpose() * step[index(e.first)].head<3>(),
+        first.rotation.transpose() * step[index(e.first)].tail<3>(),
+        second.rotation.transpose() * step[index(e.second)].head<3>(),
+        second.rotation.transpose() * step[index(e.second)].tail<3>();
+    curvature += eta.dot(element_energy_hessian(e, first, second, f.stress[k]) * eta);
+    size += eta.squaredNorm();
+    // and the stretch is what that motion does to the strain
+    const Vec6 xi = e.length * element_strain(e, first, second);
+    const Vec6 expected =
+        -left_jacobian_inverse(xi) * eta.head<6>() + right_jacobian_inverse(xi) * eta.tail<6>();
+    EXPECT_LT((stretch[k] - expected).norm(), 1e-11 * (1 + expected.norm()));
+  }
+  EXPECT_LT(curvature, -1e-3 * size);
+}
+
+TEST(Strains, AveragesKeepAConstantAndAJunctionKeepsItsParent) {
+  const Fixture f;
+  const std::vector<Vec6> strains = element_strains(f.tree, f.tree.rest);
+  for (std::size_t e = 0; e < strains.size(); ++e)
+    EXPECT_LT((strains[e] - f.tree.elements[e].rest_strain).norm(), 1e-13);
+  const std::vector<Vec6> nodes = node_rest_strains(f.tree);
+  EXPECT_LT((nodes[2] - f.tree.elements[1].rest_strain).norm(), 1e-15);
+  EXPECT_LT((nodes[6] - f.tree.elements[5].rest_strain).norm(), 1e-15);
+  EXPECT_LT(element_stresses(f.tree, f.tree.rest)[3].norm(), 1e-11);
+}
+
+}  // namespace
+}  // namespace vasorod

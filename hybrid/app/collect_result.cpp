@@ -16,27 +16,38 @@ namespace {
 
 Status status_of(RodStatus status) {
   switch (status) {
-    case RodStatus::converged: return Status::converged;
-    case RodStatus::equilibrium_only: return Status::equilibrium_only;
-    case RodStatus::unstable: return Status::unstable;
-    case RodStatus::iteration_limit: return Status::iteration_limit;
-    case RodStatus::interrupted: return Status::interrupted;
+    case RodStatus::converged:
+      return Status::converged;
+    case RodStatus::equilibrium_only:
+      return Status::equilibrium_only;
+    case RodStatus::unstable:
+      return Status::unstable;
+    case RodStatus::iteration_limit:
+      return Status::iteration_limit;
+    case RodStatus::interrupted:
+      return Status::interrupted;
   }
   return Status::iteration_limit;
 }
 
 Status status_of(PaperStatus status) {
   switch (status) {
-    case PaperStatus::converged: return Status::converged;
-    case PaperStatus::unstable: return Status::unstable;
-    case PaperStatus::iteration_limit: return Status::iteration_limit;
-    case PaperStatus::interrupted: return Status::interrupted;
+    case PaperStatus::converged:
+      return Status::converged;
+    case PaperStatus::unstable:
+      return Status::unstable;
+    case PaperStatus::iteration_limit:
+      return Status::iteration_limit;
+    case PaperStatus::interrupted:
+      return Status::interrupted;
   }
   return Status::iteration_limit;
 }
 
 // The whole is as good as its worst part; the enumeration runs from good to bad.
-void worsen(Status& whole, Status part) { whole = std::max(whole, part); }
+void worsen(Status& whole, Status part) {
+  whole = std::max(whole, part);
+}
 
 void add_rods(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
@@ -45,13 +56,15 @@ void add_rods(const Prediction& prediction, Result& result) {
     const std::string& name = vessel.prepared.spec.name;
     worsen(result.status, status_of(summary.status));
     result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
-    if (!summary.message.empty()) result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
+    if (!summary.message.empty())
+      result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
     result.energy.rod += summary.energy;
     result.iterations["rod"] += summary.iterations;
     for (const ConditionedEnd& end : vessel.conditions.ends) {
       const int node = vessel.prepared.vessel.ends[static_cast<size_t>(end.end)].node;
       for (const RodReaction& reaction : vessel.rod.reactions)
-        if (reaction.node == node) result.ends.push_back({name, end.label, reaction.force, reaction.moment, reaction.center});
+        if (reaction.node == node)
+          result.ends.push_back({name, end.label, reaction.force, reaction.moment, reaction.center});
     }
   }
 }
@@ -68,8 +81,8 @@ void add_surface(const PaperSolution& surface, bool certified, Result& result) {
   result.iterations["surface"] = surface.iterations;
 }
 
-// support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does not feel what it
-// does to the surface: that part is named, not hidden.
+// support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does not feel
+// what it does to the surface: that part is named, not hidden.
 Balance balance_of(const Prediction& prediction, size_t v) {
   const PredictedVessel& vessel = prediction.vessels[v];
   Balance balance;
@@ -79,7 +92,8 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   Vec3 rod_gap = Vec3::Zero();
   for (const RodReaction& reaction : vessel.rod.reactions) {
     // What keeps the vein's mouth in its pose is the join, not a support.
-    (joined && reaction.node == prediction.glenn->mouth_node ? balance.join : balance.support) += reaction.force;
+    (joined && reaction.node == prediction.glenn->mouth_node ? balance.join : balance.support) +=
+        reaction.force;
     rod_gap += reaction.force;
     largest = std::max(largest, reaction.force.norm());
   }
@@ -134,12 +148,15 @@ void measure_seam(const Prediction& prediction, GlennReport& report) {
 void add_contact(const Prediction& prediction, Result& result) {
   for (const ContactSolution& pair : prediction.surface->contacts) {
     if (!pair.within_reach) continue;
-    const auto name = [&](int body) { return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name; };
+    const auto name = [&](int body) {
+      return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name;
+    };
     if (pair.swallowed > 0)
-      result.certificate.notes.push_back("contact of " + name(pair.a) + " and " + name(pair.b) + ": " +
-                                         std::to_string(pair.swallowed) +
-                                         " points were carried past the other vessel's middle; their pressure is left out");
-    result.contact.push_back({name(pair.a), name(pair.b), pair.force, pair.area, pair.largest_pressure, pair.smallest_gap});
+      result.certificate.notes.push_back(
+          "contact of " + name(pair.a) + " and " + name(pair.b) + ": " + std::to_string(pair.swallowed) +
+          " points were carried past the other vessel's middle; their pressure is left out");
+    result.contact.push_back(
+        {name(pair.a), name(pair.b), pair.force, pair.area, pair.largest_pressure, pair.smallest_gap});
   }
 }
 
@@ -150,7 +167,8 @@ void describe_model(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
     model.rod_nodes += vessel.prepared.vessel.rod.node_count();
     model.vertices += static_cast<int>(vessel.positions.rows());
-    if (vessel.positions.rows() > 0) model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
+    if (vessel.positions.rows() > 0)
+      model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
     model.cleaning[vessel.prepared.spec.name] = vessel.prepared.loaded.report.text();
     if (vessel.rod_solved) terms.insert("rod");
   }

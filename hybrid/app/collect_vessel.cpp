@@ -18,7 +18,8 @@ CenterlineResult centerline_of(const RodTree& rod, const RodPoses& poses) {
     line.lines.push_back(branch.nodes);
     for (const int e : branch.elements) {
       const RodElement& element = rod.elements[static_cast<size_t>(e)];
-      line.abscissa[static_cast<size_t>(element.second)] = line.abscissa[static_cast<size_t>(element.first)] + element.length;
+      line.abscissa[static_cast<size_t>(element.second)] =
+          line.abscissa[static_cast<size_t>(element.first)] + element.length;
     }
   }
   const auto changes = node_changes(rod, element_changes(rod, poses));
@@ -35,7 +36,8 @@ CenterlineResult centerline_of(const RodTree& rod, const RodPoses& poses) {
   return line;
 }
 
-// Nodes whose sections a support keeps rigid. What poses the vein's mouth is the join: its section is not rigid.
+// Nodes whose sections a support keeps rigid. What poses the vein's mouth is the join: its section is not
+// rigid.
 std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel) {
   const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
   std::vector<int> nodes;
@@ -66,7 +68,8 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
 void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& result) {
   const PreparedVessel& prepared = vessel.prepared;
   VertexFields fields = vertex_fields(prepared, vessel.rod.poses);
-  const bool moved = vessel.rod_solved || (vessel.positions.rows() > 0 && vessel.positions != prepared.vessel.surface.points);
+  const bool moved = vessel.rod_solved ||
+                     (vessel.positions.rows() > 0 && vessel.positions != prepared.vessel.surface.points);
   const Points current = vessel.positions.rows() > 0
                              ? vessel.positions
                              : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);

@@ -16,14 +16,16 @@
 namespace vasorod {
 namespace {
 
-// A line a person can use: status, what was written, what to look at; warnings of validity each on their own line.
+// A line a person can use: status, what was written, what to look at; warnings of validity each on their own
+// line.
 void say(const Result& result, const CommandOptions& options) {
   if (options.json) {
     std::cout << to_json(result) << '\n';
     return;
   }
   std::cout << result.scene << ": " << to_string(result.status) << " (" << result.fidelity << ")";
-  if (result.glenn && result.fidelity != "rod") std::cout << ", largest seam gap " << result.glenn->join.largest_gap << ' ' << result.length_unit;
+  if (result.glenn && result.fidelity != "rod")
+    std::cout << ", largest seam gap " << result.glenn->join.largest_gap << ' ' << result.length_unit;
   std::cout << '\n';
   for (const std::string& warning : result.validity.warnings) std::cout << "  " << warning << '\n';
   std::cout << "  " << (options.folder / "report.html").string() << '\n';
@@ -38,14 +40,17 @@ int finish(Result& result, const CommandOptions& options) {
 
 }  // namespace
 
-std::string program_version() { return "vasorod " VASOROD_VERSION; }
+std::string program_version() {
+  return "vasorod " VASOROD_VERSION;
+}
 
 int solve_command(const CommandOptions& options) {
   const Scene scene = read_scene(options.input);
   Result result = solve_scene(scene, options.solve);
   result.environment.inputs[scene.file.filename().string()] = sha256_of_file(scene.file);
   for (const VesselSpec& vessel : scene.vessels)
-    if (vessel.surface) result.environment.inputs[vessel.surface->filename().string()] = sha256_of_file(*vessel.surface);
+    if (vessel.surface)
+      result.environment.inputs[vessel.surface->filename().string()] = sha256_of_file(*vessel.surface);
   return finish(result, options);
 }
 

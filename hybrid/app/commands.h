@@ -12,8 +12,8 @@ namespace vasorod {
 struct CommandOptions {
   std::filesystem::path input, second, folder;
   bool json = false;
-  std::string length_unit = "mm";   ///< `fit` only
-  std::optional<double> remesh;     ///< `fit` only: target edge, length
+  std::string length_unit = "mm";  ///< `fit` only
+  std::optional<double> remesh;    ///< `fit` only: target edge, length
   SolveOptions solve;
 };
 

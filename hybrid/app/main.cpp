@@ -22,7 +22,8 @@ struct Common {
 };
 
 void add_output(CLI::App* app, Common* common) {
-  app->add_option("-o,--output", common->command.folder, "Result folder: absent, empty or an earlier result")->required();
+  app->add_option("-o,--output", common->command.folder, "Result folder: absent, empty or an earlier result")
+      ->required();
   app->add_flag("--json", common->command.json, "Print result.json on standard output");
   app->add_flag("-q,--quiet", common->quiet, "No progress");
 }
@@ -30,8 +31,10 @@ void add_output(CLI::App* app, Common* common) {
 void add_solving(CLI::App* app, Common* common) {
   app->add_option("--fidelity", common->fidelity, "rod, skin or paper; overrides the scene's")
       ->check(CLI::IsMember({"rod", "skin", "paper", "coupled"}));
-  app->add_flag("--certify", common->command.solve.certify, "Ask for the sign of the surfaces' smallest curvature too");
-  app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")->check(CLI::Range(1, 1024));
+  app->add_flag("--certify", common->command.solve.certify,
+                "Ask for the sign of the surfaces' smallest curvature too");
+  app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")
+      ->check(CLI::Range(1, 1024));
   app->add_option("--time-limit", common->time_limit, "Seconds after which the best state so far is written")
       ->check(CLI::NonNegativeNumber);
 }
@@ -43,8 +46,9 @@ std::optional<Fidelity> fidelity_named(const std::string& name) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Vasorod: predicts how blood vessels bend, twist, stretch and touch when a surgeon re-joins them.\n"
-               "Research software, not for clinical use."};
+  CLI::App app{
+      "Vasorod: predicts how blood vessels bend, twist, stretch and touch when a surgeon re-joins them.\n"
+      "Research software, not for clinical use."};
   app.set_version_flag("--version", program_version());
   app.require_subcommand(1);
   Common common;
@@ -58,12 +62,14 @@ int run(int argc, char** argv) {
   fit->add_option("surface", common.command.input, "Surface: VTP, STL, PLY or OBJ")->required();
   fit->add_option("--length-unit", common.command.length_unit, "The surface's unit")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
-  fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")->check(CLI::PositiveNumber);
+  fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")
+      ->check(CLI::PositiveNumber);
   add_output(fit, &common);
 
   auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
   compare->add_option("a", common.command.input, "Result folder A")->required();
-  compare->add_option("b", common.command.second, "Result folder B: each rest point of A is looked up on B")->required();
+  compare->add_option("b", common.command.second, "Result folder B: each rest point of A is looked up on B")
+      ->required();
   compare->add_flag("--json", common.command.json, "Print JSON instead of the table");
 
   try {

@@ -18,16 +18,16 @@ namespace vasorod {
 struct PredictedVessel {
   PreparedVessel prepared;
   VesselConditions conditions;
-  RodSolution rod;          ///< poses at rest and nothing else where the rod was not solved
-  bool rod_solved = false;  ///< false: nothing moves or loads it, it stays as it is
-  Points positions;         ///< deformed surface; empty at fidelity rod
-  Eigen::VectorXd pressure; ///< contact, stress, per vertex; empty: none modelled
+  RodSolution rod;           ///< poses at rest and nothing else where the rod was not solved
+  bool rod_solved = false;   ///< false: nothing moves or loads it, it stays as it is
+  Points positions;          ///< deformed surface; empty at fidelity rod
+  Eigen::VectorXd pressure;  ///< contact, stress, per vertex; empty: none modelled
 };
 
 struct Prediction {
   const Scene* scene = nullptr;
   Fidelity fidelity = Fidelity::paper;
-  bool certified = false;  ///< the surfaces' smallest curvature was asked for
+  bool certified = false;                ///< the surfaces' smallest curvature was asked for
   std::vector<PredictedVessel> vessels;  ///< in the scene's order
   std::optional<GlennOperation> glenn;
   std::optional<PaperProblem> problem;   ///< bodies in the vessels' order

@@ -17,14 +17,19 @@ std::string place(const Scene& scene, const VesselSpec& vessel) {
 Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
   const std::string file = scene.file.string();
   if (!options.fidelity && !scene.fidelity)
-    throw InputError(file + ": accuracy: found a wanted accuracy, expected fidelity: rod, skin or paper: choosing by a "
-                     "measured table is not there yet");
+    throw InputError(
+        file +
+        ": accuracy: found a wanted accuracy, expected fidelity: rod, skin or paper: choosing by a "
+        "measured table is not there yet");
   const Fidelity fidelity = options.fidelity ? *options.fidelity : *scene.fidelity;
   if (fidelity == Fidelity::coupled)
-    throw InputError(file + ": fidelity: found coupled, expected rod, skin or paper: the coupled minimum is not there yet");
+    throw InputError(
+        file +
+        ": fidelity: found coupled, expected rod, skin or paper: the coupled minimum is not there yet");
   for (const VesselSpec& vessel : scene.vessels) {
     if (vessel.pressure)
-      throw InputError(place(scene, vessel) + "found a pressure, expected none: only the finite-element reference takes it");
+      throw InputError(place(scene, vessel) +
+                       "found a pressure, expected none: only the finite-element reference takes it");
     if (vessel.rod) throw InputError(place(scene, vessel) + "found a bare rod, expected a surface or a tube");
   }
   return fidelity;
@@ -43,7 +48,8 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
     if (vessel.prepared.obstacle() || vessel.rod_solved) continue;
     vessel.rod.poses = vessel.prepared.vessel.rod.rest;
     if (!vessel.conditions.acts) {
-      prediction.left_out["rod of " + vessel.prepared.spec.name] = "nothing moves or loads it: it stays as it is";
+      prediction.left_out["rod of " + vessel.prepared.spec.name] =
+          "nothing moves or loads it: it stays as it is";
       continue;
     }
     options.progress("rod of " + vessel.prepared.spec.name);
@@ -103,9 +109,12 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
 
   solve_rods(prediction, options);
   watch.lap("rod");
-  if (fidelity == Fidelity::rod) prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
-  else if (fidelity == Fidelity::skin) solve_skin(prediction);
-  else solve_paper_surfaces(prediction, options);
+  if (fidelity == Fidelity::rod)
+    prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
+  else if (fidelity == Fidelity::skin)
+    solve_skin(prediction);
+  else
+    solve_paper_surfaces(prediction, options);
   watch.lap("solve");
 
   Result result = collect_result(prediction);

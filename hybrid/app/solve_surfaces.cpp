@@ -10,14 +10,16 @@ namespace {
 
 PaperCoefficients coefficients_of(const PreparedVessel& vessel) {
   if (vessel.spec.coefficients)
-    return {vessel.spec.coefficients->binding, vessel.spec.coefficients->bending, vessel.spec.coefficients->stretching};
+    return {vessel.spec.coefficients->binding, vessel.spec.coefficients->bending,
+            vessel.spec.coefficients->stretching};
   WallAndMesh wall;
   wall.young = vessel.spec.wall->young;
   wall.poisson = vessel.spec.wall->poisson;
   wall.thickness = vessel.spec.wall->thickness;
   wall.radius = vessel.vessel.mean_radius;
   wall.mean_edge = mean_edge_length(vessel.vessel.surface);
-  wall.vertex_area = total_area(vessel.vessel.surface) / static_cast<double>(vessel.vessel.surface.points.rows());
+  wall.vertex_area =
+      total_area(vessel.vessel.surface) / static_cast<double>(vessel.vessel.surface.points.rows());
   return coefficients_from_wall(wall);
 }
 
@@ -34,7 +36,8 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
   body.fixed.assign(static_cast<size_t>(body.rest.points.rows()), 0);
   for (const ConditionedEnd& end : vessel.conditions.ends) {
     if (!end.rigid) continue;
-    for (const int vertex : prepared.vessel.ends[static_cast<size_t>(end.end)].loop) body.fixed[static_cast<size_t>(vertex)] = 1;
+    for (const int vertex : prepared.vessel.ends[static_cast<size_t>(end.end)].loop)
+      body.fixed[static_cast<size_t>(vertex)] = 1;
   }
   if (vessel.rod_solved) {
     body.carried = carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
@@ -71,7 +74,8 @@ void solve_skin(Prediction& prediction) {
   prediction.problem = surface_problem(prediction);
   const auto positions = joined_skin(*prediction.problem);
   for (size_t v = 0; v < positions.size(); ++v) prediction.vessels[v].positions = positions[v];
-  prediction.left_out["contact"] = "fidelity skin: sections are carried rigidly, nothing can yield to a pressure";
+  prediction.left_out["contact"] =
+      "fidelity skin: sections are carried rigidly, nothing can yield to a pressure";
 }
 
 void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
@@ -80,7 +84,8 @@ void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
   paper.certify = options.certify;
   paper.keep_going = [&](const PaperProgress& at) {
     if (at.iterations % 50 == 0)
-      options.progress("surfaces: update " + std::to_string(at.outer) + ", iteration " + std::to_string(at.iterations));
+      options.progress("surfaces: update " + std::to_string(at.outer) + ", iteration " +
+                       std::to_string(at.iterations));
     return !options.stop();
   };
   prediction.surface = solve_paper(*prediction.problem, paper);

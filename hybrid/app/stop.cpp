@@ -10,7 +10,9 @@ namespace {
 std::atomic<bool> signalled{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-extern "C" void raise_flag(int) { signalled.store(true); }
+extern "C" void raise_flag(int) {
+  signalled.store(true);
+}
 
 }  // namespace
 
@@ -20,7 +22,8 @@ std::function<bool()> stop_on_signal_or_after(double seconds) {
   const auto begin = std::chrono::steady_clock::now();
   return [begin, seconds] {
     if (signalled.load()) return true;
-    return seconds > 0 && std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds;
+    return seconds > 0 &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds;
   };
 }
 

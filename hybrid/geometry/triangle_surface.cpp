@@ -122,7 +122,8 @@ std::vector<int> components(const Triangles& triangles, int vertex_count) {
 Eigen::VectorXd triangle_areas(const TriangleSurface& surface) {
   Eigen::VectorXd area(surface.triangles.rows());
   for (int t = 0; t < surface.triangles.rows(); ++t) {
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)), b = surface.points.row(surface.triangles(t, 1)),
+    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
+               b = surface.points.row(surface.triangles(t, 1)),
                c = surface.points.row(surface.triangles(t, 2));
     area[t] = 0.5 * (b - a).cross(c - a).norm();
   }
@@ -165,7 +166,9 @@ double mean_edge_length(const TriangleSurface& surface) {
   return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
 }
 
-double total_area(const TriangleSurface& surface) { return triangle_areas(surface).sum(); }
+double total_area(const TriangleSurface& surface) {
+  return triangle_areas(surface).sum();
+}
 
 Vec3 area_vector(const Points& points, const std::vector<int>& loop) {
   Vec3 sum = Vec3::Zero();

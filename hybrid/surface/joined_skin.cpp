@@ -62,7 +62,8 @@ std::vector<Points> joined_skin(const PaperProblem& problem) {
     const SurfaceBody& body = problem.bodies[b];
     const auto n = static_cast<int>(body.rest.points.rows());
     if (!(body.k.binding > 0 && body.k.bending > 0))
-      throw InputError("vessel " + body.name + ": coefficients: found a binding or bending that is not positive, expected "
+      throw InputError("vessel " + body.name +
+                       ": coefficients: found a binding or bending that is not positive, expected "
                        "both positive to close a seam");
     const Umbrella umbrella(edges_of(body.rest.triangles), n);
     const std::vector<Mat3> rotations =
@@ -91,13 +92,16 @@ std::vector<Points> joined_skin(const PaperProblem& problem) {
   std::vector<int> column(static_cast<size_t>(count), -1);
   int free_count = 0;
   for (int i = 0; i < count; ++i)
-    if (numbering.find(i) == i && !fixed[static_cast<size_t>(i)]) column[static_cast<size_t>(i)] = free_count++;
+    if (numbering.find(i) == i && !fixed[static_cast<size_t>(i)])
+      column[static_cast<size_t>(i)] = free_count++;
   Triplets picks;
   Points at_known = Points::Zero(count, 3);
   for (int i = 0; i < count; ++i) {
     const int r = numbering.find(i);
-    if (column[static_cast<size_t>(r)] >= 0) picks.emplace_back(i, column[static_cast<size_t>(r)], 1.0);
-    else at_known.row(i) = known.row(r);
+    if (column[static_cast<size_t>(r)] >= 0)
+      picks.emplace_back(i, column[static_cast<size_t>(r)], 1.0);
+    else
+      at_known.row(i) = known.row(r);
   }
   Sparse select(count, free_count);
   select.setFromTriplets(picks.begin(), picks.end());
@@ -106,12 +110,14 @@ std::vector<Points> joined_skin(const PaperProblem& problem) {
 
   Cholesky cholesky;
   cholesky.analyse(reduced);
-  if (!cholesky.factorise(reduced)) throw InputError("the seam cannot be closed: its energies are not positive definite");
+  if (!cholesky.factorise(reduced))
+    throw InputError("the seam cannot be closed: its energies are not positive definite");
   Eigen::MatrixXd y(free_count, 3);
   cholesky.solve(right.data(), y.data(), 3);
   const Points x = select * y + at_known;
   for (size_t b = 0; b < problem.bodies.size(); ++b)
-    if (numbering.offset[b] >= 0) positions[b] = x.middleRows(numbering.offset[b], problem.bodies[b].rest.points.rows());
+    if (numbering.offset[b] >= 0)
+      positions[b] = x.middleRows(numbering.offset[b], problem.bodies[b].rest.points.rows());
   return positions;
 }
 

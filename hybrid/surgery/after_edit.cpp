@@ -9,7 +9,9 @@
 namespace vasorod {
 namespace {
 
-size_t index(int i) { return static_cast<size_t>(i); }
+size_t index(int i) {
+  return static_cast<size_t>(i);
+}
 
 // The loop of the edited surface that an end's loop has become; empty when it is gone.
 std::vector<int> surviving_loop(const VesselEnd& end, const std::vector<std::vector<int>>& loops,
@@ -26,7 +28,8 @@ std::vector<int> surviving_loop(const VesselEnd& end, const std::vector<std::vec
 
 }  // namespace
 
-std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& sources, const Triangles& input) {
+std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& sources,
+                                  const Triangles& input) {
   std::vector<std::vector<int>> around;  // input triangles at each input vertex
   around.resize(static_cast<size_t>(input.size() > 0 ? input.maxCoeff() + 1 : 0));
   for (int t = 0; t < input.rows(); ++t)
@@ -50,7 +53,8 @@ std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& 
   return from;
 }
 
-std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edited, const VertexSources& sources) {
+std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edited,
+                             const VertexSources& sources) {
   for (NamedArray& array : vessel.loaded.point_arrays) {
     if (!array.integer) {
       array.values = interpolate(sources, array.values);
@@ -58,7 +62,8 @@ std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edit
     }
     const auto before = array.values;
     array.values.resize(edited.points.rows(), before.cols());
-    for (int i = 0; i < edited.points.rows(); ++i) array.values.row(i) = before.row(sources[index(i)].dominant());
+    for (int i = 0; i < edited.points.rows(); ++i)
+      array.values.row(i) = before.row(sources[index(i)].dominant());
   }
   if (!vessel.loaded.cell_arrays.empty()) {
     const auto from = triangle_sources(edited.triangles, sources, vessel.vessel.surface.triangles);
@@ -85,7 +90,8 @@ std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edit
 }
 
 void bind_again(PreparedVessel& vessel) {
-  vessel.vessel.binding = vasorod::bind(vessel.vessel.rod, vessel.vessel.surface.points, vessel.vessel.branch_of);
+  vessel.vessel.binding =
+      vasorod::bind(vessel.vessel.rod, vessel.vessel.surface.points, vessel.vessel.branch_of);
 }
 
 }  // namespace vasorod

@@ -21,7 +21,9 @@
 namespace vasorod {
 namespace {
 
-size_t index(int i) { return static_cast<size_t>(i); }
+size_t index(int i) {
+  return static_cast<size_t>(i);
+}
 
 // A pick on a vessel: its rod coordinates, the section's rest frame and the mid-wall radius there.
 struct Pick {
@@ -40,8 +42,9 @@ Pick locate(const std::string& where, const char* what, const PreparedVessel& ve
   const double distance = (ClosestPoint(vessel.vessel.surface).query(point).point - point).norm();
   if (distance > pick.radius) {
     std::ostringstream message;
-    message << where << ": " << what << ": found a point (" << point[0] << ", " << point[1] << ", " << point[2] << ") that is "
-            << distance << " off vessel " << vessel.spec.name << ", expected at most its radius there, " << pick.radius;
+    message << where << ": " << what << ": found a point (" << point[0] << ", " << point[1] << ", "
+            << point[2] << ") that is " << distance << " off vessel " << vessel.spec.name
+            << ", expected at most its radius there, " << pick.radius;
     throw InputError(message.str());
   }
   return pick;
@@ -58,10 +61,10 @@ double path_length(const RodTree& rod, int from, int to) {
   return std::abs(along[index(from)] - along[index(to)]);
 }
 
-// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far end where the scene
-// says nothing of it.
-VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept, const std::vector<int>& end_now,
-                                 int kept_node) {
+// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far end where
+// the scene says nothing of it.
+VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept,
+                                 const std::vector<int>& end_now, int kept_node) {
   VesselConditions now;
   now.acts = true;
   for (RodSupport support : before.rod.supports) {
@@ -96,8 +99,9 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc, V
   const RodSide side = side_of(svc.vessel.rod, pick.at.element, pick.at.s, far_node);
   const RodPart kept = cut_rod(svc.vessel.rod, pick.at.element, pick.at.s, side);
   const int kept_node = kept.node_of[index(far_node)];
-  const double total = std::accumulate(svc.vessel.rod.elements.begin(), svc.vessel.rod.elements.end(), 0.0,
-                                       [](double sum, const RodElement& element) { return sum + element.length; });
+  const double total =
+      std::accumulate(svc.vessel.rod.elements.begin(), svc.vessel.rod.elements.end(), 0.0,
+                      [](double sum, const RodElement& element) { return sum + element.length; });
   operation.report.cut.fraction = path_length(kept.tree, kept_node, kept.cut_node) / total;
   operation.report.cut.perimeter = outcome.perimeter;
   operation.report.cut.point = outcome.center;
@@ -135,8 +139,8 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   const double mouth_radius = operation.report.cut.perimeter / (2 * M_PI);
   const Vec3 outward = outward_normal(rpa.vessel.surface, spec.incision, mouth_radius);
   IncisionOutcome incision =
-      open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of, spec.incision,
-                    operation.report.cut.perimeter / 2, pick.radius);
+      open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of,
+                    spec.incision, operation.report.cut.perimeter / 2, pick.radius);
   operation.report.incision.length = incision.length;
   operation.report.incision.ends = {incision.surface.points.row(incision.rim.front()),
                                     incision.surface.points.row(incision.rim[index(incision.other_tip)])};
@@ -149,8 +153,10 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0, operation.mouth_is_branch_end);
   const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];
   mouth.rotation =
-      Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3)).toRotationMatrix() * at_rest.rotation;
-  VeinRotation rotation(svc.vessel.rod, svc_conditions.rod, operation.mouth_node, mouth, outward, options.rod);
+      Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3)).toRotationMatrix() *
+      at_rest.rotation;
+  VeinRotation rotation(svc.vessel.rod, svc_conditions.rod, operation.mouth_node, mouth, outward,
+                        options.rod);
   const double angle = rotation.find() + spec.rotation_deg.value_or(0) * (M_PI / 180);
   operation.vein = rotation.at(angle);
   operation.report.join.rotation_deg = angle * (180 / M_PI);
@@ -160,7 +166,8 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   const std::vector<int> loop = svc.vessel.ends.back().loop;
   const Points carried = carried_points(svc.vessel.rod, operation.vein.poses, svc.vessel.binding);
   Points mouth_start(static_cast<Eigen::Index>(loop.size()), 3);
-  for (size_t k = 0; k < loop.size(); ++k) mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);
+  for (size_t k = 0; k < loop.size(); ++k)
+    mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);
   const JoinOutcome seam =
       match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface, incision.rim, incision.other_tip);
   operation.pairs = seam.pairs;

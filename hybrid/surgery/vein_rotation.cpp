@@ -11,9 +11,14 @@
 
 namespace vasorod {
 
-VeinRotation::VeinRotation(const RodTree& rod, const RodConditions& conditions, int mouth_node, const Pose& mouth,
-                           const Vec3& axis, RodOptions options)
-    : rod_(rod), held_(conditions), mouth_node_(mouth_node), mouth_(mouth), axis_(axis.normalized()), options_(std::move(options)) {}
+VeinRotation::VeinRotation(const RodTree& rod, const RodConditions& conditions, int mouth_node,
+                           const Pose& mouth, const Vec3& axis, RodOptions options)
+    : rod_(rod),
+      held_(conditions),
+      mouth_node_(mouth_node),
+      mouth_(mouth),
+      axis_(axis.normalized()),
+      options_(std::move(options)) {}
 
 Pose VeinRotation::mouth_at(double angle) const {
   return {Eigen::AngleAxisd(angle, axis_).toRotationMatrix() * mouth_.rotation, mouth_.position};
@@ -47,15 +52,16 @@ double VeinRotation::largest_twist_shear(double angle) {
     const Vec6 strain = element_strain(element, solution.poses[static_cast<size_t>(element.first)],
                                        solution.poses[static_cast<size_t>(element.second)]);
     const double twist = strain[5] - element.rest_strain[5];
-    const double radius = std::max(rod_.radius[static_cast<size_t>(element.first)], rod_.radius[static_cast<size_t>(element.second)]);
+    const double radius = std::max(rod_.radius[static_cast<size_t>(element.first)],
+                                   rod_.radius[static_cast<size_t>(element.second)]);
     largest = std::max(largest, radius * std::abs(twist));
   }
   return largest;
 }
 
 double VeinRotation::find() {
-  // From rest to the least turned pose, and from there both ways round in small steps, so that every angle is reached with
-  // the twist it means and not with a turn more or less.
+  // From rest to the least turned pose, and from there both ways round in small steps, so that every angle is
+  // reached with the twist it means and not with a turn more or less.
   at(0);
   for (int k = 1; k <= 12; ++k)
     for (const double sign : {1.0, -1.0}) at(sign * k * M_PI / 12);

@@ -8,7 +8,9 @@
 namespace vasorod {
 namespace {
 
-Vec3 radians(const Vec3& degrees) { return degrees * (M_PI / 180); }
+Vec3 radians(const Vec3& degrees) {
+  return degrees * (M_PI / 180);
+}
 
 RodSupport& support_at(RodConditions& conditions, int node) {
   for (RodSupport& support : conditions.supports)
@@ -41,7 +43,8 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
     case EndSelector::Kind::at:
       break;
   }
-  throw InputError(where + ": end: found {at: ...} on a vessel with a surface, expected start, end or {near: [x, y, z]}");
+  throw InputError(
+      where + ": end: found {at: ...} on a vessel with a surface, expected start, end or {near: [x, y, z]}");
 }
 
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel) {
@@ -54,7 +57,8 @@ VesselConditions end_conditions(const Scene& scene, const std::string& name, con
 
     auto known = std::find_if(conditions.ends.begin(), conditions.ends.end(),
                               [&](const ConditionedEnd& other) { return other.end == end; });
-    if (known == conditions.ends.end()) known = conditions.ends.insert(known, {to_string(entry.end), end, false});
+    if (known == conditions.ends.end())
+      known = conditions.ends.insert(known, {to_string(entry.end), end, false});
     known->rigid = !entry.soft_section;
 
     const bool moved = entry.rotate_deg || entry.move;

@@ -23,8 +23,8 @@ struct VesselConditions {
   bool acts = false;  ///< something moves or loads the vessel
 };
 
-/// The open end a selector means: `start` holds the lowest point index; `end` is the other of two; `near` has the
-/// nearest centre. Throws InputError (with the scene's line) where that is not one end.
+/// The open end a selector means: `start` holds the lowest point index; `end` is the other of two; `near` has
+/// the nearest centre. Throws InputError (with the scene's line) where that is not one end.
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where);
 
 /// All entries of `scene.ends` for this vessel; several entries for one end add up.

@@ -27,9 +27,10 @@ struct SectionShape {
   double width = 0, lumen = 0;
 };
 
-// Mid-wall width and lumen area of the section at a pose; nothing where it is not one closed curve of about the rod's radius.
-std::optional<SectionShape> section_shape(const PreparedVessel& vessel, const TriangleSurface& surface, const Pose& section,
-                                          double radius) {
+// Mid-wall width and lumen area of the section at a pose; nothing where it is not one closed curve of about
+// the rod's radius.
+std::optional<SectionShape> section_shape(const PreparedVessel& vessel, const TriangleSurface& surface,
+                                          const Pose& section, double radius) {
   const auto loops = plane_sections(surface, section.position, section.director(3));
   const int around = section_around(loops, section.position, section.director(3));
   if (around < 0 || !loops[static_cast<size_t>(around)].closed) return std::nullopt;
@@ -40,7 +41,8 @@ std::optional<SectionShape> section_shape(const PreparedVessel& vessel, const Tr
                       inset_area(loop, vessel.thickness() / 2 - vessel.mid_offset())};
 }
 
-void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const Points& current, VesselMetrics& metrics) {
+void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const Points& current,
+                    VesselMetrics& metrics) {
   const RodTree& rod = vessel.vessel.rod;
   const TriangleSurface deformed{current, vessel.vessel.surface.triangles};
   for (const RodBranch& branch : rod.branches) {
@@ -78,12 +80,14 @@ VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses) 
     const RodCoordinates& at = vessel.vessel.binding[static_cast<size_t>(i)];
     const RodElement& element = rod.elements[static_cast<size_t>(at.element)];
     const double t = std::clamp(at.s / element.length, 0.0, 1.0);
-    const ElementChange &a = nodes[static_cast<size_t>(element.first)], &b = nodes[static_cast<size_t>(element.second)];
+    const ElementChange &a = nodes[static_cast<size_t>(element.first)],
+                        &b = nodes[static_cast<size_t>(element.second)];
     const Vec6 strain = (1 - t) * a.strain + t * b.strain, change = (1 - t) * a.change + t * b.change;
     const double x = at.local[0], y = at.local[1];
     const auto fibre = [&](const Vec6& s) { return s[2] + s[3] * y - s[4] * x; };
     const double rest = fibre(strain - change);
-    fields.axial_stretch[i] = rest > 0 ? fibre(strain) / rest : 1;  // a fibre at the centre of curvature has no length
+    fields.axial_stretch[i] =
+        rest > 0 ? fibre(strain) / rest : 1;  // a fibre at the centre of curvature has no length
     fields.twist_shear[i] = change[5] * std::hypot(x, y);
   }
   return fields;
@@ -108,7 +112,8 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
       metrics.stretch[1] = stretch;
       metrics.where["largest_stretch"] = element.middle;
     }
-    if (const double curvature = element.strain.segment<2>(3).norm(); !element.at_fork && curvature > metrics.largest_curvature) {
+    if (const double curvature = element.strain.segment<2>(3).norm();
+        !element.at_fork && curvature > metrics.largest_curvature) {
       metrics.largest_curvature = curvature;
       metrics.where["largest_curvature"] = element.middle;
     }

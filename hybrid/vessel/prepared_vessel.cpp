@@ -30,7 +30,9 @@ double PreparedVessel::outer_offset() const {
   return spec.surface_is == SurfaceIs::mid ? thickness() / 2 : thickness();
 }
 
-double PreparedVessel::mid_offset() const { return outer_offset() - thickness() / 2; }
+double PreparedVessel::mid_offset() const {
+  return outer_offset() - thickness() / 2;
+}
 
 PreparedVessel read_vessel(const VesselSpec& spec, const Scene& scene) {
   PreparedVessel prepared;
@@ -46,8 +48,8 @@ void fit(PreparedVessel& prepared) {
   for (double& radius : prepared.vessel.rod.radius) radius += prepared.mid_offset();
   prepared.vessel.mean_radius += prepared.mid_offset();
   prepared.node_thickness = node_thickness(prepared);
-  set_annular_stiffness(prepared.vessel.rod, prepared.node_thickness, wall.young, wall.shear_modulus(), wall.poisson,
-                        "vessel " + prepared.spec.name);
+  set_annular_stiffness(prepared.vessel.rod, prepared.node_thickness, wall.young, wall.shear_modulus(),
+                        wall.poisson, "vessel " + prepared.spec.name);
 }
 
 }  // namespace vasorod

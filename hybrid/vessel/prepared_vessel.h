@@ -9,8 +9,8 @@ namespace vasorod {
 
 struct PreparedVessel {
   VesselSpec spec;
-  LoadedSurface loaded;  ///< arrays and report; its surface has moved to `vessel`
-  Vessel vessel;         ///< an obstacle has only its surface; its rod is empty
+  LoadedSurface loaded;                ///< arrays and report; its surface has moved to `vessel`
+  Vessel vessel;                       ///< an obstacle has only its surface; its rod is empty
   std::vector<double> node_thickness;  ///< wall thickness at each rod node, length
 
   bool obstacle() const { return spec.role == Role::obstacle; }

@@ -20,17 +20,18 @@ struct Extreme {
   }
 };
 
-std::string sentence(const std::string& vessel, const Extreme& extreme, const std::string& near, const std::string& past,
-                     double limit) {
+std::string sentence(const std::string& vessel, const Extreme& extreme, const std::string& near,
+                     const std::string& past, double limit) {
   std::ostringstream text;
   text.precision(3);
-  text << "vessel " << vessel << " at (" << extreme.where[0] << ", " << extreme.where[1] << ", " << extreme.where[2] << "): "
-       << (extreme.value < limit ? near : past) << " (ratio " << extreme.value << ")";
+  text << "vessel " << vessel << " at (" << extreme.where[0] << ", " << extreme.where[1] << ", "
+       << extreme.where[2] << "): " << (extreme.value < limit ? near : past) << " (ratio " << extreme.value
+       << ")";
   return text.str();
 }
 
-void judge(const std::string& vessel, const Extreme& extreme, const std::string& near, const std::string& past,
-           Validity& validity) {
+void judge(const std::string& vessel, const Extreme& extreme, const std::string& near,
+           const std::string& past, Validity& validity) {
   if (extreme.value >= 0.7) validity.warnings.push_back(sentence(vessel, extreme, near, past, 0.9));
   if (extreme.value >= 0.9) validity.in_range = false;
 }
@@ -55,7 +56,8 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std
                   Validity& validity) {
   const RodTree& rod = vessel.vessel.rod;
   const Wall& wall = *vessel.spec.wall;
-  const double t = wall.thickness, root = std::sqrt(1 - wall.poisson * wall.poisson), length = vessel_length(rod);
+  const double t = wall.thickness, root = std::sqrt(1 - wall.poisson * wall.poisson),
+               length = vessel_length(rod);
   Extreme brazier, wrinkling, twist, strain, softening;
   for (const ElementChange& element : element_changes(rod, poses)) {
     const double r = element.radius;
@@ -84,16 +86,22 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std
   validity.largest_strain = std::max(validity.largest_strain, strain.value);
   judge(name, brazier, "its bending comes near the Brazier limit, the section flattens",
         "its section would kink there: bent past 0.9 of the Brazier limit", validity);
-  judge(name, wrinkling, "its inner side comes near wrinkling", "its inner side would wrinkle there", validity);
-  judge(name, twist, "its twist comes near the wrinkling limit", "it would wrinkle there under its twist", validity);
+  judge(name, wrinkling, "its inner side comes near wrinkling", "its inner side would wrinkle there",
+        validity);
+  judge(name, twist, "its twist comes near the wrinkling limit", "it would wrinkle there under its twist",
+        validity);
   if (strain.value > 0.2) {
     validity.in_range = false;
-    validity.warnings.push_back(sentence(name, strain, "", "strained past 0.2, where the choice of material law alone changes "
-                                         "the answer by 13 to 32 %", 0.2));
+    validity.warnings.push_back(sentence(name, strain, "",
+                                         "strained past 0.2, where the choice of material law alone changes "
+                                         "the answer by 13 to 32 %",
+                                         0.2));
   }
   if (softening.value > 1.25)
-    validity.warnings.push_back(sentence(name, softening, "", "curved at rest: it bends softer than its round section by von "
-                                         "Karman's factor, which rod, skin and paper leave out", 1.25));
+    validity.warnings.push_back(sentence(name, softening, "",
+                                         "curved at rest: it bends softer than its round section by von "
+                                         "Karman's factor, which rod, skin and paper leave out",
+                                         1.25));
 }
 
 }  // namespace vasorod

@@ -16,7 +16,8 @@ TriangleSurface open_tube(int around, int along, double radius, double length) {
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i < around; ++i) {
       const double angle = 2 * M_PI * i / around;
-      tube.points.row(j * around + i) << radius * std::cos(angle), radius * std::sin(angle), length * j / along;
+      tube.points.row(j * around + i) << radius * std::cos(angle), radius * std::sin(angle),
+          length * j / along;
     }
   tube.triangles.resize(2 * around * along, 3);
   int t = 0;

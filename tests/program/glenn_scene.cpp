@@ -17,7 +17,8 @@ const std::filesystem::path cases = std::filesystem::path(VASOROD_SOURCE_DIR) / 
 
 nlohmann::json run_scene(const std::filesystem::path& scene, const std::string& options) {
   const ScratchFolder scratch;
-  const auto run = run_program(vasorod("solve '" + scene.string() + "' -o '" + (scratch / "out").string() + "' " + options));
+  const auto run = run_program(
+      vasorod("solve '" + scene.string() + "' -o '" + (scratch / "out").string() + "' " + options));
   EXPECT_LE(run.exit_code, 1) << run.err;
   const auto text = contents_of(scratch / "out" / "result.json");
   if (text.empty()) throw std::runtime_error("no result.json: " + run.err);

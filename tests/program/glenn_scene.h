@@ -11,16 +11,19 @@
 namespace vasorod::testing {
 
 struct GlennScene {
-  std::string file = "infant.yaml";          ///< in benchmarks/cases/glenn
+  std::string file = "infant.yaml";  ///< in benchmarks/cases/glenn
   std::optional<double> rotation_deg;
-  Pose motion;                               ///< applied first, in mm
-  double length_scale = 1, stress_scale = 1; ///< new number = scale * old number
+  Pose motion;                                ///< applied first, in mm
+  double length_scale = 1, stress_scale = 1;  ///< new number = scale * old number
   std::string length_unit = "mm", stress_unit = "MPa";
 };
 
-inline GlennScene infant() { return {}; }
+inline GlennScene infant() {
+  return {};
+}
 
-/// Runs `vasorod solve` on a case file as it stands; returns result.json. Fails the test on exit codes above 1.
+/// Runs `vasorod solve` on a case file as it stands; returns result.json. Fails the test on exit codes
+/// above 1.
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
 /// Writes the scene changed as told, its surfaces too, and runs it.

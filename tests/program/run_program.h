@@ -43,12 +43,14 @@ class ScratchFolder {
 inline ProgramRun run_program(const std::string& command) {
   const ScratchFolder scratch;
   const auto out = scratch / "out", err = scratch / "err";
-  const int status =
-      std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null").c_str());  // NOLINT(cert-env33-c)
+  const int status = std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null")
+                                     .c_str());  // NOLINT(cert-env33-c)
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
 }
 
 /// The built `vasorod`, quoted; VASOROD_PROGRAM is set by tests/program/CMakeLists.txt.
-inline std::string vasorod(const std::string& arguments) { return "'" VASOROD_PROGRAM "' " + arguments; }
+inline std::string vasorod(const std::string& arguments) {
+  return "'" VASOROD_PROGRAM "' " + arguments;
+}
 
 }  // namespace vasorod::testing

@@ -18,10 +18,13 @@ std::string pulled_tube(const std::string& fidelity) {
          "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n"
          "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\n"
          "ends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, move: [0, 0, 5]}\n"
-         "fidelity: " + fidelity + "\n";
+         "fidelity: " +
+         fidelity + "\n";
 }
 
-int lines_in(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+int lines_in(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
 
 TEST(Commands, HelpAndVersionEndWithZero) {
   EXPECT_EQ(run_program(vasorod("--help")).exit_code, 0);
@@ -31,7 +34,8 @@ TEST(Commands, HelpAndVersionEndWithZero) {
 }
 
 TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
-  for (const char* arguments : {"", "solve", "paint x", "solve x -o y --fidelity glass", "solve x -o y --threads 0"}) {
+  for (const char* arguments :
+       {"", "solve", "paint x", "solve x -o y --fidelity glass", "solve x -o y --threads 0"}) {
     const auto run = run_program(vasorod(arguments));
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(lines_in(run.err), 1) << run.err;
@@ -41,7 +45,8 @@ TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
 TEST(Commands, CoupledIsRefusedNotImitated) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "scene.yaml") << pulled_tube("coupled");
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
+  const auto run = run_program(
+      vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("coupled"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
@@ -51,8 +56,8 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
   const ScratchFolder scratch;
   for (const std::string fidelity : {"rod", "skin", "paper"}) {
     std::ofstream(scratch / "scene.yaml") << pulled_tube(fidelity);
-    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / fidelity).string() +
-                                         "' --json"));
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / fidelity).string() + "' --json"));
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "") << "silent in a pipe";
     const auto result = nlohmann::json::parse(run.out);
@@ -73,12 +78,16 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
 TEST(Commands, AResultComparedWithItselfIsZeroApartEvenAtAnIncision) {
   const ScratchFolder scratch;
   const auto folder = (scratch / "out").string();
-  ASSERT_EQ(run_program(vasorod("solve '" + source + "/benchmarks/cases/glenn/infant.yaml' --fidelity skin -o '" + folder + "'")).exit_code, 0);
+  ASSERT_EQ(run_program(vasorod("solve '" + source +
+                                "/benchmarks/cases/glenn/infant.yaml' --fidelity skin -o '" + folder + "'"))
+                .exit_code,
+            0);
   const auto run = run_program(vasorod("compare '" + folder + "' '" + folder + "' --json"));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto compared = nlohmann::json::parse(run.out);
   ASSERT_EQ(compared.at("vessels").size(), 3U);
-  for (const auto& vessel : compared.at("vessels")) EXPECT_EQ(vessel.at("surface").at("largest"), 0) << vessel;
+  for (const auto& vessel : compared.at("vessels"))
+    EXPECT_EQ(vessel.at("surface").at("largest"), 0) << vessel;
 }
 
 TEST(Commands, TwoRunsDifferInNothingButSeconds) {
@@ -86,7 +95,8 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
   std::ofstream(scratch / "scene.yaml") << pulled_tube("paper");
   nlohmann::json runs[2];
   for (auto& result : runs) {
-    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "' --json"));
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / "out").string() + "' --json"));
     ASSERT_EQ(run.exit_code, 0) << run.err;
     result = nlohmann::json::parse(run.out);
     result.erase("seconds");
@@ -96,7 +106,8 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
 
 TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   const ScratchFolder scratch;
-  const auto run = run_program(vasorod("fit '" + source + "/meshes/infant/aorta.vtp' -o '" + (scratch / "out").string() + "'"));
+  const auto run = run_program(
+      vasorod("fit '" + source + "/meshes/infant/aorta.vtp' -o '" + (scratch / "out").string() + "'"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta_centerline.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta.vtp"));
@@ -108,7 +119,8 @@ TEST(Commands, AFolderThatIsNotOursIsLeftAlone) {
   std::ofstream(scratch / "scene.yaml") << pulled_tube("rod");
   std::filesystem::create_directory(scratch / "mine");
   std::ofstream(scratch / "mine" / "thesis.txt") << "years of work";
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "mine").string() + "'"));
+  const auto run = run_program(
+      vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "mine").string() + "'"));
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(lines_in(run.err), 1) << run.err;
   EXPECT_EQ(contents_of(scratch / "mine" / "thesis.txt"), "years of work");

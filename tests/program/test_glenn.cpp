@@ -1,4 +1,5 @@
-// The whole way from two picked points to a predicted shunt, as a user runs it: issue by issue what the paper shows.
+// The whole way from two picked points to a predicted shunt, as a user runs it: issue by issue what the paper
+// shows.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +31,8 @@ void expect_joined(const json& result) {
   const auto& glenn = result.at("glenn");
   const double mouth_radius = glenn.at("cut").at("perimeter").get<double>() / (2 * M_PI);
   EXPECT_LT(glenn.at("join").at("largest_gap").get<double>(), 0.01 * mouth_radius);
-  EXPECT_NEAR(glenn.at("incision").at("length").get<double>(), glenn.at("cut").at("perimeter").get<double>() / 2,
+  EXPECT_NEAR(glenn.at("incision").at("length").get<double>(),
+              glenn.at("cut").at("perimeter").get<double>() / 2,
               0.02 * glenn.at("incision").at("length").get<double>());
   EXPECT_GT(glenn.at("incision").at("opened_area").get<double>(), 0);
 }
@@ -38,17 +40,21 @@ void expect_joined(const json& result) {
 TEST(Glenn, InfantConvergesAtPaperWithAClosedSeamAndABalance) {
   const auto result = solve_case("infant.yaml", "--fidelity paper");
   expect_joined(result);
-  for (const auto& vessel : result.at("balance")) EXPECT_LT(vessel.at("residual").get<double>(), 1e-6) << vessel;
+  for (const auto& vessel : result.at("balance"))
+    EXPECT_LT(vessel.at("residual").get<double>(), 1e-6) << vessel;
 }
 
-TEST(Glenn, InfantConvergesAtSkin) { expect_joined(solve_case("infant.yaml", "--fidelity skin")); }
+TEST(Glenn, InfantConvergesAtSkin) {
+  expect_joined(solve_case("infant.yaml", "--fidelity skin"));
+}
 
 TEST(Glenn, ShortVeinPressesOnTheAortaALongerOneLessALongOneNotAtAll) {
   const auto shorter = solve_case("infant_short.yaml", "--fidelity paper");
   const auto middle = solve_case("infant.yaml", "--fidelity paper");
   const auto longer = solve_case("infant_long.yaml", "--fidelity paper");
   for (const auto* result : {&shorter, &middle, &longer}) expect_joined(*result);
-  const double high = pressure_between(shorter, "svc", "aorta"), low = pressure_between(middle, "svc", "aorta");
+  const double high = pressure_between(shorter, "svc", "aorta"),
+               low = pressure_between(middle, "svc", "aorta");
   EXPECT_GT(high, low);
   EXPECT_GT(low, 0);
   EXPECT_EQ(pressure_between(longer, "svc", "aorta"), 0);

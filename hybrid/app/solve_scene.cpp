@@ -1,11 +1,14 @@
 #include "app/solve_scene.h"
 
+#include <algorithm>
+
 #include "app/collect_result.h"
 #include "app/prediction.h"
 #include "app/solve_surfaces.h"
 #include "app/stopwatch.h"
 #include "geometry/error.h"
 #include "surface/blas.h"
+#include "vessel/rod_scene.h"
 
 namespace vasorod {
 namespace {
@@ -30,9 +33,16 @@ Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
     if (vessel.pressure)
       throw InputError(place(scene, vessel) +
                        "found a pressure, expected none: only the finite-element reference takes it");
-    if (vessel.rod) throw InputError(place(scene, vessel) + "found a bare rod, expected a surface or a tube");
+    if (vessel.rod && fidelity != Fidelity::rod)
+      throw InputError(place(scene, vessel) + "found a bare rod at fidelity " + to_string(fidelity) +
+                       ", expected fidelity rod");
   }
   return fidelity;
+}
+
+bool has_bare_rods(const Scene& scene) {
+  return std::any_of(scene.vessels.begin(), scene.vessels.end(),
+                     [](const VesselSpec& vessel) { return vessel.rod.has_value(); });
 }
 
 PredictedVessel& vessel_named(Prediction& prediction, const std::string& name) {
@@ -63,6 +73,11 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
 Result solve_scene(const Scene& scene, const SolveOptions& options) {
   const Fidelity fidelity = checked_fidelity(scene, options);
   set_blas_threads(options.threads);
+  if (has_bare_rods(scene)) {
+    RodSceneOptions rods;
+    rods.stop = options.stop;
+    return solve_rod_scene(scene, rods);
+  }
 
   Stopwatch watch;
   Prediction prediction;

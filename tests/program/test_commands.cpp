@@ -104,6 +104,17 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
   EXPECT_EQ(runs[0], runs[1]);
 }
 
+TEST(Commands, ABareRodTreeHasThePublishedEnergy) {
+  const ScratchFolder scratch;
+  const auto run = run_program(vasorod("solve '" + source + "/benchmarks/cases/rod/b13-tree.yaml' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto result = nlohmann::json::parse(run.out);
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_NEAR(result.at("energy").at("rod").get<double>(), 3.055132910623,
+              2e-3);  // case B13 T1, order 2 in the elements
+}
+
 TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   const ScratchFolder scratch;
   const auto run = run_program(

@@ -10,25 +10,10 @@
 #include "geometry/triangle_surface.h"
 #include "rod/conditions.h"
 #include "surface/blas.h"
+#include "vessel/rod_status.h"
 
 namespace vasorod {
 namespace {
-
-Status status_of(RodStatus status) {
-  switch (status) {
-    case RodStatus::converged:
-      return Status::converged;
-    case RodStatus::equilibrium_only:
-      return Status::equilibrium_only;
-    case RodStatus::unstable:
-      return Status::unstable;
-    case RodStatus::iteration_limit:
-      return Status::iteration_limit;
-    case RodStatus::interrupted:
-      return Status::interrupted;
-  }
-  return Status::iteration_limit;
-}
 
 Status status_of(PaperStatus status) {
   switch (status) {
@@ -44,17 +29,12 @@ Status status_of(PaperStatus status) {
   return Status::iteration_limit;
 }
 
-// The whole is as good as its worst part; the enumeration runs from good to bad.
-void worsen(Status& whole, Status part) {
-  whole = std::max(whole, part);
-}
-
 void add_rods(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (!vessel.rod_solved) continue;
     const RodSummary& summary = vessel.rod.summary;
     const std::string& name = vessel.prepared.spec.name;
-    worsen(result.status, status_of(summary.status));
+    result.status = worse(result.status, status_of(summary.status));
     result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
     if (!summary.message.empty())
       result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
@@ -70,7 +50,7 @@ void add_rods(const Prediction& prediction, Result& result) {
 }
 
 void add_surface(const PaperSolution& surface, bool certified, Result& result) {
-  worsen(result.status, status_of(surface.status));
+  result.status = worse(result.status, status_of(surface.status));
   result.certificate.relative_residual = std::max(result.certificate.relative_residual, surface.residual);
   if (certified) result.certificate.smallest_curvature_positive = surface.smallest_curvature_positive;
   result.energy.binding = surface.binding_energy;

@@ -6,6 +6,7 @@
 
 #include "geometry/rigid_motion.h"
 #include "rod/strains.h"
+#include "vessel/rod_status.h"
 
 namespace vasorod {
 namespace {
@@ -13,38 +14,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
-}
-
-Status status_of(RodStatus status) {
-  switch (status) {
-    case RodStatus::converged:
-      return Status::converged;
-    case RodStatus::equilibrium_only:
-      return Status::equilibrium_only;
-    case RodStatus::unstable:
-      return Status::unstable;
-    case RodStatus::iteration_limit:
-      return Status::iteration_limit;
-    case RodStatus::interrupted:
-      return Status::interrupted;
-  }
-  return Status::iteration_limit;
-}
-
-/// From bad to worse, for scenes with several rods.
-int severity(Status status) {
-  switch (status) {
-    case Status::converged:
-      return 0;
-    case Status::equilibrium_only:
-      return 1;
-    case Status::unstable:
-      return 2;
-    case Status::iteration_limit:
-      return 3;
-    default:
-      return 4;
-  }
 }
 
 /// Second-order errors cancel in (4 fine - coarse) / 3; for poses along the screw from coarse to fine.
@@ -77,7 +46,7 @@ RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse, 
   result.summary.energy = (4 * fine.summary.energy - coarse.summary.energy) / 3;
   result.summary.iterations += coarse.summary.iterations;
   result.summary.residual = std::max(coarse.summary.residual, fine.summary.residual);
-  if (severity(status_of(coarse.summary.status)) > severity(status_of(fine.summary.status)))
+  if (status_of(coarse.summary.status) > status_of(fine.summary.status))
     result.summary.status = coarse.summary.status;
   return result;
 }
@@ -164,7 +133,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution, const std::ve
   const RodTree& tree = assembly.tree;
   const RodSummary& summary = solution.summary;
   const Status status = status_of(summary.status);
-  if (severity(status) > severity(result.status)) result.status = status;
+  result.status = worse(result.status, status);
   result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
   if (status != Status::iteration_limit && status != Status::interrupted)
     result.certificate.smallest_curvature_positive =

@@ -4,6 +4,7 @@
 
 #include "geometry/triangle_surface.h"
 #include "surface/joined_skin.h"
+#include "surface/paper_solver.h"
 
 namespace vasorod {
 namespace {

@@ -26,7 +26,6 @@ constexpr int iterations_per_hessian = 15;
 void PaperMinimiser::factorise(const Points& p) {
   const Eigen::SparseMatrix<double> bound = paper_energy_bound(system_, p);
   largest_diagonal_ = bound.diagonal().maxCoeff();
-  bound_.analyse(bound);
   if (!bound_.factorise(bound))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
 }

@@ -4,7 +4,7 @@
 // its positive bound as far as Cholesky demands.
 #pragma once
 
-#include "surface/cholesky.h"
+#include "surface/kept_factor.h"
 #include "surface/lbfgs.h"
 #include "surface/paper_energy.h"
 
@@ -29,8 +29,9 @@ struct PaperMinimiserSummary {
 
 class PaperMinimiser {
  public:
-  /// The system must outlive this; its joins' multipliers and its contacts may change between calls.
-  explicit PaperMinimiser(const PaperSystem& system) : system_(system) {}
+  /// System and factor must outlive this; the joins' multipliers and the contacts may change between calls.
+  /// `bound` keeps the constant matrix' factor, also for the next system that has the same matrix.
+  PaperMinimiser(const PaperSystem& system, KeptFactor& bound) : system_(system), bound_(bound) {}
 
   /// Factorises the constant matrix with the contacts that press at p. Needed after the contacts changed, and
   /// at first.
@@ -55,7 +56,8 @@ class PaperMinimiser {
   bool factorise_hessian(const Points& p, double& blend, int& factorisations);
 
   const PaperSystem& system_;
-  Cholesky bound_, hessian_;
+  KeptFactor& bound_;
+  Cholesky hessian_;
   PaperGradient terms_;
   double largest_diagonal_ = 0;
   Eigen::MatrixXd columns_, solution_;

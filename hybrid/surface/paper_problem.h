@@ -111,9 +111,4 @@ struct PaperSolution {
 /// All pairs of bodies of which at least one is no obstacle.
 std::vector<std::pair<int, int>> all_contacts(const std::vector<SurfaceBody>& bodies);
 
-/// Minimises the paper's energies [7-9] of all bodies that something moves, joins or touches. Units: any
-/// consistent set; lengths and stiffnesses are scaled before solving. Throws InputError when sizes do not fit
-/// or numbers are not finite.
-PaperSolution solve_paper(const PaperProblem& problem, const PaperOptions& options = {});
-
 }  // namespace vasorod

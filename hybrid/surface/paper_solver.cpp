@@ -9,8 +9,8 @@
 #include "geometry/error.h"
 #include "surface/paper_contacts.h"
 #include "surface/paper_minimiser.h"
-#include "surface/paper_problem.h"
 #include "surface/paper_report.h"
+#include "surface/paper_solver.h"
 #include "surface/scaled_bodies.h"
 
 namespace vasorod {
@@ -21,11 +21,12 @@ constexpr double tolerance_step = 0.1;
 constexpr int settling_iterations = 15, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
 
-class PaperSolver {
+class PaperRun {
  public:
-  PaperSolver(const PaperProblem& problem, const PaperOptions& options)
+  PaperRun(const PaperProblem& problem, const PaperOptions& options, KeptFactor& bound)
       : problem_(problem),
         options_(options),
+        bound_(bound),
         start_(std::chrono::steady_clock::now()),
         scaled_(scale_bodies(problem)),
         contacts_(problem, scaled_, options.contact_stiffness) {
@@ -93,7 +94,7 @@ class PaperSolver {
                                seam_multipliers_[i]});
     }
     stack_contacts();
-    minimiser_ = std::make_unique<PaperMinimiser>(system_);
+    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_);
     positions_.resize(system_.vertex_count(), 3);
     for (size_t b = 0; b < scaled_.bodies.size(); ++b)
       if (first_[b] >= 0)
@@ -197,6 +198,7 @@ class PaperSolver {
 
   const PaperProblem& problem_;
   const PaperOptions& options_;
+  KeptFactor& bound_;
   std::chrono::steady_clock::time_point start_;
   ScaledBodies scaled_;
   PaperContacts contacts_;
@@ -212,8 +214,16 @@ class PaperSolver {
 
 }  // namespace
 
+PaperSolver::PaperSolver(PaperOptions options)
+    : options_(std::move(options)), bound_(std::make_unique<KeptFactor>()) {}
+PaperSolver::~PaperSolver() = default;
+
+PaperSolution PaperSolver::solve(const PaperProblem& problem) {
+  return PaperRun(problem, options_, *bound_).run();
+}
+
 PaperSolution solve_paper(const PaperProblem& problem, const PaperOptions& options) {
-  return PaperSolver(problem, options).run();
+  return PaperSolver(options).solve(problem);
 }
 
 }  // namespace vasorod

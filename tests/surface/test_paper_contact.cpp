@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "surface/paper_problem.h"
+#include "surface/paper_solver.h"
 #include "surface/paper_tubes.h"
 
 namespace vasorod {

@@ -50,7 +50,8 @@ TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
   // k_s/k_b -> iterations to 1e-6 that the tables of the reference give for 3.2k vertices, with room
   for (const auto& [ratio, most] : {std::pair{0.01, 8}, std::pair{0.1, 16}, std::pair{1.0, 52}}) {
     Problem problem(40, 80, {0.1, 1, ratio});
-    PaperMinimiser minimiser(problem.system);
+    KeptFactor bound;
+    PaperMinimiser minimiser(problem.system, bound);
     minimiser.factorise(problem.start);
     PaperMinimiserOptions options;
     options.tolerance = 1e-6;
@@ -64,7 +65,8 @@ TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
 
 TEST(PaperMinimiser, EnergyNeverRises) {
   Problem problem(24, 40, {0.01, 1, 3});
-  PaperMinimiser minimiser(problem.system);
+  KeptFactor bound;
+  PaperMinimiser minimiser(problem.system, bound);
   minimiser.factorise(problem.start);
   std::vector<double> energies;
   PaperMinimiserOptions options;
@@ -80,7 +82,8 @@ TEST(PaperMinimiser, EnergyNeverRises) {
 
 TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
   Problem problem(24, 40, {0.1, 1, 0.3});
-  PaperMinimiser minimiser(problem.system);
+  KeptFactor bound;
+  PaperMinimiser minimiser(problem.system, bound);
   minimiser.factorise(problem.start);
 
   Points by_lbfgs = problem.start;
@@ -115,7 +118,8 @@ TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
 // Stiff springs compressed by a weak binding: where L-BFGS with the constant matrix crawls.
 TEST(PaperMinimiser, TheTrueHessianTakesOverWhereEdgesBuckle) {
   Problem problem(24, 40, {0.1, 1, 10});
-  PaperMinimiser minimiser(problem.system);
+  KeptFactor bound;
+  PaperMinimiser minimiser(problem.system, bound);
   minimiser.factorise(problem.start);
   PaperMinimiserOptions options;
   options.tolerance = 1e-8;
@@ -132,7 +136,8 @@ TEST(PaperMinimiser, ASingleUnloadedBodyIsAtRestAtOnce) {
   const auto n = static_cast<size_t>(t.points.rows());
   append_body(system, t, t.points, std::vector<Mat3>(n, Mat3::Identity()), {1, 1, 1},
               std::vector<char>(n, 0));
-  PaperMinimiser minimiser(system);
+  KeptFactor bound;
+  PaperMinimiser minimiser(system, bound);
   minimiser.factorise(t.points);
   Points p = t.points;
   const PaperMinimiserSummary summary = minimiser.minimise(p, {});

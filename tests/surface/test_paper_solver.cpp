@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/error.h"
-#include "surface/paper_problem.h"
+#include "surface/paper_solver.h"
 #include "surface/paper_tubes.h"
 
 namespace vasorod {
@@ -162,6 +162,19 @@ TEST(PaperSolver, BadInputIsASentence) {
   bad = glenn.problem;
   bad.seams[0].vertex_b = 100000;
   EXPECT_NE(sentence(bad).find("found vertex 100000"), std::string::npos);
+}
+
+TEST(PaperSolver, SolvesAgainAsIfForTheFirstTime) {
+  Glenn glenn;
+  PaperSolver solver;
+  solver.solve(glenn.problem);
+  const Carried c = bent(glenn.problem.bodies[0].rest.points, 40, 0.3, 0.3, 1.0);
+  glenn.problem.bodies[0].carried = c.points;
+  glenn.problem.bodies[0].rotations = c.rotations;
+  const PaperSolution again = solver.solve(glenn.problem), fresh = solve_paper(glenn.problem);
+  ASSERT_EQ(again.status, PaperStatus::converged);
+  for (size_t b = 0; b < 2; ++b)
+    EXPECT_LT((again.bodies[b].positions - fresh.bodies[b].positions).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 }  // namespace

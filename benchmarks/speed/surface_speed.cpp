@@ -1,0 +1,245 @@
+// The surface solves side by side: a tube (R 8, t 1.6, L 160) bent along the inextensible arc to half its
+// Brazier limit, by `paper`, by CGAL's Surface_mesh_deformation (SR_ARAP, both rims as position handles),
+// each to a relative residual of 1e-4 of its own energy, and the floor of `paper`: analyse, factorise and
+// solve once with its constant matrix. Counters: vertices, iterations, residual.
+#include <benchmark/benchmark.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_deformation.h>
+
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "geometry/tube.h"
+#include "surface/binding.h"
+#include "surface/blas.h"
+#include "surface/kept_factor.h"
+#include "surface/paper_energy.h"
+#include "surface/paper_solver.h"
+#include "surface/scaled_bodies.h"
+
+namespace {
+
+using namespace vasorod;
+
+constexpr double radius = 8, thickness = 1.6, length = 160, poisson = 0.3;
+constexpr double residual_asked = 1e-4;
+
+/// Near-equilateral rows of `around` vertices.
+TubeSpec tube_of(int around) {
+  TubeSpec tube;
+  tube.length = length;
+  tube.radius = radius;
+  tube.around = around;
+  const double edge = 2 * std::numbers::pi * radius / around;
+  tube.along = static_cast<int>(std::lround(length / (edge * std::sqrt(3.0) / 2)));
+  return tube;
+}
+
+/// Half the Brazier limit (design.md: k_cr = 0.471 t / (R^2 sqrt(1 - nu^2))) as an angle over the length.
+double bend_angle() {
+  return 0.5 * 0.471 * thickness / (radius * radius * std::sqrt(1 - poisson * poisson)) * length;
+}
+
+/// The tube with its sections carried rigidly to an arc of `angle`, both rims held there.
+SurfaceBody carried_body(const TubeSpec& tube, double angle) {
+  SurfaceBody body;
+  body.name = "tube";
+  body.rest = tube_surface(tube);
+  body.thickness = thickness;
+  body.offset = thickness / 2;
+  const Eigen::VectorXd s = tube_arc_lengths(tube);
+  TubeSpec arc = tube;
+  arc.bend_deg = angle * 180 / std::numbers::pi;
+  body.carried.resize(body.rest.points.rows(), 3);
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    const Pose from = tube_axis(tube, s[i]), to = tube_axis(arc, s[i]);
+    const Mat3 turn = to.rotation * from.rotation.transpose();
+    body.carried.row(i) =
+        (to.position + turn * (body.rest.points.row(i).transpose() - from.position)).transpose();
+    body.rotations.push_back(turn);
+  }
+  body.fixed.assign(static_cast<std::size_t>(s.size()), 0);
+  for (int k = 0; k < tube.around; ++k)
+    body.fixed[static_cast<std::size_t>(k)] =
+        body.fixed[body.fixed.size() - 1 - static_cast<std::size_t>(k)] = 1;
+  WallAndMesh wall;
+  wall.young = 1;
+  wall.poisson = poisson;
+  wall.thickness = thickness;
+  wall.radius = radius;
+  wall.mean_edge = 2 * std::numbers::pi * radius / tube.around;
+  wall.vertex_area = 2 * std::numbers::pi * radius * length / static_cast<double>(s.size());
+  body.k = coefficients_from_wall(wall);
+  return body;
+}
+
+PaperOptions paper_options() {
+  PaperOptions options;
+  options.tolerance = residual_asked;
+  options.balance_tolerance = 1;  // the residual alone decides, as for the others
+  return options;
+}
+
+void paper(benchmark::State& state) {
+  const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
+  PaperProblem problem;
+  problem.bodies = {carried_body(tube, bend_angle())};
+  PaperSolution last;
+  for (auto _ : state) last = solve_paper(problem, paper_options());
+  state.counters["vertices"] = static_cast<double>(problem.bodies[0].rest.points.rows());
+  state.counters["iterations"] = last.iterations;
+  state.counters["residual"] = last.residual;
+  state.SetLabel(to_string(last.status));
+}
+BENCHMARK(paper)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+void paper_again(benchmark::State& state) {  // another bend, the factor kept
+  const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
+  PaperProblem problem;
+  problem.bodies = {carried_body(tube, bend_angle())};
+  PaperSolver solver(paper_options());
+  solver.solve(problem);
+  problem.bodies = {carried_body(tube, 0.9 * bend_angle())};
+  PaperSolution last;
+  for (auto _ : state) last = solver.solve(problem);
+  state.counters["vertices"] = static_cast<double>(problem.bodies[0].rest.points.rows());
+  state.counters["iterations"] = last.iterations;
+  state.counters["residual"] = last.residual;
+  state.SetLabel(to_string(last.status));
+}
+BENCHMARK(paper_again)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+void paper_floor(benchmark::State& state) {
+  PaperProblem problem;
+  problem.bodies = {carried_body(tube_of(static_cast<int>(state.range(0))), bend_angle())};
+  const ScaledBodies scaled = scale_bodies(problem);
+  const ScaledBody& body = scaled.bodies[0];
+  PaperSystem system;
+  append_body(system, body.rest, body.carried, body.rotations, body.k, body.fixed);
+  const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system, body.carried);
+  Eigen::MatrixXd b = body.carried, x = b;
+  for (auto _ : state) {
+    KeptFactor factor;
+    factor.factorise(matrix);
+    factor.solve(b.data(), x.data(), 3);
+    benchmark::DoNotOptimize(x.data());
+  }
+  state.counters["vertices"] = static_cast<double>(body.rest.points.rows());
+}
+BENCHMARK(paper_floor)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Deformation = CGAL::Surface_mesh_deformation<Mesh, CGAL::Default, CGAL::Default, CGAL::SRE_ARAP>;
+
+class Arap {
+ public:
+  explicit Arap(const SurfaceBody& body) {
+    std::vector<Mesh::Vertex_index> vertex;
+    for (Eigen::Index i = 0; i < body.rest.points.rows(); ++i)
+      vertex.push_back(
+          mesh_.add_vertex({body.rest.points(i, 0), body.rest.points(i, 1), body.rest.points(i, 2)}));
+    const auto at = [&](int i) { return vertex[static_cast<std::size_t>(i)]; };
+    for (Eigen::Index t = 0; t < body.rest.triangles.rows(); ++t)
+      mesh_.add_face(at(body.rest.triangles(t, 0)), at(body.rest.triangles(t, 1)),
+                     at(body.rest.triangles(t, 2)));
+    laplacian_ = cotangent_laplacian();
+    deformation_ = std::make_unique<Deformation>(mesh_);
+    deformation_->insert_roi_vertices(mesh_.vertices().begin(), mesh_.vertices().end());
+    for (std::size_t i = 0; i < body.fixed.size(); ++i)
+      if (body.fixed[i]) deformation_->insert_control_vertex(vertex[i]);
+    if (!deformation_->preprocess()) throw std::runtime_error("CGAL's matrix is singular");
+    for (std::size_t i = 0; i < body.fixed.size(); ++i) {
+      const Eigen::Index row = static_cast<Eigen::Index>(i);
+      if (body.fixed[i])
+        deformation_->set_target_position(vertex[i],
+                                          {body.carried(row, 0), body.carried(row, 1), body.carried(row, 2)});
+    }
+    fixed_ = body.fixed;
+  }
+
+  void iterate(unsigned count) { deformation_->deform(count, 0.0); }
+
+  Points positions() const {
+    Points p(static_cast<Eigen::Index>(mesh_.number_of_vertices()), 3);
+    for (const Mesh::Vertex_index v : mesh_.vertices()) {
+      const Kernel::Point_3& at = mesh_.point(v);
+      p.row(static_cast<Eigen::Index>(v.idx())) << at.x(), at.y(), at.z();
+    }
+    return p;
+  }
+
+  /// What the step from `before` has left of the force: a local-global step solves L (p_after - p_before) =
+  /// force(p_before), so |L dp| is the out-of-balance force, |L p_before| and |L p_after - L dp| the two it
+  /// is made of.
+  double residual(const Points& before, const Points& after) const {
+    Points step = laplacian_ * (after - before), now = laplacian_ * before, then = laplacian_ * after;
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+      if (fixed_[i]) {
+        const Eigen::Index row = static_cast<Eigen::Index>(i);
+        step.row(row).setZero();
+        now.row(row).setZero();
+        then.row(row).setZero();
+      }
+    return step.norm() / (now.norm() + then.norm());
+  }
+
+ private:
+  Eigen::SparseMatrix<double> cotangent_laplacian() const {
+    std::vector<Eigen::Triplet<double>> entries;
+    const CGAL::Weights::Cotangent_weight<Mesh> weight;
+    for (const Mesh::Edge_index e : mesh_.edges()) {
+      const Mesh::Halfedge_index h = mesh_.halfedge(e);
+      const double w = 2 * weight(h, mesh_, get(CGAL::vertex_point, mesh_));
+      const int a = static_cast<int>(mesh_.source(h).idx()), b = static_cast<int>(mesh_.target(h).idx());
+      entries.insert(entries.end(), {{a, a, w}, {b, b, w}, {a, b, -w}, {b, a, -w}});
+    }
+    const int n = static_cast<int>(mesh_.number_of_vertices());
+    Eigen::SparseMatrix<double> laplacian(n, n);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    return laplacian;
+  }
+
+  Mesh mesh_;
+  Eigen::SparseMatrix<double> laplacian_;
+  std::unique_ptr<Deformation> deformation_;
+  std::vector<char> fixed_;
+};
+
+/// How many iterations CGAL needs, found once per mesh outside the timing; at most `most`.
+std::pair<unsigned, double> iterations_needed(const SurfaceBody& body, unsigned most) {
+  Arap arap(body);
+  arap.iterate(1);  // moves the rims
+  Points before = arap.positions();
+  for (unsigned count = 1;; ++count) {
+    arap.iterate(1);
+    const Points after = arap.positions();
+    const double residual = arap.residual(before, after);
+    if (residual <= residual_asked || count == most) return {count, residual};
+    before = after;
+  }
+}
+
+void cgal_sr_arap(benchmark::State& state) {
+  const SurfaceBody body = carried_body(tube_of(static_cast<int>(state.range(0))), bend_angle());
+  static std::map<int, std::pair<unsigned, double>> known;
+  auto [entry, fresh] = known.try_emplace(static_cast<int>(state.range(0)));
+  if (fresh) entry->second = iterations_needed(body, 2000);
+  const auto [count, residual] = entry->second;
+  for (auto _ : state) {
+    Arap arap(body);
+    arap.iterate(count);
+    benchmark::DoNotOptimize(&arap);
+  }
+  state.counters["vertices"] = static_cast<double>(body.rest.points.rows());
+  state.counters["iterations"] = count;
+  state.counters["residual"] = residual;
+  state.SetLabel(residual <= residual_asked ? "converged" : "iteration_limit");
+}
+BENCHMARK(cgal_sr_arap)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+}  // namespace

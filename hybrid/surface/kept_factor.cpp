@@ -1,0 +1,27 @@
+#include "surface/kept_factor.h"
+
+#include <algorithm>
+
+namespace vasorod {
+namespace {
+
+bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+}  // namespace
+
+bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
+  const bool analysed = cholesky_.analysed() && same_pattern(matrix, matrix_);
+  if (analysed && cholesky_.factorised() &&
+      std::equal(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), matrix_.valuePtr()))
+    return true;
+  if (!analysed) cholesky_.analyse(matrix);
+  matrix_ = matrix;
+  ++factorisations_;
+  return cholesky_.factorise(matrix_);
+}
+
+}  // namespace vasorod

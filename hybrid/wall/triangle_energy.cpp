@@ -1,0 +1,107 @@
+#include "wall/triangle_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wall/membrane_strain.h"
+
+namespace vasorod {
+
+namespace {
+
+// Height over edge k, h = sqrt(det C / (q^T C q)), q = g_k turned by 90 degrees, with the derivatives of ln
+// h.
+struct Height {
+  Vec3 length_gradient, det_gradient;  // of ln (q^T C q) and of ln det C
+  double det, value;
+
+  Height(const Vec2& g, const Vec3& c)
+      : length_gradient(g[1] * g[1], g[0] * g[0], -2 * g[0] * g[1]),
+        // A triangle collapsed to a line keeps finite forces.
+        det(std::max(c[0] * c[1] - c[2] * c[2], 1e-24)) {
+    const double square = length_gradient.dot(c);
+    value = std::sqrt(det / square);
+    length_gradient /= square;
+    det_gradient = Vec3(c[1], c[0], -2 * c[2]) / det;
+  }
+  Vec3 log_gradient() const { return (det_gradient - length_gradient) / 2; }
+  Mat3 log_hessian() const {
+    Mat3 h = (length_gradient * length_gradient.transpose() - det_gradient * det_gradient.transpose()) / 2;
+    h(0, 1) += 0.5 / det;
+    h(1, 0) += 0.5 / det;
+    h(2, 2) -= 1 / det;
+    return h;
+  }
+};
+
+double slope(const TriangleState& s, int k) {
+  return s.half_sine[k] + s.xi[k] * s.half_cosine[k];
+}
+
+}  // namespace
+
+Vec6 triangle_strains(StrainLaw law, const TriangleRest& rest, const TriangleState& state) {
+  Vec6 y;
+  y.head<3>() = membrane_strain(law, state.metric).strain;
+  for (int k = 0; k < 3; ++k)
+    y[3 + k] = (state.given[static_cast<size_t>(k)]
+                    ? state.half_sine[k]
+                    : 2 * Height(rest.gradients.col(k), state.metric).value * slope(state, k)) -
+               rest.bending[k];
+  return y;
+}
+
+TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const TriangleState& state,
+                               bool with_hessian) {
+  TriangleEnergy e;
+  const MembraneStrain membrane = membrane_strain(law, state.metric);
+  e.strains = triangle_strains(law, rest, state);
+  e.stress.noalias() = rest.stiffness * e.strains;
+  e.value = e.stress.dot(e.strains) / 2;
+  e.gradient.setZero();
+  e.gradient.head<3>().noalias() = membrane.derivative.transpose() * e.stress.head<3>();
+
+  Eigen::Matrix<double, 6, 9> d;  // of y by the nine scalars
+  if (with_hessian) {
+    d.setZero();
+    d.topLeftCorner<3, 3>() = membrane.derivative;
+    e.hessian.setZero();
+    e.hessian.topLeftCorner<3, 3>() = membrane_strain_hessian(law, state.metric, e.stress.head<3>());
+  }
+  for (int k = 0; k < 3; ++k) {
+    const double moment = e.stress[3 + k];
+    if (state.given[static_cast<size_t>(k)]) {
+      e.gradient[3 + k] = moment;
+      if (with_hessian) d(3 + k, 3 + k) = 1;
+      continue;
+    }
+    const Height h(rest.gradients.col(k), state.metric);
+    const double b = 2 * h.value * slope(state, k);
+    const double by_angle = h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k]);
+    const double by_xi = 2 * h.value * state.half_cosine[k];
+    const Vec3 log_gradient = h.log_gradient();
+    e.gradient.head<3>() += moment * b * log_gradient;
+    e.gradient[3 + k] = moment * by_angle;
+    e.gradient[6 + k] = moment * by_xi;
+    if (!with_hessian) continue;
+    d.block<1, 3>(3 + k, 0) = b * log_gradient.transpose();
+    d(3 + k, 3 + k) = by_angle;
+    d(3 + k, 6 + k) = by_xi;
+    e.hessian.topLeftCorner<3, 3>() +=
+        moment * b * (h.log_hessian() + log_gradient * log_gradient.transpose());
+    const Vec3 metric_angle = moment * by_angle * log_gradient, metric_xi = moment * by_xi * log_gradient;
+    e.hessian.block<3, 1>(0, 3 + k) = metric_angle;
+    e.hessian.block<1, 3>(3 + k, 0) = metric_angle.transpose();
+    e.hessian.block<3, 1>(0, 6 + k) = metric_xi;
+    e.hessian.block<1, 3>(6 + k, 0) = metric_xi.transpose();
+    e.hessian(3 + k, 3 + k) = -moment * b / 4;
+    e.hessian(3 + k, 6 + k) = e.hessian(6 + k, 3 + k) = -moment * h.value * state.half_sine[k];
+  }
+  if (with_hessian) {
+    const Eigen::Matrix<double, 6, 9> kd = rest.stiffness * d;
+    e.hessian.noalias() += d.transpose() * kd;
+  }
+  return e;
+}
+
+}  // namespace vasorod

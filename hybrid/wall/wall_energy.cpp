@@ -1,0 +1,159 @@
+#include "wall/wall_energy.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace vasorod {
+
+WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
+  Geometry g;
+  const auto triangle_count = static_cast<size_t>(triangles_.rows());
+  g.normal.resize(triangle_count);
+  g.area2.resize(triangle_count);
+  for (size_t t = 0; t < triangle_count; ++t) {
+    const auto v = triangles_.row(static_cast<int>(t));
+    const Vec3 x0 = point(q, v[0]);
+    const Vec3 area = (point(q, v[1]) - x0).cross(point(q, v[2]) - x0);
+    // A triangle collapsed to a line has no normal; any finite one keeps the energy finite.
+    g.area2[t] = std::max(area.norm(), 1e-12 * triangle_rest_[t].area);
+    g.normal[t] = area / g.area2[t];
+  }
+  g.half_sine.assign(edges_.size(), 0);
+  g.half_cosine.assign(edges_.size(), 1);
+  for (size_t e = 0; e < edges_.size(); ++e) {
+    if (edges_[e].rim) continue;
+    const Vec3& n0 = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
+    const Vec3& n1 = g.normal[static_cast<size_t>(edge_triangle_[e][1])];
+    // Side 0 runs from the lower vertex to the higher: n0 x n1 along the edge is convex.
+    const Vec3 along = point(q, edges_[e].b) - point(q, edges_[e].a);
+    g.half_sine[e] = std::copysign((n1 - n0).norm() / 2, n0.cross(n1).dot(along));
+    g.half_cosine[e] = (n1 + n0).norm() / 2;
+  }
+  return g;
+}
+
+WallEnergy::Deformation WallEnergy::deformation(const Eigen::VectorXd& q, int triangle) const {
+  const auto v = triangles_.row(triangle);
+  const auto& gradients = triangle_rest_[static_cast<size_t>(triangle)].gradients;
+  // The gradients add up to zero.
+  return (point(q, v[1]) - point(q, v[0])) * gradients.col(1).transpose() +
+         (point(q, v[2]) - point(q, v[0])) * gradients.col(2).transpose();
+}
+
+TriangleState WallEnergy::state(const Eigen::VectorXd& q, const Geometry& g, int triangle,
+                                const Deformation& f) const {
+  TriangleState s;
+  s.metric << f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1));
+  const Sides& sides = sides_[static_cast<size_t>(triangle)];
+  for (int k = 0; k < 3; ++k) {
+    const auto e = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
+    s.given[static_cast<size_t>(k)] = edges_[e].glued;
+    if (edges_[e].glued) {
+      const auto v = triangles_.row(triangle);
+      const Vec3 across = point(q, v[(k + 1) % 3]) + point(q, v[(k + 2) % 3]) - 2 * point(q, v[k]);
+      s.half_sine[k] = q.segment<3>(edges_[e].unknown).dot(across);
+      s.half_cosine[k] = s.xi[k] = 0;
+    } else {
+      s.half_sine[k] = g.half_sine[e];
+      s.half_cosine[k] = g.half_cosine[e];
+      s.xi[k] = sides.sign[k] * (q[edges_[e].unknown] + xi_rest_[e]);
+    }
+  }
+  return s;
+}
+
+HingeSide WallEnergy::side(const Eigen::VectorXd& q, const Geometry& g, int edge, int which) const {
+  const auto e = static_cast<size_t>(edge);
+  const auto w = static_cast<size_t>(which);
+  const auto t = static_cast<size_t>(edge_triangle_[e][w]);
+  return {point(q, edges_[e].a),
+          point(q, edges_[e].b),
+          point(q, edge_apex_[e][w]),
+          g.normal[t],
+          g.area2[t],
+          which == 0};
+}
+
+double WallEnergy::value(const Eigen::VectorXd& q) const {
+  const Geometry g = geometry(q);
+  double energy = 0;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
+    const Vec6 y = triangle_strains(law_, rest, state(q, g, t, deformation(q, t)));
+    energy += y.dot(rest.stiffness * y) / 2;
+  }
+  return energy;
+}
+
+double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient) const {
+  const Geometry g = geometry(q);
+  gradient.setZero(q.size());
+  std::vector<double> by_angle(edges_.size(), 0);
+  double energy = 0;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
+    const Deformation f = deformation(q, t);
+    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, f), false);
+    energy += e.value;
+    Deformation stress;  // d E / d F
+    stress.col(0) = 2 * e.gradient[0] * f.col(0) + e.gradient[2] * f.col(1);
+    stress.col(1) = 2 * e.gradient[1] * f.col(1) + e.gradient[2] * f.col(0);
+    const auto v = triangles_.row(t);
+    const Sides& sides = sides_[static_cast<size_t>(t)];
+    for (int k = 0; k < 3; ++k) gradient.segment<3>(3 * v[k]) += stress * rest.gradients.col(k);
+    for (int k = 0; k < 3; ++k) {
+      const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
+      const int unknown = edges_[edge].unknown;
+      const double moment = e.gradient[3 + k];
+      if (!edges_[edge].glued) {
+        by_angle[edge] += moment;
+        gradient[unknown] += sides.sign[k] * e.gradient[6 + k];
+        continue;
+      }
+      const int i = v[(k + 1) % 3], j = v[(k + 2) % 3];
+      const Vec3 force = moment * q.segment<3>(unknown);
+      gradient.segment<3>(unknown) += moment * (point(q, i) + point(q, j) - 2 * point(q, v[k]));
+      gradient.segment<3>(3 * i) += force;
+      gradient.segment<3>(3 * j) += force;
+      gradient.segment<3>(3 * v[k]) -= 2 * force;
+    }
+  }
+  for (size_t e = 0; e < edges_.size(); ++e) {
+    if (edges_[e].rim) continue;
+    for (size_t which = 0; which < 2; ++which) {
+      const HingeSide hinge = side(q, g, static_cast<int>(e), static_cast<int>(which));
+      const std::array<int, 3> vertex{edges_[e].a, edges_[e].b, edge_apex_[e][which]};
+      for (int i = 0; i < 3; ++i)
+        gradient.segment<3>(3 * vertex[static_cast<size_t>(i)]) += by_angle[e] * hinge.gradient(i);
+    }
+  }
+  return energy;
+}
+
+WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
+  const Geometry g = geometry(q);
+  WallReport report;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
+    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), false);
+    const Vec3 strain = e.strains.head<3>(), bending = e.strains.tail<3>();
+    const double membrane = strain.dot(rest.stiffness.topLeftCorner<3, 3>() * strain) / 2;
+    const double bend = bending.dot(rest.stiffness.bottomRightCorner<3, 3>() * bending) / 2;
+    report.membrane += membrane;
+    report.bending += bend;
+    report.coupling += e.value - membrane - bend;
+    // c = sum_k b_k g_k g_k^T; its conjugate M solves (g_k g_k^T) : M = stress_k / area.
+    Mat3 dyads;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 d = rest.gradients.col(k);
+      dyads.col(k) << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+    }
+    report.strain.push_back(strain);
+    report.bend.push_back(dyads * bending);
+    report.force.push_back(e.stress.head<3>() / rest.area);
+    report.moment.push_back(dyads.transpose().inverse() * e.stress.tail<3>() / rest.area);
+  }
+  return report;
+}
+
+}  // namespace vasorod

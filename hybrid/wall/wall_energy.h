@@ -1,0 +1,116 @@
+// Elastic energy of one vessel's wall: a shell of flat triangles with an unknown normal on every edge.
+//
+// Unknowns q, in this order: the vertices (x, y, z each, length); one number xi per free edge (no unit); the
+// normal m (3 numbers, no unit) of each edge on a glued rim. An edge's normal is m = N + (xi + xi0) (e x N),
+// N the unit bisector of its triangles' normals (a rim's: the one triangle's), e from the edge's lower vertex
+// to the higher, xi0 such that at rest (xi = 0) m is the smooth surface's. A glued rim's normals belong to a
+// rigid section: whoever moves it sets m = R m_rest. Strains, bending and stiffness: triangle_energy.h,
+// wall_section.h.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <string>
+#include <vector>
+
+#include "geometry/types.h"
+#include "wall/hinge.h"
+#include "wall/triangle_energy.h"
+#include "wall/wall_material.h"
+
+namespace vasorod {
+
+/// A wall at rest, stress-free. Lengths in one unit, moduli in one unit.
+struct WallInput {
+  TriangleSurface rest;       ///< the given surface, outward orientation
+  Eigen::VectorXd thickness;  ///< per vertex
+  double mid_offset = 0;      ///< from the given surface along its outward normal to mid-wall
+  std::vector<Vec3> axis;     ///< per triangle: the fibre, any length, not normal to the triangle
+  WallMaterial material;
+  std::vector<char> glued;    ///< per vertex: on a rigid section; empty: none
+  std::string name = "wall";  ///< begins the sentence of an error
+};
+
+/// An edge and where its unknown stands in q.
+struct WallEdge {
+  int a = 0, b = 0;  ///< a < b
+  bool rim = false;
+  bool glued = false;  ///< a rim between glued vertices: three unknowns, its normal; else one, xi
+  int unknown = 0;
+};
+
+/// What the wall stores and carries at a state.
+struct WallReport {
+  double membrane = 0, bending = 0, coupling = 0;  ///< energies; their sum is the wall's
+  /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12), change of the
+  /// second fundamental form (1/length), and what is conjugate to them per rest area: force/length, force.
+  std::vector<Vec3> strain, bend, force, moment;
+};
+
+class WallEnergy {
+ public:
+  /// Throws InputError: one sentence.
+  explicit WallEnergy(const WallInput& input);
+
+  int vertices() const { return vertices_; }
+  int free_edges() const { return free_edges_; }
+  int glued_edges() const { return glued_edges_; }
+  int unknowns() const { return static_cast<int>(rest_.size()); }
+  const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
+
+  const Eigen::VectorXd& rest() const { return rest_; }  ///< q at rest: energy and gradient are zero
+
+  double value(const Eigen::VectorXd& q) const;
+  /// Returns the energy and writes its gradient.
+  double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g) const;
+  /// Lower triangle, compressed; the pattern never changes, the values are rewritten in place.
+  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
+
+  WallReport report(const Eigen::VectorXd& q) const;
+
+ private:
+  // The edge facing each vertex of a triangle, and how the triangle runs through it.
+  struct Sides {
+    std::array<int, 3> edge{}, neighbour{};  // neighbour: its vertex across, -1 at a rim
+    Vec3 sign;                               // +1: from the edge's lower vertex to its higher
+  };
+  // The state of all triangles' normals and edges' angles.
+  struct Geometry {
+    std::vector<Vec3> normal;  // unit, per triangle
+    std::vector<double> area2;
+    std::vector<double> half_sine, half_cosine;  // per edge
+  };
+  using Deformation = Eigen::Matrix<double, 3, 2>;
+
+  Vec3 point(const Eigen::VectorXd& q, int vertex) const { return q.segment<3>(3 * vertex); }
+  Geometry geometry(const Eigen::VectorXd& q) const;
+  Deformation deformation(const Eigen::VectorXd& q, int triangle) const;
+  TriangleState state(const Eigen::VectorXd& q, const Geometry& g, int triangle, const Deformation& f) const;
+  // The hinge of an inner edge seen from its triangle 0 or 1.
+  HingeSide side(const Eigen::VectorXd& q, const Geometry& g, int edge, int which) const;
+
+  void number_edges(const WallInput& input);
+  void set_rest(const WallInput& input);
+  void set_rest_normals(const Points& vertex_normal);
+  void set_pattern();
+
+  StrainLaw law_;
+  int vertices_ = 0, free_edges_ = 0, glued_edges_ = 0;
+  Triangles triangles_;
+  std::vector<WallEdge> edges_;
+  std::vector<std::array<int, 2>> edge_triangle_, edge_apex_;
+  std::vector<double> xi_rest_;  // per edge
+  std::vector<Sides> sides_;
+  std::vector<TriangleRest> triangle_rest_;
+  Eigen::VectorXd rest_;
+  Eigen::SparseMatrix<double> hessian_;
+  // Per triangle: nodes (its vertices, what stands across its edges, its edges' xi; -1: none) and the place
+  // of each pair's block in the matrix.
+  struct Places {
+    std::array<int, 9> node{};
+    std::array<int, 45> place{};
+  };
+  std::vector<Places> places_;
+  std::vector<int> node_stride_, node_unknown_;
+};
+
+}  // namespace vasorod

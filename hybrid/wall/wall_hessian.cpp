@@ -1,0 +1,228 @@
+// The wall's Hessian: blocks of nine nodes per triangle (three vertices, what stands across each edge, the
+// edges' xi) added into a fixed pattern.
+#include <Eigen/Geometry>
+
+#include "wall/block_pattern.h"
+#include "wall/wall_energy.h"
+
+namespace vasorod {
+
+namespace {
+
+// Pairs (i, j), i >= j, of a triangle's nine nodes, row by row.
+constexpr int pair(int i, int j) {
+  return i * (i + 1) / 2 + j;
+}
+
+using Row9 = Eigen::Matrix<double, 1, 9>;
+using Mat69 = Eigen::Matrix<double, 6, 9>;
+
+}  // namespace
+
+void WallEnergy::set_pattern() {
+  std::vector<int> sizes(static_cast<size_t>(vertices_), 3);
+  std::vector<int> edge_node(edges_.size());
+  for (const bool glued : {false, true})
+    for (size_t e = 0; e < edges_.size(); ++e)
+      if (edges_[e].glued == glued) {
+        edge_node[e] = static_cast<int>(sizes.size());
+        sizes.push_back(glued ? 3 : 1);
+      }
+  BlockPattern pattern(sizes);
+  places_.resize(sides_.size());
+  for (size_t t = 0; t < sides_.size(); ++t) {
+    auto& node = places_[t].node;
+    for (size_t k = 0; k < 3; ++k) {
+      const auto e = static_cast<size_t>(sides_[t].edge[k]);
+      node[k] = triangles_(static_cast<int>(t), static_cast<int>(k));
+      node[3 + k] = edges_[e].glued ? edge_node[e] : sides_[t].neighbour[k];
+      node[6 + k] = edges_[e].glued ? -1 : edge_node[e];
+    }
+    for (size_t i = 0; i < 9; ++i)
+      for (size_t j = 0; j < i; ++j)
+        if (node[i] >= 0 && node[j] >= 0) pattern.couple(node[i], node[j]);
+  }
+  hessian_ = pattern.build();
+  for (Places& p : places_)
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j <= i; ++j) {
+        const int a = p.node[static_cast<size_t>(i)], b = p.node[static_cast<size_t>(j)];
+        if (a >= 0 && b >= 0)
+          p.place[static_cast<size_t>(pair(i, j))] = pattern.place(std::max(a, b), std::min(a, b));
+      }
+  node_stride_.resize(sizes.size());
+  for (size_t i = 0; i < sizes.size(); ++i) node_stride_[i] = pattern.stride(static_cast<int>(i));
+}
+
+namespace {
+
+// Adds blocks into the lower triangle.
+struct Adder {
+  double* values;
+  const std::vector<int>& stride;
+
+  template <int Rows, int Columns>
+  void add(int row_node, int column_node, int place, const Eigen::Matrix<double, Rows, Columns>& block) {
+    if (row_node > column_node) {
+      add_below(column_node, place, block);
+    } else if (row_node < column_node) {
+      add_below(row_node, place, block.transpose().eval());
+    } else {
+      // The same node seen twice: its diagonal block, of which the lower half is kept.
+      if constexpr (Rows == Columns) add_diagonal(row_node, place, (block + block.transpose()).eval());
+    }
+  }
+
+  template <typename Block>
+  void add_diagonal(int node, int place, const Block& block) {
+    double* column = values + place;
+    for (int c = 0; c < block.cols(); ++c) {
+      for (int r = c; r < block.rows(); ++r) column[r] += block(r, c);
+      column += stride[static_cast<size_t>(node)] - c;
+    }
+  }
+
+ private:
+  template <typename Block>
+  void add_below(int column_node, int place, const Block& block) {
+    double* column = values + place;
+    for (int c = 0; c < block.cols(); ++c) {
+      for (int r = 0; r < block.rows(); ++r) column[r] += block(r, c);
+      column += stride[static_cast<size_t>(column_node)] - c;
+    }
+  }
+};
+
+}  // namespace
+
+const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q) {
+  const Geometry g = geometry(q);
+  double* values = hessian_.valuePtr();
+  std::fill(values, values + hessian_.nonZeros(), 0.0);
+  Adder adder{values, node_stride_};
+  std::vector<double> by_angle(edges_.size(), 0);
+  for (size_t t = 0; t < sides_.size(); ++t) {
+    const int triangle = static_cast<int>(t);
+    const TriangleRest& rest = triangle_rest_[t];
+    const Sides& sides = sides_[t];
+    const auto& node = places_[t].node;
+    const auto& place = places_[t].place;
+    const Deformation f = deformation(q, triangle);
+    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, triangle, f), true);
+    const auto v = triangles_.row(triangle);
+
+    // d (C, theta or b) / d own vertices, and d theta_k or b_k / d what stands across edge k
+    Mat69 own = Mat69::Zero();
+    std::array<Vec3, 3> across;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 d = rest.gradients.col(i);
+      own.block<1, 3>(0, 3 * i) = 2 * d[0] * f.col(0).transpose();
+      own.block<1, 3>(1, 3 * i) = 2 * d[1] * f.col(1).transpose();
+      own.block<1, 3>(2, 3 * i) = d[0] * f.col(1).transpose() + d[1] * f.col(0).transpose();
+    }
+    for (int k = 0; k < 3; ++k) {
+      const int edge = sides.edge[static_cast<size_t>(k)];
+      const WallEdge& wall_edge = edges_[static_cast<size_t>(edge)];
+      Vec3& outer = across[static_cast<size_t>(k)];
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      if (wall_edge.glued) {
+        const Vec3 m = q.segment<3>(wall_edge.unknown);
+        own.block<1, 3>(3 + k, 3 * i) = own.block<1, 3>(3 + k, 3 * j) = m.transpose();
+        own.block<1, 3>(3 + k, 3 * k) = -2 * m.transpose();
+        outer = point(q, v[i]) + point(q, v[j]) - 2 * point(q, v[k]);
+      } else if (!wall_edge.rim) {
+        by_angle[static_cast<size_t>(edge)] += e.gradient[3 + k];
+        const int which = sides.sign[k] > 0 ? 0 : 1;
+        const int tail = which == 0 ? i : j, head = which == 0 ? j : i;
+        const HingeSide mine = side(q, g, edge, which), other = side(q, g, edge, 1 - which);
+        own.block<1, 3>(3 + k, 3 * tail) = (mine.gradient(0) + other.gradient(0)).transpose();
+        own.block<1, 3>(3 + k, 3 * head) = (mine.gradient(1) + other.gradient(1)).transpose();
+        own.block<1, 3>(3 + k, 3 * k) = mine.gradient(2).transpose();
+        outer = other.gradient(2);
+      } else {
+        outer.setZero();
+      }
+    }
+
+    const Mat69 half = e.hessian.topLeftCorner<6, 6>() * own;
+    Mat9 block = own.transpose() * half;
+    Eigen::Matrix2d tension;
+    tension << 2 * e.gradient[0], e.gradient[2], e.gradient[2], 2 * e.gradient[1];
+    const Mat3 scalar = rest.gradients.transpose() * tension * rest.gradients;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
+      const size_t si = static_cast<size_t>(i);
+      adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))], block.block<3, 3>(3 * i, 3 * i));
+      for (int j = 0; j < i; ++j)
+        adder.add<3, 3>(node[si], node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(i, j))],
+                        block.block<3, 3>(3 * i, 3 * j));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const int outer = node[static_cast<size_t>(3 + k)], xi = node[static_cast<size_t>(6 + k)];
+      const WallEdge& edge = edges_[static_cast<size_t>(sides.edge[static_cast<size_t>(k)])];
+      if (outer >= 0) {
+        const Vec3& a = across[static_cast<size_t>(k)];
+        const Row9 row = half.row(3 + k);
+        for (int j = 0; j < 3; ++j) {
+          Mat3 b = a * row.segment<3>(3 * j);
+          // b_k is bilinear in the rim's normal and the vertices.
+          if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
+          adder.add<3, 3>(outer, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(3 + k, j))], b);
+        }
+        for (int l = 0; l <= k; ++l) {
+          const int other = node[static_cast<size_t>(3 + l)];
+          if (other < 0) continue;
+          const Mat3 b = e.hessian(3 + k, 3 + l) * a * across[static_cast<size_t>(l)].transpose();
+          const int at = place[static_cast<size_t>(pair(3 + k, 3 + l))];
+          if (l == k)
+            adder.add_diagonal(outer, at, b);
+          else
+            adder.add<3, 3>(outer, other, at, b);
+        }
+      }
+      if (xi < 0) continue;
+      const double sign = sides.sign[k];
+      const Row9 row = sign * e.hessian.block<1, 6>(6 + k, 0) * own;
+      for (int j = 0; j < 3; ++j)
+        adder.add<1, 3>(xi, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(6 + k, j))],
+                        row.segment<3>(3 * j));
+      for (int l = 0; l < 3; ++l) {
+        const int other = node[static_cast<size_t>(3 + l)];
+        if (other < 0) continue;
+        adder.add<1, 3>(xi, other, place[static_cast<size_t>(pair(6 + k, 3 + l))],
+                        sign * e.hessian(6 + k, 3 + l) * across[static_cast<size_t>(l)].transpose());
+      }
+      for (int l = 0; l <= k; ++l) {
+        if (node[static_cast<size_t>(6 + l)] < 0) continue;
+        values[place[static_cast<size_t>(pair(6 + k, 6 + l))]] +=
+            sign * sides.sign[l] * e.hessian(6 + k, 6 + l);
+      }
+    }
+  }
+  // The angles' own second derivatives stay within each side's triangle.
+  for (size_t t = 0; t < sides_.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int edge = sides_[t].edge[static_cast<size_t>(k)];
+      if (edges_[static_cast<size_t>(edge)].rim) continue;
+      const int which = sides_[t].sign[k] > 0 ? 0 : 1;
+      const HingeSide hinge = side(q, g, edge, which);
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const std::array<int, 3> local{which == 0 ? i : j, which == 0 ? j : i, k};
+      const double factor = by_angle[static_cast<size_t>(edge)];
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) {
+          const int a = local[static_cast<size_t>(r)], b = local[static_cast<size_t>(c)];
+          if (a < b) continue;
+          const Mat3 block = factor * hinge.hessian(r, c);
+          const int at = places_[t].place[static_cast<size_t>(pair(a, b))];
+          if (a == b)
+            adder.add_diagonal(triangles_(static_cast<int>(t), a), at, block);
+          else
+            adder.add<3, 3>(triangles_(static_cast<int>(t), a), triangles_(static_cast<int>(t), b), at,
+                            block);
+        }
+    }
+  return hessian_;
+}
+
+}  // namespace vasorod

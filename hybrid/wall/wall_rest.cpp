@@ -1,0 +1,194 @@
+// The wall at rest: its edges and their unknowns, its curvature, its stiffness.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "geometry/error.h"
+#include "geometry/triangle_surface.h"
+#include "wall/wall_energy.h"
+#include "wall/wall_section.h"
+
+namespace vasorod {
+
+namespace {
+
+template <typename... Parts>
+[[noreturn]] void refuse(const std::string& where, const Parts&... parts) {
+  std::ostringstream sentence;
+  sentence << where << ": ";
+  (sentence << ... << parts);
+  throw InputError(sentence.str());
+}
+
+void check(const WallInput& in) {
+  check_material(in.material, in.name);
+  const auto n = in.rest.points.rows();
+  if (in.rest.triangles.rows() == 0) refuse(in.name, "found no triangle, expected a surface");
+  if (in.thickness.size() != n)
+    refuse(in.name, "found ", in.thickness.size(), " thicknesses, expected one per vertex (", n, ")");
+  if (in.axis.size() != static_cast<size_t>(in.rest.triangles.rows()))
+    refuse(in.name, "found ", in.axis.size(), " axes, expected one per triangle (", in.rest.triangles.rows(),
+           ")");
+  if (!in.glued.empty() && in.glued.size() != static_cast<size_t>(n))
+    refuse(in.name, "found ", in.glued.size(), " glued marks, expected one per vertex (", n, ")");
+  for (int i = 0; i < n; ++i)
+    if (!(in.thickness[i] > 0) || !std::isfinite(in.thickness[i]))
+      refuse(in.name, "vertex ", i, ": thickness = ", in.thickness[i], ", expected a positive number");
+}
+
+// Scales a symmetric tensor (11, 22, 12) down until no principal value exceeds `limit`.
+Vec3 limited(const Vec3& b, double limit) {
+  const double mean = (b[0] + b[1]) / 2, spread = std::hypot((b[0] - b[1]) / 2, b[2]);
+  const double largest = std::abs(mean) + spread;
+  return largest > limit ? Vec3(b * (limit / largest)) : b;
+}
+
+// Where the wall's half thickness comes nearer to the radius of curvature than this, the curvature taken in
+// the thickness integral stops growing: at creases of a coarse mesh, where that curvature means nothing.
+constexpr double largest_thickness_ratio = 0.8;
+
+}  // namespace
+
+WallEnergy::WallEnergy(const WallInput& input)
+    : law_(input.material.law),
+      vertices_(static_cast<int>(input.rest.points.rows())),
+      triangles_(input.rest.triangles) {
+  check(input);
+  number_edges(input);
+  set_rest(input);
+  set_pattern();
+}
+
+void WallEnergy::number_edges(const WallInput& input) {
+  const auto glued = [&](int v) { return !input.glued.empty() && input.glued[static_cast<size_t>(v)] != 0; };
+  sides_.resize(static_cast<size_t>(triangles_.rows()));
+  // The corner of a triangle that faces the edge, and whether the triangle runs through it from a to b.
+  const auto corner = [&](int triangle, int apex) {
+    int k = 0;
+    while (triangles_(triangle, k) != apex) ++k;
+    return k;
+  };
+  const auto forward = [&](int triangle, int apex, int a) {
+    return triangles_(triangle, (corner(triangle, apex) + 1) % 3) == a;
+  };
+  for (const Edge& edge : edges_of(triangles_)) {
+    std::array<int, 2> triangle = edge.triangle, apex = edge.opposite;
+    if (!edge.boundary()) {
+      const bool first = forward(triangle[0], apex[0], edge.a);
+      if (first == forward(triangle[1], apex[1], edge.a))
+        refuse(input.name, "triangles ", triangle[0], " and ", triangle[1],
+               " are turned against each other, expected one outward orientation");
+      if (!first) {
+        std::swap(triangle[0], triangle[1]);
+        std::swap(apex[0], apex[1]);
+      }
+    }
+    for (size_t w = 0; w < 2 && triangle[w] >= 0; ++w) {
+      const int k = corner(triangle[w], apex[w]);
+      Sides& sides = sides_[static_cast<size_t>(triangle[w])];
+      sides.edge[static_cast<size_t>(k)] = static_cast<int>(edges_.size());
+      sides.neighbour[static_cast<size_t>(k)] = apex[1 - w];
+      sides.sign[k] = forward(triangle[w], apex[w], edge.a) ? 1 : -1;
+    }
+    WallEdge e;
+    e.a = edge.a;
+    e.b = edge.b;
+    e.rim = edge.boundary();
+    e.glued = e.rim && glued(edge.a) && glued(edge.b);
+    edges_.push_back(e);
+    edge_triangle_.push_back(triangle);
+    edge_apex_.push_back(apex);
+    ++(e.glued ? glued_edges_ : free_edges_);
+  }
+  int xi = 3 * vertices_, normal = xi + free_edges_;
+  for (WallEdge& e : edges_) {
+    e.unknown = e.glued ? normal : xi;
+    (e.glued ? normal : xi) += e.glued ? 3 : 1;
+  }
+  rest_.setZero(normal);
+}
+
+void WallEnergy::set_rest(const WallInput& input) {
+  for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = input.rest.points.row(i).transpose();
+  const Points vertex_normal = vertex_normals(input.rest);
+  triangle_rest_.resize(static_cast<size_t>(triangles_.rows()));
+  std::vector<Eigen::Matrix<double, 3, 2>> frame(triangle_rest_.size());
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const auto v = triangles_.row(t);
+    const Vec3 x0 = point(rest_, v[0]), d1 = point(rest_, v[1]) - x0, d2 = point(rest_, v[2]) - x0;
+    const Vec3 area = d1.cross(d2);
+    const double longest = std::max({d1.squaredNorm(), d2.squaredNorm(), (d2 - d1).squaredNorm()});
+    if (!(area.norm() > 1e-12 * longest))
+      refuse(input.name, "triangle ", t, ": area = ", area.norm() / 2, ", expected a triangle with an area");
+    const Vec3 normal = area.normalized();
+    const Vec3& axis = input.axis[static_cast<size_t>(t)];
+    const Vec3 in_plane = axis - axis.dot(normal) * normal;
+    if (!(in_plane.norm() > 1e-9 * axis.norm()))
+      refuse(input.name, "triangle ", t, ": its axis is normal to it, expected one that runs along the wall");
+    auto& f = frame[static_cast<size_t>(t)];
+    f.col(0) = in_plane.normalized();
+    f.col(1) = normal.cross(f.col(0));
+    TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
+    rest.area = area.norm() / 2;
+    Eigen::Matrix2d edges;
+    edges << f.transpose() * d1, f.transpose() * d2;
+    const Eigen::Matrix2d inverse = edges.inverse();
+    rest.gradients.col(1) = inverse.row(0).transpose();
+    rest.gradients.col(2) = inverse.row(1).transpose();
+    rest.gradients.col(0) = -rest.gradients.col(1) - rest.gradients.col(2);
+  }
+  set_rest_normals(vertex_normal);
+  const Geometry g = geometry(rest_);
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const auto v = triangles_.row(t);
+    TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
+    const auto& f = frame[static_cast<size_t>(t)];
+    rest.bending = triangle_strains(law_, rest, state(rest_, g, t, deformation(rest_, t))).tail<3>();
+
+    Eigen::Matrix2d turning = Eigen::Matrix2d::Zero();  // of the vertex normals, in the triangle's frame
+    double thickness = 0;
+    for (int k = 0; k < 3; ++k) {
+      turning += f.transpose() * vertex_normal.row(v[k]).transpose() * rest.gradients.col(k).transpose();
+      thickness += input.thickness[v[k]] / 3;
+    }
+    WallSection section;
+    section.inner = input.mid_offset - thickness / 2;
+    section.outer = input.mid_offset + thickness / 2;
+    const double reach = std::max(std::abs(section.inner), std::abs(section.outer));
+    section.curvature = limited({turning(0, 0), turning(1, 1), (turning(0, 1) + turning(1, 0)) / 2},
+                                largest_thickness_ratio / reach);
+    section.stiffness = plane_stress(input.material);
+    // From (e, c) to (e, b_k): c = sum_k b_k g_k g_k^T.
+    Mat6 bending = Mat6::Identity();
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 d = rest.gradients.col(k);
+      bending.block<3, 1>(3, 3 + k) << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+    }
+    rest.stiffness = rest.area * bending.transpose() * wall_section_stiffness(section) * bending;
+  }
+}
+
+// The smooth surface's normal on an edge: the mean of its ends', turned into the plane across the edge.
+void WallEnergy::set_rest_normals(const Points& vertex_normal) {
+  xi_rest_.assign(edges_.size(), 0);
+  const Geometry g = geometry(rest_);
+  for (size_t e = 0; e < edges_.size(); ++e) {
+    const WallEdge& edge = edges_[e];
+    const Vec3 along = (point(rest_, edge.b) - point(rest_, edge.a)).normalized();
+    const Vec3 mean = (vertex_normal.row(edge.a) + vertex_normal.row(edge.b)).transpose();
+    const Vec3 across = mean - mean.dot(along) * along;
+    const Vec3& first = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
+    const Vec3 flat =
+        edge.rim ? first : (first + g.normal[static_cast<size_t>(edge_triangle_[e][1])]).normalized();
+    const double up = across.dot(flat);
+    // A fold sharper than a right angle has no smooth normal.
+    const bool smooth = up > 0.5 * mean.norm();
+    if (edge.glued)
+      rest_.segment<3>(edge.unknown) = smooth ? across.normalized() : flat;
+    else
+      xi_rest_[e] = smooth ? across.dot(along.cross(flat)) / up : 0;
+  }
+}
+
+}  // namespace vasorod

@@ -1,0 +1,201 @@
+#include "wall/wall_energy.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "geometry/rigid_motion.h"
+#include "walls.h"
+
+namespace vasorod {
+namespace {
+
+const WallMaterial isotropic = WallMaterial::isotropic(1, 0.3);
+const WallMaterial fibred{StrainLaw::biot, 2, 1, 0.1, 0.4, 0.2};
+
+struct Case {
+  const char* name;
+  WallInput input;
+};
+
+// Two triangles of a tube lose an edge: a slit's rims, free; the tube's ends glued.
+WallInput slit_wall(const WallMaterial& material) {
+  WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, material, true);
+  Triangles kept = in.rest.triangles;
+  std::vector<Vec3> axis;
+  int n = 0;
+  for (int t = 0; t < in.rest.triangles.rows(); ++t) {
+    if (t == 24 || t == 25) continue;
+    kept.row(n++) = in.rest.triangles.row(t);
+    axis.push_back(in.axis[static_cast<size_t>(t)]);
+  }
+  in.rest.triangles = kept.topRows(n);
+  in.axis = axis;
+  return in;
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const bool glued : {false, true}) {
+    WallMaterial svk = fibred;
+    svk.law = StrainLaw::svk;
+    all.push_back(
+        {glued ? "isotropic glued" : "isotropic", tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, glued)});
+    all.push_back({glued ? "fibred glued" : "fibred", tube_wall(tube(3, 1, 7, 4), 0.3, fibred, glued)});
+    all.push_back({glued ? "svk glued" : "svk", tube_wall(tube(3, 1, 7, 4), 0.3, svk, glued)});
+  }
+  all.push_back({"slit", slit_wall(fibred)});
+  all.push_back({"three around", tube_wall(tube(3, 1, 3, 2), 0.3, fibred, true)});
+  Case outer{"outer face", tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true)};
+  outer.input.mid_offset = -0.15;
+  all.push_back(outer);
+  return all;
+}
+
+Eigen::VectorXd disturbed(const WallEnergy& wall, double size, unsigned seed) {
+  return wall.rest() + size * noise(wall.unknowns(), seed);
+}
+
+TEST(WallEnergy, ZeroAtRest) {
+  for (const Case& c : cases()) {
+    const WallEnergy wall(c.input);
+    Eigen::VectorXd g;
+    EXPECT_NEAR(wall.gradient(wall.rest(), g), 0, 1e-24) << c.name;
+    EXPECT_LT(g.norm(), 1e-12) << c.name;
+  }
+}
+
+TEST(WallEnergy, GradientAgainstDifferences) {
+  for (const Case& c : cases()) {
+    const WallEnergy wall(c.input);
+    const Eigen::VectorXd q = disturbed(wall, 0.08, 1);
+    Eigen::VectorXd g;
+    const double value = wall.gradient(q, g);
+    EXPECT_NEAR(value, wall.value(q), 1e-13 * value) << c.name;
+    const double h = 1e-5;
+    for (int i = 0; i < wall.unknowns(); ++i) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(wall.unknowns(), i);
+      EXPECT_NEAR((wall.value(q + step) - wall.value(q - step)) / (2 * h), g[i], 1e-7) << c.name << " " << i;
+    }
+  }
+}
+
+TEST(WallEnergy, HessianAgainstDifferencesOfTheGradient) {
+  for (const Case& c : cases()) {
+    WallEnergy wall(c.input);
+    const Eigen::VectorXd q = disturbed(wall, 0.08, 2);
+    const Eigen::MatrixXd hessian =
+        Eigen::MatrixXd(Eigen::SparseMatrix<double>(wall.hessian(q).selfadjointView<Eigen::Lower>()));
+    const double h = 1e-5;
+    for (int i = 0; i < wall.unknowns(); ++i) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(wall.unknowns(), i);
+      Eigen::VectorXd up, down;
+      wall.gradient(q + step, up);
+      wall.gradient(q - step, down);
+      const Eigen::VectorXd difference = (up - down) / (2 * h) - hessian.col(i);
+      EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-6) << c.name << " " << i;
+    }
+  }
+}
+
+TEST(WallEnergy, RigidMotionCostsNothingAndTurnsTheForces) {
+  for (const Case& c : cases()) {
+    const WallEnergy wall(c.input);
+    const Mat3 rotation = exp_rotation(Vec3(0.7, -1.9, 1.1));
+    const Vec3 shift(3, -4, 5);
+    const auto moved = [&](const Eigen::VectorXd& q, const Vec3& by) {
+      Eigen::VectorXd m = q;
+      for (int i = 0; i < wall.vertices(); ++i) m.segment<3>(3 * i) = rotation * q.segment<3>(3 * i) + by;
+      for (const WallEdge& e : wall.edges())
+        if (e.glued) m.segment<3>(e.unknown) = rotation * q.segment<3>(e.unknown);
+      return m;
+    };
+    EXPECT_LT(wall.value(moved(wall.rest(), shift)), 1e-24) << c.name;
+    const Eigen::VectorXd q = disturbed(wall, 0.08, 3);
+    Eigen::VectorXd g, turned;
+    const double value = wall.gradient(q, g);
+    EXPECT_NEAR(wall.gradient(moved(q, shift), turned), value, 1e-12 * value) << c.name;
+    EXPECT_LT((turned - moved(g, Vec3::Zero())).norm(), 1e-11 * g.norm()) << c.name;
+  }
+}
+
+// Lengths in another unit, moduli in another: the energy only changes its unit.
+TEST(WallEnergy, UnitsDoNotMatter) {
+  const double metre = 1e-3, pascal = 1e6;
+  for (Case& c : cases()) {
+    const WallEnergy wall(c.input);
+    const Eigen::VectorXd q = disturbed(wall, 0.08, 4);
+    WallInput in = c.input;
+    in.rest.points *= metre;
+    in.thickness *= metre;
+    in.mid_offset *= metre;
+    in.material.young_axial *= pascal;
+    in.material.young_transverse *= pascal;
+    in.material.shear_axial *= pascal;
+    const WallEnergy scaled(in);
+    Eigen::VectorXd p = q;
+    p.head(3 * wall.vertices()) *= metre;
+    const double value = wall.value(q);
+    EXPECT_NEAR(scaled.value(p) / (pascal * metre * metre * metre), value, 1e-12 * value) << c.name;
+  }
+}
+
+// Numbering vertices and triangles otherwise changes the directions of edges, not the wall.
+TEST(WallEnergy, NumberingDoesNotMatter) {
+  const WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, fibred, true);
+  WallInput other = in;
+  const auto n = static_cast<int>(in.rest.points.rows());
+  const auto m = static_cast<int>(in.rest.triangles.rows());
+  for (int i = 0; i < n; ++i) {
+    other.rest.points.row(n - 1 - i) = in.rest.points.row(i);
+    other.glued[static_cast<size_t>(n - 1 - i)] = in.glued[static_cast<size_t>(i)];
+  }
+  for (int t = 0; t < m; ++t) {
+    for (int k = 0; k < 3; ++k)
+      other.rest.triangles(m - 1 - t, k) = n - 1 - in.rest.triangles(t, (k + 1) % 3);
+    other.axis[static_cast<size_t>(m - 1 - t)] = in.axis[static_cast<size_t>(t)];
+  }
+  const WallEnergy wall(in), renumbered(other);
+  Eigen::VectorXd q = wall.rest(), p = renumbered.rest();
+  const Eigen::VectorXd shift = 0.08 * noise(3 * n, 5);
+  for (int i = 0; i < n; ++i) {
+    q.segment<3>(3 * i) += shift.segment<3>(3 * i);
+    p.segment<3>(3 * (n - 1 - i)) += shift.segment<3>(3 * i);
+  }
+  EXPECT_GT(wall.value(q), 1e-3);
+  EXPECT_NEAR(wall.value(q), renumbered.value(p), 1e-13);
+}
+
+TEST(WallEnergy, ReportAddsUp) {
+  const WallEnergy wall(slit_wall(fibred));
+  const Eigen::VectorXd q = disturbed(wall, 0.05, 6);
+  const WallReport r = wall.report(q);
+  EXPECT_NEAR(r.membrane + r.bending + r.coupling, wall.value(q), 1e-13);
+  EXPECT_EQ(r.strain.size(), r.moment.size());
+}
+
+TEST(WallEnergy, RefusesInOneSentence) {
+  const WallInput good = tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true);
+  const auto sentence = [](const WallInput& in) -> std::string {
+    try {
+      const WallEnergy wall(in);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  WallInput in = good;
+  in.thickness[3] = 0;
+  EXPECT_EQ(sentence(in), "wall: vertex 3: thickness = 0, expected a positive number");
+  in = good;
+  in.rest.triangles.row(5).reverseInPlace();
+  EXPECT_NE(sentence(in).find("turned against each other"), std::string::npos);
+  in = good;
+  in.rest.points.row(in.rest.triangles(4, 0)) = in.rest.points.row(in.rest.triangles(4, 1));
+  EXPECT_NE(sentence(in).find("expected a triangle with an area"), std::string::npos);
+  in = good;
+  in.material.shear_axial = -1;
+  EXPECT_EQ(sentence(in), "wall: G_axial = -1, expected a positive number");
+}
+
+}  // namespace
+}  // namespace vasorod

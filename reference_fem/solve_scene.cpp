@@ -149,7 +149,9 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
     finest.around = finest.around * 3 / 2;
     finest.along = finest.along * 3 / 2;
   }
-  const int points_around = std::max(96, 2 * mesh.degree * finest.around),
+  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around then lie on lines of ours, where a
+  // comparison interpolates along the axis only
+  const int points_around = 192 * (1 + (2 * mesh.degree * finest.around - 1) / 192),
             stations = 2 * mesh.degree * finest.along + 1;
 
   Result result;

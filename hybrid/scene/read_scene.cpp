@@ -79,7 +79,8 @@ Units read_units(const Field& field) {
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) {
   const Field root = read_yaml(file.string());
   root.check_keys(
-      {"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity", "accuracy", "explore", "extrapolate"});
+      {"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity", "accuracy", "explore", "extrapolate",
+       "study"});  // study: notes for the comparison's driver, not read here
   Scene scene;
   scene.file = file;
   scene.name = root.at("scene", "the scene's name").text("the scene's name");

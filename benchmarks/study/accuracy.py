@@ -1,0 +1,55 @@
+"""The accuracy table: every fidelity at three resolutions, and the shell, against the solid on every case."""
+
+from measure import compared, converged
+from runs import AROUND, FIDELITIES, accuracy_reference, accuracy_shell, hybrid
+from tables import provenance, write_table
+
+COLUMNS = ("rms", "largest", "centerline_rms", "centerline_largest", "force", "moment", "reaction_signed", "flattening",
+           "flattening_reference", "u_shape", "u_reaction")
+
+
+def hybrid_runs(case):
+    return [hybrid(case, fidelity, around) for fidelity in FIDELITIES for around in AROUND]
+
+
+def chosen_reference(store, case):
+    """The solid where it converged, else the shell, else nothing: (run, record)."""
+    for run in (accuracy_reference(case), accuracy_shell(case)):
+        record = store.record(run.identity)
+        if converged(store, record):
+            return run, record
+    return None, None
+
+
+def rows_of(store, case, records):
+    """One row per run of the case; a run that failed keeps its sentence instead of numbers."""
+    reference, record = chosen_reference(store, case)
+    if reference is None:
+        return []
+    records.append(record)
+    rows = []
+    others = hybrid_runs(case)
+    if reference.identity != accuracy_shell(case).identity:
+        others.append(accuracy_shell(case))
+    for run in others:
+        record = store.record(run.identity)
+        if record is None:
+            continue
+        records.append(record)
+        settings = run.identity.split("/")[1].split("-")
+        row = {"case": case.name, "family": case.family, "ratio": case.ratio, "counted": int(case.counted), "model": settings[0],
+               "around": int(settings[1]) if settings[1].isdigit() else None, "reference": reference.identity.split("/")[1]}
+        if converged(store, record):
+            numbers = compared(store, case, run, reference)
+            row.update({name: numbers[name] for name in COLUMNS}, failure=None)
+        else:
+            row.update({name: None for name in COLUMNS}, failure=record["sentence"] or f"exit {record['exit']}")
+        rows.append(row)
+    return rows
+
+
+def make_table(store, cases, path):
+    records = []
+    rows = [row for case in cases for row in rows_of(store, case, records)]
+    write_table(path, rows, ["Errors against the finite-element reference, law Biot; u_: the reference's own error", *provenance(records)])
+    return rows

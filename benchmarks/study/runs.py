@@ -1,0 +1,47 @@
+"""Every run of the study by its identity, CASE/PROGRAM-SETTINGS: what is written beside it and how the program is called."""
+
+import json
+from dataclasses import dataclass, field
+
+from store import sha256
+
+FIDELITIES = ("rod", "skin", "paper", "coupled")
+AROUND = (24, 48, 96)  # points around: the three resolutions of the hybrid's surfaces
+
+
+@dataclass(frozen=True)
+class Run:
+    identity: str
+    program: str
+    arguments: tuple
+    files: dict = field(hash=False)
+    keep: bool = False  # do not repeat it because the program was rebuilt
+
+    def key(self):
+        return sha256(json.dumps([self.program, list(self.arguments), self.files], sort_keys=True))
+
+
+def hybrid(case, fidelity, around, *, tag="", extra=()):
+    """vasorod on `around` points around; `tag` tells variations of one case apart."""
+    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod",
+               ("solve", "scene.yaml", "-o", "result", "--quiet", "--threads", "1", "--fidelity", fidelity, *extra),
+               {"scene.yaml": case.changed(around=around).text()})
+
+
+def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(0.34, 1.0)):
+    """vasorod-fem; kept through rebuilds, as it is dear: its record says which program it was."""
+    return Run(f"{case.name}{tag}/{model}-p{degree}-{cells[0]}x{cells[1]}-r{refine}-{law}", "vasorod-fem",
+               ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model, "--law", law, "--degree", str(degree),
+                "--cells", str(cells[0]), str(cells[1]), "--refine", str(refine), "--first-step", str(steps[0]),
+                "--largest-step", str(steps[1])),
+               {"scene.yaml": case.text()}, keep=True)
+
+
+def accuracy_reference(case):
+    """What every fidelity is measured against: p = 4 solid, 8 x 12 cells and those refined by 3/2."""
+    return reference(case, "solid", 4, (8, 12), 1, steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0))
+
+
+def accuracy_shell(case):
+    """Beside it, the 7-parameter shell on the same cells: its own kinematics and assembly."""
+    return reference(case, "shell", 4, (8, 12), 1, steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0))

@@ -1,0 +1,55 @@
+"""CSV files with their provenance in comment lines at the top: what made them, with which programs, at which commits."""
+
+import csv
+import io
+from pathlib import Path
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def shown(value):
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def provenance(records):
+    """One line per program: its hash, the commits it was run at, how many runs."""
+    seen = {}
+    for record in records:
+        entry = seen.setdefault((record["program"], record["program_sha256"][:12]), [set(), 0])
+        entry[0].add(record["commit"])
+        entry[1] += 1
+    return [f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}" for (name, digest), (commits, count) in sorted(seen.items())]
+
+
+def write_table(path, rows, notes=()):
+    """rows: dictionaries with the same keys; notes: the comment lines."""
+    out = io.StringIO()
+    for note in notes:
+        out.write(f"# {note}\n")
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(rows[0])
+    for row in rows:
+        writer.writerow(map(shown, row.values()))
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text(out.getvalue())
+
+
+def read_table(path):
+    """The rows as dictionaries, numbers as numbers, empty cells as None; and the comment lines."""
+    lines = Path(path).read_text().splitlines()
+    notes = [line[2:] for line in lines if line.startswith("# ")]
+    rows = [{key: None if text == "" else number(text) for key, text in row.items()}
+            for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    return rows, notes
+
+
+def markdown(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]) + "\n"

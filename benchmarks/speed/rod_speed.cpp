@@ -5,6 +5,7 @@
 
 #include "../chain.h"
 #include "rod/elimination.h"
+#include "rod/scaled_rod.h"
 
 namespace {
 
@@ -70,12 +71,14 @@ void sweep(benchmark::State& state) {
         poses[static_cast<std::size_t>(i)] *
         exp_motion(Vec6(link.length * Vec6(0.1 * Vec6::Ones())) + link.natural);
   }
+  std::vector<Vec6> strain;
+  for (std::size_t k = 0; k < links.size(); ++k) strain.push_back(link_strain(links, poses, k));
   NodeCondition root;
   root.fixed.fill(true);
   RodElimination elimination(links, {root});
   std::vector<Vec6> stress(links.size(), Vec6(0.1 * Vec6::Ones())), step, next, stretch;
   for (auto _ : state) {
-    elimination.factor(poses, stress);
+    elimination.factor(poses, strain, stress);
     elimination.solve(step, next, stretch);
     benchmark::DoNotOptimize(step.data());
   }

@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "geometry/rigid_motion.h"
+#include "rod/index.h"
 
 namespace vasorod {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Harmonic along arc length: given at some nodes, no flux elsewhere; zero where nothing is given at all.
 std::vector<Vec3> spread(const std::vector<RodLink>& links, const std::vector<const Vec3*>& given) {

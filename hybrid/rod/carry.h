@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rod/elimination.h"
+#include "rod/link.h"
 
 namespace vasorod {
 

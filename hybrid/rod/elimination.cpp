@@ -2,134 +2,61 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
+#include "rod/link_geometry.h"
 
 namespace vasorod {
 namespace {
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
+/// A pivot this small, relative to the link's own stiffness, is round-off.
+constexpr double neutral_pivot = 1e-10;
+
+// From the second node's twist space to its parent's: A = (1, -hat(lever); 0, 1), S_i += A^T S A, g_i += A^T
+// g.
+void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, Mat6& to_s, Vec6& to_g) {
+  const Mat3 h = hat(lever);
+  const Mat3 vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>();
+  Mat3 left = s.bottomLeftCorner<3, 3>();
+  left.noalias() += h * vv;
+  Mat3 right = vw;
+  right.noalias() -= vv * h;
+  Mat3 turn = s.bottomRightCorner<3, 3>();
+  turn.noalias() += h * vw;
+  turn.noalias() -= left * h;
+  to_s.topLeftCorner<3, 3>() += vv;
+  to_s.topRightCorner<3, 3>() += right;
+  to_s.bottomLeftCorner<3, 3>() += left;
+  to_s.bottomRightCorner<3, 3>() += turn;
+  to_g.head<3>() += g.head<3>();
+  to_g.tail<3>() += g.tail<3>() + lever.cross(g.head<3>());
 }
 
-/// Frames of one link in numbers: strain, right Jacobian, derivative of Jr^-T(xi) s.
-struct LinkKinematics {
-  Vec3 v, u;  // xi
-  Mat3 j, b;  // right Jacobian (j, b; 0, j) in the second node's body axes
-  LogCoefficients log;
-};
+/// The same for the forces (or conditions) of reactions: A^T B.
+template <class Columns>
+void move_to_parent(const Vec3& lever, Columns& b) {
+  for (Eigen::Index c = 0; c < b.cols(); ++c) {
+    const Vec3 force = b.col(c).template head<3>();
+    b.col(c).template tail<3>() += lever.cross(force);
+  }
+}
 
-LinkKinematics kinematics(const Pose& first, const Pose& second) {
-  LinkKinematics k;
-  const Vec3 t = first.rotation.transpose() * (second.position - first.position);
-  k.u = log_rotation(first.rotation.transpose() * second.rotation);
-  const double z = k.u.squaredNorm();
-  k.log = log_coefficients(z);
-  const Vec3 ut = k.u.cross(t);
-  k.v = t - 0.5 * ut + k.log.c * k.u.cross(ut);
-  const ExpCoefficients e = exp_coefficients(z);
-  // (hat u)^2 = u u^T - z I and its derivative in the direction v
-  const double uv = k.u.dot(k.v);
-  const Mat3 hu = hat(k.u);
-  k.j = e.d * k.u * k.u.transpose() - e.b * hu;
-  k.j.diagonal().array() += 1 - e.d * z;
-  const Mat3 cross = k.v * k.u.transpose();
-  k.b = e.d * (cross + cross.transpose()) + uv * (e.d2 * k.u * k.u.transpose() - e.b2 * hu) - e.b * hat(k.v);
-  k.b.diagonal().array() -= 2 * e.d * uv + uv * e.d2 * z;
+/// J^T b for J = (j, b; 0, j).
+template <class Columns>
+Columns pull_back(const Mat3& j, const Mat3& b, const Columns& columns) {
+  Columns k(6, columns.cols());
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+    const Vec3 v = columns.col(c).template head<3>(), w = columns.col(c).template tail<3>();
+    k.col(c).template head<3>() = j.transpose() * v;
+    k.col(c).template tail<3>() = b.transpose() * v + j.transpose() * w;
+  }
   return k;
 }
 
-/// The bracket term's blocks (0, f; f, m) with f = -hat(force)/2, m = -hat(moment)/2.
-struct Bracket {
-  Mat3 f, m;
-  explicit Bracket(const Vec6& wrench) : f(hat(-0.5 * wrench.head<3>())), m(hat(-0.5 * wrench.tail<3>())) {}
-  Mat6 full() const {
-    Mat6 p = Mat6::Zero();
-    p.topRightCorner<3, 3>() = p.bottomLeftCorner<3, 3>() = f;
-    p.bottomRightCorner<3, 3>() = m;
-    return p;
-  }
-};
-
-/// Jr^-T s in space axes: the wrench a link's stress puts on its second node.
-Vec6 wrench_of(const LinkKinematics& k, const Mat3& rotation, const Vec6& s) {
-  const Vec3 n = s.head<3>(), m = s.tail<3>();
-  const Vec3 un = k.u.cross(n), um = k.u.cross(m), vn = k.v.cross(n);
-  const Vec3 uun = k.u.cross(un);
-  const Vec3 wn = n - 0.5 * un + k.log.c * uun;
-  const Vec3 wm = m - 0.5 * (um + vn) + k.log.c * (k.u.cross(um) + k.u.cross(vn) + k.v.cross(un)) +
-                  k.log.c2 * k.u.dot(k.v) * uun;
-  Vec6 w;
-  w << rotation * wn, rotation * wm;
-  return w;
-}
-
-///
-
-/// Number of negative eigenvalues of a symmetric matrix relative to `scale`, the direction of the lowest, and
-/// whether one is neutral: within round-off of zero, a direction that costs nothing, neither up nor down.
-int negative_eigenvalues(const Eigen::MatrixXd& t, const Eigen::VectorXd& scale, Eigen::VectorXd& lowest,
-                         double neutral, bool& singular) {
-  const Eigen::VectorXd s = scale.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(s.asDiagonal() * t * s.asDiagonal());
-  lowest = s.asDiagonal() * eigen.eigenvectors().col(0);
-  singular = singular || (eigen.eigenvalues().array().abs() <= neutral).any();
-  return static_cast<int>((eigen.eigenvalues().array() < -neutral).count());
-}
-
-/// Orthonormal bases of what a node's support fixes (columns of n) and leaves (z), and the step the fixed
-/// part needs.
-struct FreedomSplit {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> fixed, free;
-  Vec6 step = Vec6::Zero();
-};
-
-FreedomSplit split(const NodeCondition& condition, const Pose& pose) {
-  const int count = condition.fixed_count();
-  Eigen::Matrix<double, Eigen::Dynamic, 6> rows = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(count, 6);
-  Eigen::VectorXd rest(count);
-  const Vec3 gap = condition.target.position - pose.position;
-  const Vec3 turn = log_rotation(pose.rotation * condition.target.rotation.transpose());
-  const Mat3 inverse = left_jacobian_inverse(turn);
-  int row = 0;
-  for (int k = 0; k < 6; ++k) {
-    if (!condition.fixed[index(k)]) continue;
-    const Vec3 axis = condition.frame.col(k % 3);
-    if (k < 3) {
-      rows.row(row).head<3>() = axis;
-      rest[row] = axis.dot(gap);
-    } else {
-      rows.row(row).tail<3>() = axis.transpose() * inverse;
-      rest[row] = -axis.dot(turn);
-    }
-    ++row;
-  }
-  FreedomSplit s;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.transpose());
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(6, 6);
-  s.fixed = q.leftCols(count);
-  s.free = q.rightCols(6 - count);
-  const Eigen::MatrixXd r = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
-  s.step = s.fixed * r.transpose().triangularView<Eigen::Lower>().solve(rest);
-  return s;
-}
-
 }  // namespace
-
-Vec6 NodeCondition::load(const Pose& pose) const {
-  Vec6 sum;
-  sum << force, space_moment + pose.rotation * body_moment;
-  return sum;
-}
-
-int NodeCondition::fixed_count() const {
-  return static_cast<int>(std::count(fixed.begin(), fixed.end(), true));
-}
 
 RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondition> conditions)
     : links_(std::move(links)), conditions_(std::move(conditions)) {
@@ -146,23 +73,19 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
   for (std::size_t k = 0; k < links_.size(); ++k) {
     weight_[k + 1] += 0.5 * links_[k].length;
     weight_[index(links_[k].parent)] += 0.5 * links_[k].length;
-    // what eps of the stretch stiffness is to the link's own bending stiffness
-    const Mat6& c = links_[k].stiffness;
-    neutral_ = std::max(neutral_, 10 * std::numeric_limits<double>::epsilon() * links_[k].length *
-                                      c.diagonal().head<3>().maxCoeff() / std::min(c(3, 3), c(4, 4)));
   }
   s_.resize(nodes);
   g_.resize(nodes);
   work_.resize(links_.size());
+  channels_.set_up(links_, conditions_);
 }
 
-// // // Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force F
-// does the work F.(v + omega x v / 2); that form takes fewest steps. With the force that the links pass to
-// the node in place of F
-// (`from_links`; the same at equilibrium) the coordinates are r and omega instead, in which a dead load adds
-// nothing: an unstressed rod's matrix is then positive. A moment without energy adds an antisymmetric part,
-// -M/2 dead in space, +M/2 in the body.
-void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links) {
+// Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force F does the
+// work F.(v + omega x v / 2); that form takes fewest steps. With the force that the links pass to the node in
+// place of F (`from_links`; the same at equilibrium) the coordinates are r and omega instead, in which a dead
+// load adds nothing: an unstressed rod's matrix is then positive. A moment without energy adds an
+// antisymmetric part, -M/2 dead in space, +M/2 in the body.
+void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links) {
   for (std::size_t k = 0; k < s_.size(); ++k) {
     s_[k].setZero();
     g_[k].setZero();
@@ -192,271 +115,269 @@ void RodElimination::add_node_terms(const std::vector<Pose>& poses, bool symmetr
   }
 }
 
-void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Vec6>& stress, Purpose purpose,
-                            double shift) {
+void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
+                            const std::vector<Vec6>& stress, Purpose purpose, double shift) {
   const bool symmetric = purpose != Purpose::newton || !unsymmetric_;
+  gather_node_terms(poses, symmetric, purpose == Purpose::descent);
+  if (shift != 0)
+    for (std::size_t k = 0; k < s_.size(); ++k) s_[k].diagonal().array() += shift * weight_[k];
+  sweep(poses, strain, stress, symmetric, false);
+}
+
+void RodElimination::factor_mode(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
+                                 const std::vector<Vec6>& stress, double shift,
+                                 const std::vector<Vec6>& pull) {
+  gather_node_terms(poses, true, false);
+  for (std::size_t k = 0; k < s_.size(); ++k) {
+    s_[k].diagonal().array() += shift * weight_[k];
+    g_[k] = -weight_[k] * pull[k];
+  }
+  sweep(poses, strain, stress, true, true);
+}
+
+void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
+                           const std::vector<Vec6>& stress, bool symmetric, bool homogeneous) {
   negative_ = 0;
   singular_ = false;
-  negative_node_ = -1;
-  add_node_terms(poses, symmetric, purpose == Purpose::descent);
-  if (shift > 0)
-    for (std::size_t k = 0; k < s_.size(); ++k) s_[k].diagonal().array() += shift * weight_[k];
+  general_ = !symmetric;
+  channels_.restart();
   for (std::size_t k = links_.size(); k-- > 0;) {
     const Pose &first = poses[index(links_[k].parent)], &second = poses[k + 1];
-    const int c = condition_of_[k + 1];
-    if (c >= 0 && conditions_[index(c)].supported())
-      eliminate_constrained(k, first, second, stress[k]);
-    else if (symmetric)
-      eliminate_free<true>(k, first, second, stress[k]);
+    const int node = static_cast<int>(k) + 1;
+    if (channels_.begins_at(node)) {
+      const Mat6& c = links_[k].stiffness;
+      const int condition = condition_of_[k + 1];
+      channels_.begin(node, condition >= 0 ? &conditions_[index(condition)] : nullptr, second,
+                      10 * links_[k].length * std::min(c(3, 3), c(4, 4)), homogeneous, s_[k + 1], g_[k + 1]);
+    }
+    if (symmetric)
+      eliminate(k, first, second, strain[k], stress[k], homogeneous);
     else
-      eliminate_free<false>(k, first, second, stress[k]);
+      eliminate_unsymmetric(k, first, second, strain[k], stress[k]);
   }
-  eliminate_root(poses);
+  eliminate_root(poses, homogeneous);
 }
 
-template <bool symmetric>
-void RodElimination::eliminate_free(std::size_t k, const Pose& first, const Pose& second,
-                                    const Vec6& stress) {
+void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& second, const Vec6& strain,
+                               const Vec6& stress, bool homogeneous) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
-  const LinkKinematics kin = kinematics(link_start(link, first), second);
-  work.kind = symmetric ? LinkWork::Kind::symmetric : LinkWork::Kind::general;
-  work.j = second.rotation * kin.j;
-  work.b = second.rotation * kin.b;
-  work.eps << kin.v, kin.u;
+  const LinkGeometry geometry = link_geometry(strain, stress);
+  work.j.noalias() = second.rotation * geometry.j;
+  work.b.noalias() = second.rotation * geometry.b;
   work.lever = second.position - first.position;
-  const Vec6 xi = work.eps;
-  work.eps -= link.natural;
-  const Bracket p(wrench_of(kin, second.rotation, stress));
+  if (homogeneous)
+    work.eps.setZero();
+  else
+    work.eps = strain - link.natural;
   const Mat6& s = s_[k + 1];
+  const Mat3 &j = work.j, &b = work.b;
+  const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>(), wv = s.bottomLeftCorner<3, 3>(),
+             ww = s.bottomRightCorner<3, 3>();
 
-  Mat6 js;  // Jr^T S
-  js.topRows<3>().noalias() = work.j.transpose() * s.topRows<3>();
-  js.bottomRows<3>().noalias() = work.b.transpose() * s.topRows<3>();
-  js.bottomRows<3>().noalias() += work.j.transpose() * s.bottomRows<3>();
-  Mat6 jp = Mat6::Zero();  // Jr^T P
-  jp.topRightCorner<3, 3>().noalias() = work.j.transpose() * p.f;
-  jp.bottomLeftCorner<3, 3>() = jp.topRightCorner<3, 3>();
-  jp.bottomRightCorner<3, 3>().noalias() = work.b.transpose() * p.f;
-  jp.bottomRightCorner<3, 3>().noalias() += work.j.transpose() * p.m;
-  const Mat6 q_right = js + jp;
+  Mat3 a11, a12, a21, a22;  // Jr^T S
+  a11.noalias() = j.transpose() * vv;
+  a12.noalias() = j.transpose() * vw;
+  a21.noalias() = b.transpose() * vv;
+  a21.noalias() += j.transpose() * wv;
+  a22.noalias() = b.transpose() * vw;
+  a22.noalias() += j.transpose() * ww;
+  Mat6 t;  // T - C/L
+  Mat3 block;
+  block.noalias() = a11 * j;
+  t.topLeftCorner<3, 3>() = block;
+  block.noalias() = a21 * j;
+  t.bottomLeftCorner<3, 3>() = block + geometry.g12;  // g12 is symmetric
+  t.topRightCorner<3, 3>() = block.transpose() + geometry.g12;
+  block.noalias() = a21 * b;
+  block.noalias() += a22 * j;
+  t.bottomRightCorner<3, 3>() = block + geometry.g22;
 
-  Mat6 t = geometric_stiffness(xi, stress);  // T - C/L
-  t.leftCols<3>().noalias() += js.leftCols<3>() * work.j;
-  t.rightCols<3>().noalias() += js.leftCols<3>() * work.b;
-  t.rightCols<3>().noalias() += js.rightCols<3>() * work.j;
-  Vec6 jg;  // Jr^T g
-  jg.head<3>().noalias() = work.j.transpose() * g_[k + 1].head<3>();
-  jg.tail<3>().noalias() =
-      work.b.transpose() * g_[k + 1].head<3>() + work.j.transpose() * g_[k + 1].tail<3>();
-  Vec6 q = jg - t * work.eps;
+  // P has the blocks (0, f; f, m): f = -hat(force)/2, m = -hat(moment)/2
+  const Mat3 f = hat(second.rotation * (-0.5 * geometry.force)),
+             m = hat(second.rotation * (-0.5 * geometry.moment));
+  const Mat3 jf = j.transpose() * f;
+  a12 += jf;
+  a21 += jf;
+  a22.noalias() += b.transpose() * f;
+  a22.noalias() += j.transpose() * m;
+
+  const Vec6& g = g_[k + 1];
+  Vec6 q;
+  q.head<3>().noalias() = j.transpose() * g.head<3>();
+  q.tail<3>().noalias() = b.transpose() * g.head<3>() + j.transpose() * g.tail<3>();
+  q.noalias() -= t * work.eps;
   t += link.stiffness;
 
-  if constexpr (!symmetric) {
-    Mat6 jst;  // Jr^T S^T
-    jst.topRows<3>().noalias() = work.j.transpose() * s.leftCols<3>().transpose();
-    jst.bottomRows<3>().noalias() = work.b.transpose() * s.leftCols<3>().transpose();
-    jst.bottomRows<3>().noalias() += work.j.transpose() * s.rightCols<3>().transpose();
-    const Mat6 q_left = jst + jp;
-    const Eigen::PartialPivLU<Mat6> lu(t);
-    work.z = lu.solve(q_right);
-    work.z0 = lu.solve(q);
-    pass_to_parent(k, s - q_left.transpose() * work.z, g_[k + 1] - q_left.transpose() * (work.eps + work.z0));
-    return;
+  auto& w = work.w;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      w[r][c] = a11(r, c);
+      w[r][c + 3] = a12(r, c);
+      w[r + 3][c] = a21(r, c);
+      w[r + 3][c + 3] = a22(r, c);
+    }
+    w[r][6] = q[r];
+    w[r + 3][6] = q[r + 3];
+    w[r][7] = w[r + 3][7] = 0;
   }
-
-  // T = L D L^T; C leads with its stiff rows, so no pivoting is needed for accuracy
-  const auto decompose = [&] {
-    bool low = false;
+  alignas(32) double next[6][8];  // S - Q^T T^-1 Q and g - Q^T (eps + T^-1 q)
+  for (int r = 0; r < 6; ++r) {
+    double pull = g[r];
     for (int c = 0; c < 6; ++c) {
-      double d = t(c, c);
-      for (int i = 0; i < c; ++i) d -= work.lower(c, i) * work.lower(c, i) * work.pivot[i];
-      if (d == 0 || !std::isfinite(d)) {
-        singular_ = true;
-        d = 1e-300 + 1e-16 * std::abs(t(c, c));
-      }
-      work.pivot[c] = d;
-      low = low || d < neutral_ * link.stiffness(c, c);
-      for (int r = c + 1; r < 6; ++r) {
-        double x = t(r, c);
-        for (int i = 0; i < c; ++i) x -= work.lower(r, i) * work.lower(c, i) * work.pivot[i];
-        work.lower(r, c) = x / d;
-      }
+      next[r][c] = s(r, c);
+      pull -= w[c][r] * work.eps[c];
     }
-    return low;
-  };
-  if (decompose()) {
-    Eigen::VectorXd lowest;
-    const int negative = negative_eigenvalues(t, link.stiffness.diagonal(), lowest, neutral_, singular_);
-    negative_ += negative;
-    if (negative > 0) {
-      negative_node_ = static_cast<int>(k) + 1;
-      negative_stretch_ = lowest;
-      negative_twist_ << work.j * lowest.head<3>() + work.b * lowest.tail<3>(), work.j * lowest.tail<3>();
+    next[r][6] = pull;
+    next[r][7] = 0;
+  }
+  // T = L D L^T; C leads with its stiff rows, so no pivoting is needed for accuracy
+  double l[6][6];
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c <= r; ++c) l[r][c] = t(r, c);
+  bool low = false;
+  for (int c = 0; c < 6; ++c) {
+    double pivot = l[c][c];
+    low = low || !(pivot > neutral_pivot * link.stiffness(c, c));
+    if (pivot == 0) pivot = 1e-300;
+    const double inverse = 1 / pivot;
+    work.inverse_pivot[c] = inverse;
+    for (int r = c + 1; r < 6; ++r) {
+      const double factor = l[r][c] * inverse;
+      work.lower[r][c] = factor;
+      for (int i = c + 1; i <= r; ++i) l[r][i] -= factor * l[i][c];
+      for (int i = 0; i < 8; ++i) w[r][i] -= factor * w[c][i];
+    }
+    for (int r = 0; r < 6; ++r) {
+      const double factor = w[c][r] * inverse;
+      for (int i = r & ~1; i < 8; ++i) next[r][i] -= factor * w[c][i];
     }
   }
-  work.z = q_right;
-  work.z0 = q;
-  for (int c = 0; c < 5; ++c)
-    for (int r = c + 1; r < 6; ++r) {
-      work.z.row(r) -= work.lower(r, c) * work.z.row(c);
-      work.z0[r] -= work.lower(r, c) * work.z0[c];
+  if (low) check_pivots(k, t);
+
+  Mat6 passed_s;
+  Vec6 passed_g;
+  for (int r = 0; r < 6; ++r) {
+    for (int c = r; c < 6; ++c) passed_s(r, c) = passed_s(c, r) = next[r][c];
+    passed_g[r] = next[r][6];
+  }
+  if (const int at = channels_.segment_of(k); at >= 0) {
+    SupportChannels::Segment& segment = channels_.segment(at);
+    SupportChannels::Matrix6& gain = channels_.gains()[index(channels_.gain_of(k))];
+    gain = pull_back(j, b, segment.force);
+    segment.rest += gain.transpose() * work.eps;
+    for (int c = 0; c < 5; ++c)
+      for (int r = c + 1; r < 6; ++r) gain.row(r) -= work.lower[r][c] * gain.row(c);
+    for (int c = 0; c < 6; ++c) {
+      const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 6> row = gain.row(c);
+      const double inverse = work.inverse_pivot[c];
+      segment.compliance += inverse * row.transpose() * row;
+      segment.rest += (inverse * w[c][6]) * row.transpose();
+      const Vec6 q_row = Eigen::Map<const Vec6>(w[c]);
+      segment.force -= inverse * q_row * row;
     }
-  const Mat6 scaled = work.pivot.cwiseInverse().asDiagonal() * work.z;
-  pass_to_parent(k, s - work.z.transpose() * scaled,
-                 g_[k + 1] - q_right.transpose() * work.eps - scaled.transpose() * work.z0);
+    move_to_parent(work.lever, segment.force);
+    segment.row = segment.force;
+  }
+  const std::size_t parent = index(link.parent);
+  move_to_parent(work.lever, passed_s, passed_g, s_[parent], g_[parent]);
 }
 
-// delta = Z delta_z + u, u = E a + step, E = N N^T the projector on what is fixed (b = delta - a has b_n =
-// step_n). What the node's side does along fixed directions is a constant and drops out of S and g first.
-void RodElimination::eliminate_constrained(std::size_t k, const Pose& first, const Pose& second,
-                                           const Vec6& stress) {
+/// Signs of the eigenvalues of T where its pivots alone do not tell them.
+void RodElimination::check_pivots(std::size_t k, const Mat6& t) {
+  const Vec6 scale = links_[k].stiffness.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scale.asDiagonal() * t * scale.asDiagonal(),
+                                                  Eigen::EigenvaluesOnly);
+  singular_ = singular_ || !(eigen.eigenvalues().array().abs() > neutral_pivot).all();
+  negative_ += static_cast<int>((eigen.eigenvalues().array() < 0).count());
+}
+
+void RodElimination::eliminate_unsymmetric(std::size_t k, const Pose& first, const Pose& second,
+                                           const Vec6& strain, const Vec6& stress) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
-  const LinkKinematics kin = kinematics(link_start(link, first), second);
-  const FreedomSplit freedom = split(conditions_[index(condition_of_[k + 1])], second);
-  work.kind = LinkWork::Kind::constrained;
+  const LinkGeometry geometry = link_geometry(strain, stress);
+  work.j = second.rotation * geometry.j;
+  work.b = second.rotation * geometry.b;
   work.lever = second.position - first.position;
-  Vec6 xi;
-  xi << kin.v, kin.u;
-  work.eps = xi - link.natural;
-  Mat6 turn = Mat6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = second.rotation.transpose();
-  work.lower = right_jacobian_inverse(xi) * turn;
-  const Mat6 p = Bracket(wrench_of(kin, second.rotation, stress)).full();
-  const auto& z = freedom.free;
-  const Mat6 fixed = freedom.fixed * freedom.fixed.transpose(), open = z * z.transpose();
-  const Vec6 g = open * (g_[k + 1] + s_[k + 1] * freedom.step);
-  const Mat6 s = open * s_[k + 1] * open;
-  const Mat6 t = work.lower.transpose() * (link.stiffness + geometric_stiffness(xi, stress)) * work.lower + s;
-  const Vec6 elastic = work.lower.transpose() * (link.stiffness * work.eps);
-  work.z = fixed;
-  work.z0 = freedom.step;
-  Mat6 passed_s = fixed * t * fixed - fixed * p + p * fixed + s;
-  Vec6 passed_g = fixed * (elastic + t * freedom.step) + p * freedom.step - g;
-  if (z.cols() > 0) {
-    const Eigen::MatrixXd tzz = z.transpose() * t * z;
-    const Eigen::MatrixXd right = z.transpose() * (t * fixed - (s + p));
-    const Eigen::MatrixXd left = (fixed * t - (s - p)) * z;
-    const Eigen::VectorXd rhs = z.transpose() * (elastic + t * freedom.step + g);
-    const Mat6 stiff = work.lower.transpose() * link.stiffness * work.lower;
-    Eigen::VectorXd lowest;
-    const int negative = negative_eigenvalues(
-        0.5 * (tzz + tzz.transpose()), (z.transpose() * stiff * z).diagonal(), lowest, neutral_, singular_);
-    if (negative > 0) {
-      negative_ += negative;
-      negative_node_ = static_cast<int>(k) + 1;
-      negative_twist_ = z * lowest;
-    }
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(tzz);
-    const Eigen::MatrixXd gain = lu.solve(right);
-    const Eigen::VectorXd offset = lu.solve(rhs);
-    work.z -= z * gain;
-    work.z0 -= z * offset;
-    passed_s -= left * gain;
-    passed_g -= left * offset;
+  work.eps = strain - link.natural;
+  const Mat6& s = s_[k + 1];
+  const Vec6& g = g_[k + 1];
+  Mat6 jacobian = Mat6::Zero(), p = Mat6::Zero(), t = Mat6::Zero();
+  jacobian.topLeftCorner<3, 3>() = jacobian.bottomRightCorner<3, 3>() = work.j;
+  jacobian.topRightCorner<3, 3>() = work.b;
+  p.topRightCorner<3, 3>() = p.bottomLeftCorner<3, 3>() = hat(second.rotation * (-0.5 * geometry.force));
+  p.bottomRightCorner<3, 3>() = hat(second.rotation * (-0.5 * geometry.moment));
+  t.topRightCorner<3, 3>() = t.bottomLeftCorner<3, 3>() = geometry.g12;
+  t.bottomRightCorner<3, 3>() = geometry.g22;
+  t += jacobian.transpose() * s * jacobian;
+  const Mat6 q_right = jacobian.transpose() * (s + p), q_left = jacobian.transpose() * (s.transpose() + p);
+  const Vec6 q = jacobian.transpose() * g - t * work.eps;
+  t += link.stiffness;
+  const Eigen::PartialPivLU<Mat6> lu(t);
+  const Mat6 z = lu.solve(q_right);
+  const Vec6 z0 = lu.solve(q);
+  for (int r = 0; r < 6; ++r) {
+    for (int c = 0; c < 6; ++c) work.w[r][c] = z(r, c);
+    work.w[r][6] = z0[r];
+    work.w[r][7] = 0;
   }
-  pass_to_parent(k, passed_s, -passed_g);
+  if (const int at = channels_.segment_of(k); at >= 0) {
+    SupportChannels::Segment& segment = channels_.segment(at);
+    SupportChannels::Matrix6& gain = channels_.gains()[index(channels_.gain_of(k))];
+    const SupportChannels::Matrix6 row = pull_back(work.j, work.b, segment.row);
+    gain = lu.solve(pull_back(work.j, work.b, segment.force));
+    segment.force -= q_left.transpose() * gain;
+    segment.row -= z.transpose() * row;
+    segment.compliance += row.transpose() * gain;
+    segment.rest += row.transpose() * (work.eps + z0);
+    move_to_parent(work.lever, segment.force);
+    move_to_parent(work.lever, segment.row);
+  }
+  const std::size_t parent = index(link.parent);
+  move_to_parent(work.lever, s - q_left.transpose() * z, g - q_left.transpose() * (work.eps + z0), s_[parent],
+                 g_[parent]);
 }
 
-// From the second node's twist space to its parent's: A = (1, -lever; 0, 1), S_i += A^T S A, g_i += A^T g.
-void RodElimination::pass_to_parent(std::size_t k, const Mat6& s, const Vec6& g) {
-  const Vec3& t = work_[k].lever;
-  const Mat3 h = hat(t);
-  const std::size_t parent = index(links_[k].parent);
-  Mat6& to = s_[parent];
-  const Mat3 left = h * s.topLeftCorner<3, 3>() + s.bottomLeftCorner<3, 3>();
-  to.topLeftCorner<3, 3>() += s.topLeftCorner<3, 3>();
-  to.topRightCorner<3, 3>() += s.topRightCorner<3, 3>() - s.topLeftCorner<3, 3>() * h;
-  to.bottomLeftCorner<3, 3>() += left;
-  to.bottomRightCorner<3, 3>() += s.bottomRightCorner<3, 3>() + h * s.topRightCorner<3, 3>() - left * h;
-  g_[parent].head<3>() += g.head<3>();
-  g_[parent].tail<3>() += g.tail<3>() + t.cross(g.head<3>());
-}
-
-void RodElimination::eliminate_root(const std::vector<Pose>& poses) {
+void RodElimination::eliminate_root(const std::vector<Pose>& poses, bool homogeneous) {
   const int c = condition_of_[0];
-  FreedomSplit freedom;
-  if (c >= 0 && conditions_[index(c)].supported())
-    freedom = split(conditions_[index(c)], poses[0]);
-  else
-    freedom.free = Mat6::Identity();
-  root_step_ = freedom.step;
-  const auto& z = freedom.free;
-  if (z.cols() == 0) return;
-  const Eigen::MatrixXd t = z.transpose() * s_[0] * z;
-  const Eigen::VectorXd rhs = z.transpose() * (g_[0] + s_[0] * freedom.step);
-  Eigen::VectorXd lowest;
-  const double size = std::max(t.diagonal().cwiseAbs().maxCoeff(), 1e-300);
-  const int negative = negative_eigenvalues(
-      0.5 * (t + t.transpose()), Eigen::VectorXd::Constant(z.cols(), size), lowest, neutral_, singular_);
-  if (negative > 0) {
-    negative_ += negative;
-    negative_node_ = 0;
-    negative_twist_ = z * lowest;
-  }
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(t);
-  if (!lu.isInvertible()) singular_ = true;
-  root_step_ -= z * lu.solve(rhs);
+  root_step_ = channels_.close(c >= 0 ? &conditions_[index(c)] : nullptr, poses[0], homogeneous, s_[0], g_[0],
+                               negative_, singular_);
+  negative_ += channels_.negative_pivots() - channels_.condition_count();
 }
 
-// Without `stress` the homogeneous problem: no misfit, no loads.
-void RodElimination::walk_back(std::vector<Vec6>& step, std::vector<Vec6>& stretch, int from,
-                               std::vector<Vec6>* stress) const {
-  const bool homogeneous = stress == nullptr;
-  for (std::size_t k = index(from); k < links_.size(); ++k) {
-    const LinkWork& work = work_[k];
-    const Vec6& parent = step[index(links_[k].parent)];
-    Vec6 carried = parent;  // A zeta_i
-    carried.head<3>() += parent.tail<3>().cross(work.lever);
-    Vec6 y;  // stretch = y - eps = Jr^-1 delta
-    if (work.kind == LinkWork::Kind::constrained) {
-      Vec6 delta = -(work.z * carried);
-      if (!homogeneous) delta += work.z0;
-      step[k + 1] = delta + carried;
-      stretch[k].noalias() = work.lower * delta;
-      y = stretch[k] + work.eps;
-    } else {
-      y.noalias() = -(work.z * carried);
-      if (!homogeneous) y -= work.z0;
-      if (work.kind == LinkWork::Kind::symmetric) {
-        y = y.cwiseQuotient(work.pivot);
-        for (int r = 4; r >= 0; --r)
-          for (int i = r + 1; i < 6; ++i) y[r] -= work.lower(i, r) * y[i];
-      }
-      stretch[k] = homogeneous ? y : Vec6(y - work.eps);
-      const Vec3 v = stretch[k].head<3>(), u = stretch[k].tail<3>();
-      step[k + 1].head<3>() = carried.head<3>() + work.j * v + work.b * u;
-      step[k + 1].tail<3>() = carried.tail<3>() + work.j * u;
-    }
-    if (!homogeneous) (*stress)[k].noalias() = links_[k].stiffness * y;
-  }
-}
-
-void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress,
-                           std::vector<Vec6>& stretch) const {
+void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, std::vector<Vec6>& stretch) {
   step.resize(links_.size() + 1);
   stress.resize(links_.size());
   stretch.resize(links_.size());
   step[0] = root_step_;
-  walk_back(step, stretch, 0, &stress);
-}
-
-void RodElimination::negative_direction(std::vector<Vec6>& step, std::vector<Vec6>& stretch) const {
-  step.assign(links_.size() + 1, Vec6::Zero());
-  stretch.assign(links_.size(), Vec6::Zero());
-  if (negative_node_ < 0) return;
-  const std::size_t node = index(negative_node_);
-  step[node] = negative_twist_;
-  if (node > 0) {
-    const LinkWork& work = work_[node - 1];
-    if (work.kind == LinkWork::Kind::constrained)
-      stretch[node - 1] = work.lower * negative_twist_;
-    else
-      stretch[node - 1] = negative_stretch_;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const LinkWork& work = work_[k];
+    const Vec6& parent = step[index(links_[k].parent)];
+    Vec6 carried = parent;  // A zeta_i
+    carried.head<3>() += parent.tail<3>().cross(work.lever);
+    Vec6 y;
+    for (int r = 0; r < 6; ++r) {
+      double sum = work.w[r][6];
+      for (int c = 0; c < 6; ++c) sum += work.w[r][c] * carried[c];
+      y[r] = -sum;
+    }
+    const int segment = channels_.segment_of(k);
+    if (segment >= 0)
+      y -= channels_.gains()[index(channels_.gain_of(k))] * channels_.segment(segment).reaction;
+    if (!general_) {
+      for (int r = 0; r < 6; ++r) y[r] *= work.inverse_pivot[r];
+      for (int r = 4; r >= 0; --r)
+        for (int i = r + 1; i < 6; ++i) y[r] -= work.lower[i][r] * y[i];
+    }
+    stretch[k] = y - work.eps;
+    const Vec3 v = stretch[k].head<3>(), u = stretch[k].tail<3>();
+    step[k + 1].head<3>() = carried.head<3>() + work.j * v + work.b * u;
+    step[k + 1].tail<3>() = carried.tail<3>() + work.j * u;
+    stress[k].noalias() = links_[k].stiffness * y;
+    const int node = static_cast<int>(k) + 1;
+    if (segment >= 0 && channels_.begins_at(node)) channels_.spread(node, step[k + 1]);
   }
-  // nodes nearer to the root, and other branches, stay where they are
-  walk_back(step, stretch, negative_node_, nullptr);
 }
 
 }  // namespace vasorod

@@ -13,7 +13,7 @@
 namespace vasorod {
 
 enum class RodStatus {
-  converged,         ///< equilibrium, Hessian positive definite
+  converged,         ///< equilibrium, Hessian positive definite (up to symmetries of the whole scene)
   equilibrium_only,  ///< equilibrium; not a certified minimum (a moment without energy, or a neutral
                      ///< direction)
   unstable,          ///< equilibrium with negative directions that could not be left, or were not to be
@@ -24,9 +24,8 @@ std::string to_string(RodStatus status);
 
 struct RodOptions {
   /// Stop when the largest step of any node (rotation in radians, translation over the rod's length) is below
-  /// this. /// Newton is quadratic there: what remains is its square. A force criterion would not do, its
-  /// floor is eps E A. Between two clamps steps too have a floor, eps E A L^2 / E I: below that a step that
-  /// no longer shrinks ends it.
+  /// this. Newton is quadratic there: what remains is its square. A force criterion would not do, its
+  /// floor is eps E A.
   double tolerance = 1e-8;
   int max_iterations = 40;  ///< of one Newton attempt; one that works takes 5 to 15
   /// Follow the motions' and loads' path in at least this many equal steps. 1: jump, and follow only if that
@@ -45,7 +44,8 @@ struct RodSummary {
   double last_step = 0;         ///< as in RodOptions::tolerance
   double energy = 0;            ///< elastic energy, stress * length^3
   int negative_directions = 0;  ///< of the energy's Hessian at the result
-  double seconds = 0;           ///< wall clock, all of it
+  int neutral_directions = 0;   ///< along which the energy does not change: symmetries where `converged`
+  double seconds = 0;           ///< wall clock, all of it, checks included
   double sweep_seconds = 0;     ///< of that, linear solves and pose updates
   std::string message;          ///< one sentence; says what the status cannot
 };

@@ -3,16 +3,10 @@
 #include <cmath>
 
 #include "geometry/rigid_motion.h"
+#include "rod/conditions.h"
+#include "rod/index.h"
 
 namespace vasorod {
-namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 Pose ScaledRod::original(const Pose& p) const {
   return {nearest_rotation(p.rotation), origin + length * p.position};
 }
@@ -29,16 +23,25 @@ ScaledRod scale(const RodTree& tree) {
   rod.moment = bending / weight / rod.length;
 
   const int n = tree.node_count();
-  std::vector<std::vector<int>> leaving(index(n));
+  // elements that leave each node, in order: those of node i are leaving[first_of[i]] to leaving[first_of[i +
+  // 1]]
+  std::vector<int> first_of(index(n) + 1, 0), leaving(tree.elements.size());
+  for (const RodElement& e : tree.elements) ++first_of[index(e.first) + 1];
+  for (std::size_t i = 0; i < index(n); ++i) first_of[i + 1] += first_of[i];
+  std::vector<int> next(first_of.begin(), first_of.end() - 1);
   for (std::size_t e = 0; e < tree.elements.size(); ++e)
-    leaving[index(tree.elements[e].first)].push_back(static_cast<int>(e));
+    leaving[index(next[index(tree.elements[e].first)]++)] = static_cast<int>(e);
   rod.new_of.assign(index(n), -1);
   std::vector<int> waiting;  // elements whose first node is numbered; depth first keeps a branch together
   const auto number = [&](int node) {
     rod.new_of[index(node)] = static_cast<int>(rod.node_of.size());
     rod.node_of.push_back(node);
-    waiting.insert(waiting.end(), leaving[index(node)].rbegin(), leaving[index(node)].rend());
+    for (int at = first_of[index(node) + 1]; at-- > first_of[index(node)];)
+      waiting.push_back(leaving[index(at)]);
   };
+  rod.node_of.reserve(index(n));
+  rod.links.reserve(tree.elements.size());
+  rod.element_of.reserve(tree.elements.size());
   number(0);
   Vec6 unit;  // of a strain, over the root of the unit of energy per length
   unit << Vec3::Constant(rod.length), Vec3::Ones();
@@ -67,11 +70,10 @@ Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& pos
   return log_motion(link_start(links[k], poses[index(links[k].parent)]).inverse() * poses[k + 1]);
 }
 
-Vec6 wrench_on_second(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
-                      const Vec6& stress) {
-  const Vec6 body = right_jacobian_inverse(link_strain(links, poses, k)).transpose() * stress;
+Vec6 wrench_on_second(const Pose& second, const Vec6& strain, const Vec6& stress) {
+  const Vec6 body = right_jacobian_inverse(strain).transpose() * stress;
   Vec6 w;
-  w << poses[k + 1].rotation * body.head<3>(), poses[k + 1].rotation * body.tail<3>();
+  w << second.rotation * body.head<3>(), second.rotation * body.tail<3>();
   return w;
 }
 

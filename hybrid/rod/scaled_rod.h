@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "rod/elimination.h"
-#include "rod/rod_tree.h"
+#include "rod/link.h"
 
 namespace vasorod {
 
@@ -28,9 +27,8 @@ ScaledRod scale(const RodTree& tree);
 /// length * strain of link k.
 Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k);
 
-/// Wrench (force, moment about the node; space axes) that link k's stress puts on its second node.
-Vec6 wrench_on_second(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
-                      const Vec6& stress);
+/// Wrench (force, moment about the node; space axes) that a link's stress puts on its second node.
+Vec6 wrench_on_second(const Pose& second, const Vec6& strain, const Vec6& stress);
 /// The same link's wrench on its first node.
 Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
                      const Vec6& on_second);

@@ -13,16 +13,12 @@
 namespace vasorod {
 namespace {
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 // Trunk and two branches, deformed, stressed, with a full stiffness; nodes already parents first.
 struct Fixture {
   RodTree tree;
   std::vector<Pose> poses;
   std::vector<RodLink> links;
-  std::vector<Vec6> stress;
+  std::vector<Vec6> strain, stress;
   Fixture() {
     const Vec6 c = vec6(40, 50, 90, 1, 2, 1.5);
     append(tree, Pose{}, 0, 1, {0.2, 0.3, 0.1}, 2, c);
@@ -42,6 +38,7 @@ struct Fixture {
       link.natural = e.length * e.natural_strain;
       link.stiffness = e.stiffness / e.length;
       links.push_back(link);
+      strain.push_back(e.length * element_strain(e, poses[index(e.first)], poses[index(e.second)]));
       stress.push_back(vec6(0.5, -0.3, 1.0, 0.2, 0.1, -0.4) * (1 + static_cast<double>(e.second)));
     }
   }
@@ -96,7 +93,7 @@ TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
     pin.target = f.poses[6];
     pin.carried << 0.4, 0.1, -0.2, 0, 0, 0;
     RodElimination elimination(f.links, {root, tip, pin});
-    elimination.factor(f.poses, f.stress);
+    elimination.factor(f.poses, f.strain, f.stress);
     std::vector<Vec6> step, stress, stretch;
     elimination.solve(step, stress, stretch);
 
@@ -118,42 +115,11 @@ TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
     for (int i = 0; i < n; ++i)
       EXPECT_LT((step[index(i)] - expected.segment<6>(6 * i)).norm(), 1e-11 * expected.norm())
           << size << ' ' << i;
-    EXPECT_EQ(elimination.negative_pivots(), negative) << size;
+    EXPECT_EQ(elimination.negative_directions(), negative) << size;
     if (size != 1) {
       EXPECT_GT(negative, 0);
     }
   }
-}
-
-TEST(Elimination, NegativeDirectionHasNegativeCurvature) {
-  Fixture f;
-  for (Vec6& s : f.stress) s *= -60;
-  NodeCondition root;
-  root.fixed.fill(true);
-  root.target = f.poses[0];
-  RodElimination elimination(f.links, {root});
-  elimination.factor(f.poses, f.stress);
-  ASSERT_GT(elimination.negative_pivots(), 0);
-  std::vector<Vec6> step, stretch;
-  elimination.negative_direction(step, stretch);
-  double curvature = 0, size = 0;
-  for (const RodElement& e : f.tree.elements) {
-    const std::size_t k = index(e.second) - 1;
-    const Pose &first = f.poses[index(e.first)], &second = f.poses[index(e.second)];
-    Vec12 eta;
-    eta << first.rotation.transpose() * step[index(e.first)].head<3>(),
-        first.rotation.transpose() * step[index(e.first)].tail<3>(),
-        second.rotation.transpose() * step[index(e.second)].head<3>(),
-        second.rotation.transpose() * step[index(e.second)].tail<3>();
-    curvature += eta.dot(element_energy_hessian(e, first, second, f.stress[k]) * eta);
-    size += eta.squaredNorm();
-    // and the stretch is what that motion does to the strain
-    const Vec6 xi = e.length * element_strain(e, first, second);
-    const Vec6 expected =
-        -left_jacobian_inverse(xi) * eta.head<6>() + right_jacobian_inverse(xi) * eta.tail<6>();
-    EXPECT_LT((stretch[k] - expected).norm(), 1e-11 * (1 + expected.norm()));
-  }
-  EXPECT_LT(curvature, -1e-3 * size);
 }
 
 TEST(Strains, AveragesKeepAConstantAndAJunctionKeepsItsParent) {

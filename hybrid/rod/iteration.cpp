@@ -1,0 +1,162 @@
+#include "rod/iteration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vasorod {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point t) {
+  return std::chrono::duration<double>(Clock::now() - t).count();
+}
+
+}  // namespace
+
+RodIteration::RodIteration(RodProblem& problem, const RodOptions& options, RodSummary& summary,
+                           Clock::time_point began)
+    : problem_(problem), options_(options), summary_(summary), began_(began) {}
+
+void RodIteration::count() {
+  ++summary_.iterations;
+  if ((options_.stop && options_.stop()) || since(began_) > options_.time_limit) throw Interrupted{};
+}
+
+/// The fraction of the step that goes down the energy enough; the moved state is left in trial_. 0: none.
+double RodIteration::search() {
+  const double energy = problem_.potential(state, state), descent = problem_.slope(state, step_);
+  if (!(descent < 0) || !std::isfinite(step_.size())) return 0;
+  double fraction = 1;
+  for (int i = 0; i < 25; ++i) {
+    problem_.take(state, step_, fraction, trial_);
+    const double change = problem_.potential(trial_, state) - energy;
+    if (change <= 1e-4 * fraction * descent + 1e-14 * std::abs(energy)) return fraction;
+    // minimum of the parabola through both values and the slope
+    const double bend = change - fraction * descent;
+    const double best = bend > 0 ? -descent * fraction * fraction / (2 * bend) : 0;
+    fraction = std::clamp(best, 0.1 * fraction, 0.5 * fraction);
+  }
+  return 0;
+}
+
+bool RodIteration::newton() {
+  for (int i = 0; i < options_.max_iterations; ++i) {
+    count();
+    const auto t = Clock::now();
+    problem_.update_carried(state, false);
+    // where a symmetry leaves a direction free, round-off alone would decide the step along it
+    const double hold = i < 10 ? 0 : 1e-6 * problem_.weakest();
+    problem_.elimination().factor(state.poses, state.strain, state.stress, Purpose::newton, hold);
+    problem_.elimination().solve(step_.twist, step_.stress, step_.stretch);
+    double size = step_.size(), fraction = 1;
+    if (problem_.searchable() && size > 0.3) {
+      fraction = search();
+      if (fraction < 0.05) {  // not the way down: make it so
+        double shift = 0;
+        step_down(shift);
+        size = step_.size();
+        fraction = search();
+      }
+      if (fraction == 0) return false;
+    } else if (!(size < 1e3)) {
+      return false;
+    } else {
+      problem_.take(state, step_, 1, trial_);
+    }
+    if (fraction == 1) {
+      trial_.stress.swap(step_.stress);
+    } else {
+      trial_.stress.resize(state.stress.size());
+      for (std::size_t k = 0; k < state.stress.size(); ++k)
+        trial_.stress[k] = state.stress[k] + fraction * (step_.stress[k] - state.stress[k]);
+    }
+    if (whole_ && hard_ && size < best_size_) {
+      std::swap(best_, state);
+      best_size_ = size;
+    }
+    std::swap(state, trial_);
+    summary_.sweep_seconds += since(t);
+    summary_.last_step = size;
+    if (size < options_.tolerance) {
+      best_size_ = std::numeric_limits<double>::infinity();  // `state` is better than all before
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A step that goes down the energy: the Hessian shifted until it is positive definite. The shift is kept
+/// for the next.
+void RodIteration::step_down(double& shift) {
+  RodElimination& elimination = problem_.elimination();
+  elimination.factor(state.poses, state.strain, state.stress, Purpose::descent, shift);
+  while (elimination.negative_directions() > 0 && shift < 1e12) {
+    shift = std::max(1., 4 * shift);
+    elimination.factor(state.poses, state.strain, state.stress, Purpose::descent, shift);
+  }
+  elimination.solve(step_.twist, step_.stress, step_.stretch);
+}
+
+bool RodIteration::descend(double cap, double tolerance) {
+  problem_.soften(cap);
+  bool calm = false;
+  double shift = 0;
+  for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
+    count();
+    problem_.take_elastic_stress(state);
+    problem_.update_carried(state, false);
+    step_down(shift);
+    const double size = step_.size();
+    if (!std::isfinite(size)) break;
+    const double energy = problem_.potential(state, state);
+    double fraction = std::min(1., 1.5 / size);
+    bool accepted = false;
+    for (int half = 0; half < 30 && !accepted; ++half, fraction /= 2) {
+      problem_.take(state, step_, fraction, trial_);
+      // near the minimum the decrease drowns in round-off; a full step is then as good as proved
+      const double e = problem_.potential(trial_, state);
+      accepted = e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy));
+      if (accepted) {
+        std::swap(state, trial_);
+        calm = fraction == 1 && size < tolerance;
+        shift = fraction == 1 ? (shift > 0.1 ? shift / 4 : 0) : std::max(1., 2 * shift);
+      }
+    }
+    if (!accepted) break;
+  }
+  problem_.take_elastic_stress(state);
+  problem_.harden();
+  return calm;
+}
+
+bool RodIteration::soft_start() {
+  descend(100, 1e-2);
+  const RodState soft = state;
+  if (newton()) return true;
+  state = soft;
+  const double stiffest = problem_.stiffness_ratio();
+  for (double cap = 100; cap < stiffest; cap *= 10) {
+    const RodState reached = state;
+    problem_.soften(cap);
+    hard_ = false;
+    const bool ok = newton();
+    hard_ = true;
+    problem_.harden();
+    if (ok) continue;
+    state = reached;
+    descend(cap, 1e-2);
+  }
+  return newton();
+}
+
+bool RodIteration::minimize() {
+  const double stiffest = problem_.stiffness_ratio();
+  for (double cap = 100; cap < 10 * stiffest && cap < 1e7; cap *= 10) descend(cap, 1e-3);
+  return newton();
+}
+
+void RodIteration::take_best() {
+  if (std::isfinite(best_size_)) state = best_;
+}
+
+}  // namespace vasorod

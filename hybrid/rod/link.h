@@ -1,0 +1,42 @@
+// What the solver's parts share: elements as links between numbered nodes, and what acts on a node. Scaled
+// units.
+#pragma once
+
+#include <array>
+
+#include "rod/rod_tree.h"
+
+namespace vasorod {
+
+/// An element between scaled, renumbered nodes: node k + 1 hangs on `parent` by link k.
+struct RodLink {
+  int parent = 0;
+  double length = 0;
+  bool starts_at_node = true;  ///< false: `start` is the link's own frame at its parent
+  Pose start;
+  Vec6 natural = Vec6::Zero();    ///< length * natural strain
+  Mat6 stiffness = Mat6::Zero();  ///< C / length
+};
+
+/// The frame a link starts from.
+inline Pose link_start(const RodLink& link, const Pose& parent) {
+  return link.starts_at_node ? parent : parent * link.start;
+}
+
+/// What acts on one node. Forces scaled.
+struct NodeCondition {
+  int node = 0;
+  std::array<bool, 6> fixed{};
+  Mat3 frame = Mat3::Identity();
+  Pose target;  ///< at the present time of the motion's path
+  Vec3 force = Vec3::Zero(), space_moment = Vec3::Zero(), body_moment = Vec3::Zero();
+  /// Force and moment about the node that its links' stresses pass to it; in equilibrium the load and the
+  /// reaction.
+  Vec6 carried = Vec6::Zero();
+
+  Vec6 load(const Pose& pose) const;  ///< force and moment in space axes
+  int fixed_count() const;
+  bool supported() const { return fixed_count() > 0; }
+};
+
+}  // namespace vasorod

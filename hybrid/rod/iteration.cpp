@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rod/certificate.h"
+
 namespace vasorod {
 namespace {
 
@@ -101,6 +103,7 @@ bool RodIteration::descend(double cap, double tolerance) {
   problem_.soften(cap);
   bool calm = false;
   double shift = 0;
+  int kicks = 0;
   for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
     count();
     problem_.take_elastic_stress(state);
@@ -108,6 +111,12 @@ bool RodIteration::descend(double cap, double tolerance) {
     step_down(shift);
     const double size = step_.size();
     if (!std::isfinite(size)) break;
+    if (shift > 0 && size < tolerance && kicks < 5) {
+      // no slope, yet not a minimum: down the lowest mode
+      ++kicks;
+      if (!kick()) break;
+      continue;
+    }
     const double energy = problem_.potential(state, state);
     double fraction = std::min(1., 1.5 / size);
     bool accepted = false;
@@ -118,7 +127,7 @@ bool RodIteration::descend(double cap, double tolerance) {
       accepted = e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy));
       if (accepted) {
         std::swap(state, trial_);
-        calm = fraction == 1 && size < tolerance;
+        calm = fraction == 1 && size < tolerance && shift == 0;
         shift = fraction == 1 ? (shift > 0.1 ? shift / 4 : 0) : std::max(1., 2 * shift);
       }
     }
@@ -127,6 +136,26 @@ bool RodIteration::descend(double cap, double tolerance) {
   problem_.take_elastic_stress(state);
   problem_.harden();
   return calm;
+}
+
+/// Along the lowest mode as far as the energy falls, to the lower side.
+bool RodIteration::kick() {
+  const RodStep mode = lowest_mode(problem_, state);
+  const double energy = problem_.potential(state, state), size = mode.size();
+  for (double amplitude = 0.3; amplitude > 1e-6; amplitude /= 3) {
+    RodState sides[2];
+    double change[2];
+    for (const int side : {0, 1}) {
+      problem_.take(state, mode, (side == 0 ? amplitude : -amplitude) / size, sides[side]);
+      change[side] = problem_.potential(sides[side], state) - energy;
+    }
+    const int lower = change[1] < change[0] ? 1 : 0;
+    if (!(change[lower] < 0)) continue;
+    std::swap(state, sides[lower]);
+    problem_.take_elastic_stress(state);
+    return true;
+  }
+  return false;
 }
 
 bool RodIteration::soft_start() {
@@ -151,7 +180,10 @@ bool RodIteration::soft_start() {
 
 bool RodIteration::minimize() {
   const double stiffest = problem_.stiffness_ratio();
-  for (double cap = 100; cap < 10 * stiffest && cap < 1e7; cap *= 10) descend(cap, 1e-3);
+  for (double cap = 1e4; cap < 1e7; cap *= 100) {
+    descend(cap, 1e-3);
+    if (cap > stiffest) break;
+  }
   return newton();
 }
 

@@ -41,6 +41,7 @@ class RodIteration {
   void count();
   double search();
   void step_down(double& shift);
+  bool kick();
 
   RodProblem& problem_;
   const RodOptions& options_;

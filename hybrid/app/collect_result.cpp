@@ -29,17 +29,36 @@ Status status_of(PaperStatus status) {
   return Status::iteration_limit;
 }
 
+Status status_of(CoupledStatus status) {
+  switch (status) {
+    case CoupledStatus::converged:
+      return Status::converged;
+    case CoupledStatus::equilibrium_only:
+      return Status::equilibrium_only;
+    case CoupledStatus::unstable:
+      return Status::unstable;
+    case CoupledStatus::buckled:
+      return Status::buckled;
+    case CoupledStatus::iteration_limit:
+      return Status::iteration_limit;
+    case CoupledStatus::interrupted:
+      return Status::interrupted;
+  }
+  return Status::iteration_limit;
+}
+
 void add_rods(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (!vessel.rod_solved) continue;
     const RodSummary& summary = vessel.rod.summary;
     const std::string& name = vessel.prepared.spec.name;
+    result.iterations["rod"] += summary.iterations;
+    if (prediction.coupled) continue;  // the rod was no more than the walls' start
     result.status = worse(result.status, status_of(summary.status));
     result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
     if (!summary.message.empty())
       result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
     result.energy.rod += summary.energy;
-    result.iterations["rod"] += summary.iterations;
     for (const ConditionedEnd& end : vessel.conditions.ends) {
       const int node = vessel.prepared.vessel.ends[static_cast<size_t>(end.end)].node;
       for (const RodReaction& reaction : vessel.rod.reactions)
@@ -59,6 +78,33 @@ void add_surface(const PaperSolution& surface, bool certified, Result& result) {
   result.energy.joining = surface.joining_energy;
   result.energy.contact = surface.contact_energy;
   result.iterations["surface"] = surface.iterations;
+}
+
+void add_walls(const Prediction& prediction, Result& result) {
+  const CoupledSolution& coupled = *prediction.coupled;
+  add_surface(coupled.surface, false, result);
+  result.status = status_of(coupled.status);
+  result.certificate.smallest_curvature_positive = coupled.smallest_curvature_positive;
+  for (const std::string& note : coupled.notes) result.certificate.notes.push_back(note);
+  for (size_t v = 0; v < prediction.vessels.size(); ++v)
+    for (const SectionSolution& section : coupled.sections[v])
+      if (!section.label.empty())
+        result.ends.push_back({prediction.vessels[v].prepared.spec.name, section.label, section.force,
+                               section.moment, section.center});
+}
+
+// support + load + join + contact = 0 up to `residual`.
+Balance wall_balance(const Prediction& prediction, size_t v) {
+  const BodySolution& body = prediction.surface->bodies[v];
+  Balance balance;
+  balance.vessel = prediction.vessels[v].prepared.spec.name;
+  balance.support = body.support;
+  for (const SectionSolution& section : prediction.coupled->sections[v]) balance.load += section.load;
+  balance.support -= balance.load;
+  balance.join = body.joining;
+  balance.contact = body.contact;
+  balance.residual = body.residual;
+  return balance;
 }
 
 // support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does not feel
@@ -150,9 +196,12 @@ void describe_model(const Prediction& prediction, Result& result) {
     if (vessel.positions.rows() > 0)
       model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
     model.cleaning[vessel.prepared.spec.name] = vessel.prepared.loaded.report.text();
-    if (vessel.rod_solved) terms.insert("rod");
+    if (vessel.rod_solved && !prediction.coupled) terms.insert("rod");
   }
-  if (prediction.surface) terms.insert({"binding", "bending", "stretching"});
+  if (prediction.coupled)
+    terms.insert({"bending", "stretching"});
+  else if (prediction.surface)
+    terms.insert({"binding", "bending", "stretching"});
   if (prediction.glenn && prediction.fidelity != Fidelity::rod) terms.insert("joining");
   if (!result.contact.empty()) terms.insert("contact");
   model.terms.assign(terms.begin(), terms.end());
@@ -168,12 +217,14 @@ Result collect_result(const Prediction& prediction) {
   result.stress_unit = prediction.scene->units.stress;
   result.iterations = {{"rod", 0}, {"surface", 0}};
   add_rods(prediction, result);
-  if (prediction.surface) {
+  if (prediction.coupled)
+    add_walls(prediction, result);
+  else if (prediction.surface)
     add_surface(*prediction.surface, prediction.certified, result);
-    add_contact(prediction, result);
-  }
+  if (prediction.surface) add_contact(prediction, result);
   for (size_t v = 0; v < prediction.vessels.size(); ++v)
-    if (!prediction.vessels[v].prepared.obstacle()) result.balance.push_back(balance_of(prediction, v));
+    if (!prediction.vessels[v].prepared.obstacle())
+      result.balance.push_back(prediction.coupled ? wall_balance(prediction, v) : balance_of(prediction, v));
   if (prediction.glenn) {
     result.glenn = prediction.glenn->report;
     measure_seam(prediction, *result.glenn);

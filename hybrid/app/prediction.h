@@ -11,6 +11,7 @@
 #include "surgery/glenn.h"
 #include "vessel/end_conditions.h"
 #include "vessel/prepared_vessel.h"
+#include "wall/coupled_problem.h"
 
 namespace vasorod {
 
@@ -31,7 +32,8 @@ struct Prediction {
   std::vector<PredictedVessel> vessels;  ///< in the scene's order
   std::optional<GlennOperation> glenn;
   std::optional<PaperProblem> problem;   ///< bodies in the vessels' order
-  std::optional<PaperSolution> surface;  ///< fidelity paper
+  std::optional<PaperSolution> surface;  ///< fidelities paper and coupled
+  std::optional<CoupledSolution> coupled;
   std::vector<Stage> stages;
   std::map<std::string, std::string> left_out;
 };

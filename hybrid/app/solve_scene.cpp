@@ -4,6 +4,7 @@
 
 #include "app/collect_result.h"
 #include "app/prediction.h"
+#include "app/solve_coupled.h"
 #include "app/solve_surfaces.h"
 #include "app/stopwatch.h"
 #include "geometry/error.h"
@@ -22,13 +23,9 @@ Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
   if (!options.fidelity && !scene.fidelity)
     throw InputError(
         file +
-        ": accuracy: found a wanted accuracy, expected fidelity: rod, skin or paper: choosing by a "
+        ": accuracy: found a wanted accuracy, expected fidelity: rod, skin, paper or coupled: choosing by a "
         "measured table is not there yet");
   const Fidelity fidelity = options.fidelity ? *options.fidelity : *scene.fidelity;
-  if (fidelity == Fidelity::coupled)
-    throw InputError(
-        file +
-        ": fidelity: found coupled, expected rod, skin or paper: the coupled minimum is not there yet");
   for (const VesselSpec& vessel : scene.vessels) {
     if (vessel.pressure)
       throw InputError(place(scene, vessel) +
@@ -128,6 +125,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
     prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
   else if (fidelity == Fidelity::skin)
     solve_skin(prediction);
+  else if (fidelity == Fidelity::coupled)
+    solve_coupled(prediction, options);
   else
     solve_paper_surfaces(prediction, options);
   watch.lap("solve");

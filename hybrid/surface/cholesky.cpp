@@ -2,6 +2,7 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -59,19 +60,24 @@ cholmod_sparse view_of(const Matrix& m) {
   return view;
 }
 
-// The graph of the blocks: one row per block of unknowns.
-Matrix block_graph(const Matrix& m, int block) {
+// The graph of the groups: one row per group of unknowns.
+Matrix group_graph(const Matrix& m, const std::vector<int>& groups) {
+  const auto count = static_cast<int>(groups.size());
+  std::vector<int> group_of(static_cast<size_t>(m.cols()));
+  for (int g = 0; g < count; ++g) {
+    const int last = g + 1 < count ? groups[static_cast<size_t>(g) + 1] : static_cast<int>(m.cols());
+    std::fill(group_of.begin() + groups[static_cast<size_t>(g)], group_of.begin() + last, g);
+  }
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<size_t>(m.nonZeros() / (block * block) + m.cols()));
-  for (int column = 0; column < m.cols(); column += block) {
+  for (int g = 0; g < count; ++g) {
     int last = -1;
-    for (Matrix::InnerIterator it(m, column); it; ++it) {
-      const int row = static_cast<int>(it.row()) / block;
-      if (row != last) entries.emplace_back(row, column / block, 1.0);
+    for (Matrix::InnerIterator it(m, groups[static_cast<size_t>(g)]); it; ++it) {
+      const int row = group_of[static_cast<size_t>(it.row())];
+      if (row != last) entries.emplace_back(row, g, 1.0);
       last = row;
     }
   }
-  Matrix graph(m.rows() / block, m.cols() / block);
+  Matrix graph(count, count);
   graph.setFromTriplets(entries.begin(), entries.end());
   return graph;
 }
@@ -84,22 +90,32 @@ Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 void Cholesky::analyse(const Matrix& matrix, int block) {
+  std::vector<int> groups;
+  if (block > 1)
+    for (int first = 0; first < matrix.cols(); first += block) groups.push_back(first);
+  analyse(matrix, groups);
+}
+
+void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& groups) {
   const OneCholmodThread one_thread;
   Data& d = *data_;
   cholmod_free_factor(&d.factor, &d.common);
   d.factorised = false;
   cholmod_sparse view = view_of(matrix);
-  if (block == 1) {
+  if (groups.empty()) {
     d.common.method[0].ordering = CHOLMOD_AMD;
     d.factor = cholmod_analyze(&view, &d.common);
   } else {
-    Matrix graph = block_graph(matrix, block);
+    Matrix graph = group_graph(matrix, groups);
     cholmod_sparse graph_view = view_of(graph);
     std::vector<int> order(static_cast<size_t>(graph.cols())), unknowns;
     if (!cholmod_amd(&graph_view, nullptr, 0, order.data(), &d.common))
       throw std::runtime_error("AMD failed");
-    for (const int i : order)
-      for (int k = 0; k < block; ++k) unknowns.push_back(block * i + k);
+    for (const int g : order) {
+      const auto next = static_cast<size_t>(g) + 1;
+      const int last = next < groups.size() ? groups[next] : static_cast<int>(matrix.cols());
+      for (int u = groups[static_cast<size_t>(g)]; u < last; ++u) unknowns.push_back(u);
+    }
     d.common.method[0].ordering = CHOLMOD_GIVEN;
     d.factor = cholmod_analyze_p(&view, unknowns.data(), nullptr, 0, &d.common);
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace vasorod {
 
@@ -17,6 +18,10 @@ class Cholesky {
   /// Orders (AMD) and analyses the pattern of a symmetric matrix; the lower triangle is read. With block = 3
   /// the unknowns 3i, 3i+1, 3i+2 share one pattern row, and the ordering is found on the graph of the blocks.
   void analyse(const Eigen::SparseMatrix<double>& matrix, int block = 1);
+
+  /// The same with groups of any size: the first unknown of each, ascending from 0. A group's unknowns share
+  /// their rows outside it.
+  void analyse(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& groups);
 
   /// Factorises a matrix of the analysed pattern. False when it is not positive definite (then nothing can be
   /// solved).

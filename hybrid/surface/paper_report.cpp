@@ -6,12 +6,9 @@
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
-namespace {
-
-// Pressure of a slave vertex: its multiplier. Of a master vertex: the force handed to it over its area.
-void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled, const PaperSystem& system,
-                     const Points& positions, const StackedContacts& stacked, PaperContacts& contacts,
-                     PaperSolution& solution) {
+void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled,
+                     const std::vector<ContactPoint>& points, const Points& positions,
+                     const StackedContacts& stacked, PaperContacts& contacts, PaperSolution& solution) {
   for (size_t p = 0; p < problem.contacts.size(); ++p) {
     ContactSolution& mine = solution.contacts.emplace_back();
     mine.a = problem.contacts[p].first;
@@ -23,8 +20,8 @@ void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled, co
     handed.push_back(Points::Zero(b.now.rows(), 3));
     areas.push_back(vertex_areas(b.rest));
   }
-  for (size_t c = 0; c < system.contacts.size(); ++c) {
-    const ContactPoint& contact = system.contacts[c];
+  for (size_t c = 0; c < points.size(); ++c) {
+    const ContactPoint& contact = points[c];
     const double pressure = contact_pressure(contact, positions);
     if (pressure == 0) continue;
     const auto slave = static_cast<size_t>(contacts.slave(stacked.pair[c])),
@@ -56,19 +53,16 @@ void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled, co
   }
 }
 
-void report_seam(const ScaledBodies& scaled, const PaperSystem& system, const Points& positions,
+void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins, const Points& positions,
                  PaperSolution& solution) {
   double sum = 0;
-  for (const Join& join : system.joins) {
+  for (const Join& join : joins) {
     const double gap = (positions.row(join.a) - positions.row(join.b)).norm() * scaled.length;
     solution.largest_seam_gap = std::max(solution.largest_seam_gap, gap);
     sum += gap * gap;
   }
-  if (!system.joins.empty())
-    solution.rms_seam_gap = std::sqrt(sum / static_cast<double>(system.joins.size()));
+  if (!joins.empty()) solution.rms_seam_gap = std::sqrt(sum / static_cast<double>(joins.size()));
 }
-
-}  // namespace
 
 std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSystem& system,
                                      const std::vector<int>& first, const Points& positions) {
@@ -135,8 +129,8 @@ void report_paper(const PaperProblem& problem, const ScaledBodies& scaled, const
     for (Points* force : {&mine.support_force, &mine.binding_force}) *force *= scaled.force();
     for (Vec3* force : {&mine.support, &mine.binding, &mine.joining, &mine.contact}) *force *= scaled.force();
   }
-  report_contacts(problem, scaled, system, positions, stacked, contacts, solution);
-  report_seam(scaled, system, positions, solution);
+  report_contacts(problem, scaled, system.contacts, positions, stacked, contacts, solution);
+  report_seam(scaled, system.joins, positions, solution);
 }
 
 }  // namespace vasorod

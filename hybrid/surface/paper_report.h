@@ -13,6 +13,17 @@ std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSyst
 /// Largest BodySolution::residual.
 double worst_balance(const std::vector<BodySolution>& bodies);
 
+/// Appends one entry per pair to solution.contacts and adds the pressures to solution.bodies. A slave vertex'
+/// pressure is its multiplier's, a master vertex' the force handed to it over its area. `stacked` is what
+/// `points` were made of.
+void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled,
+                     const std::vector<ContactPoint>& points, const Points& positions,
+                     const StackedContacts& stacked, PaperContacts& contacts, PaperSolution& solution);
+
+/// Largest and RMS gap of the seams.
+void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins, const Points& positions,
+                 PaperSolution& solution);
+
 /// Fills the bodies, contacts, energies and seam gaps of `solution`, in the problem's units. `stacked` is
 /// what system.contacts was made of.
 void report_paper(const PaperProblem& problem, const ScaledBodies& scaled, const PaperSystem& system,

@@ -42,19 +42,9 @@ TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
   }
 }
 
-TEST(Commands, CoupledIsRefusedNotImitated) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml") << pulled_tube("coupled");
-  const auto run = run_program(
-      vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("coupled"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
-}
-
 TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
   const ScratchFolder scratch;
-  for (const std::string fidelity : {"rod", "skin", "paper"}) {
+  for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
     std::ofstream(scratch / "scene.yaml") << pulled_tube(fidelity);
     const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
                                          (scratch / fidelity).string() + "' --json"));
@@ -66,7 +56,10 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
     const double exact = 1.0 * 2 * M_PI * 10 * 1 * 0.05;
     EXPECT_NEAR(result.at("ends")[1].at("force")[2].get<double>(), exact, 0.01 * exact);
     EXPECT_NEAR(result.at("ends")[0].at("force")[2].get<double>(), -exact, 0.01 * exact);
-    EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05, 1e-6);
+    // The wall itself stretches a little less beside rigid ends, which keep it from narrowing, and so more
+    // elsewhere.
+    EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05,
+                fidelity == "coupled" ? 1e-3 : 1e-6);
     EXPECT_TRUE(result.at("validity").at("in_range").get<bool>());
   }
   const auto compared = run_program(

@@ -196,7 +196,6 @@ TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
            {"vessel: svc", "vessel: scv", "\"svc\""},
            {"length: mm", "length: inch", "mm, cm or m"},
            {"scene: small-glenn", "scene: [", "YAML"},
-           {"fidelity: skin", "fidelity: coupled", "coupled"},
            {"radius: 3.3", "radius: 3.3, bend_deg: 1e9", "bend_deg"},
            {"wall:", "pressure: 0.002\n    wall:", "vasorod-fem"}})
     expect_refused(changed(glenn, from, to), words);

@@ -1,0 +1,138 @@
+#include "app/solve_coupled.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/solve_surfaces.h"
+#include "surface/binding.h"
+#include "vessel/section_means.h"
+#include "vessel/validity.h"
+#include "vessel/vessel_wall.h"
+
+namespace vasorod {
+namespace {
+
+// From this share of a limit (Brazier's, a wrinkle's) on a smooth and a kinked minimum coexist: follow the
+// path.
+constexpr double follow_from = 0.7, first_share = 0.6, share_step = 0.05;
+constexpr int most_steps = 40;
+
+size_t index(int i) {
+  return static_cast<size_t>(i);
+}
+
+// The rod's node that the seam poses, -1.
+int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {
+  const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
+  return joined ? prediction.glenn->mouth_node : -1;
+}
+
+// How near the rods come to the walls' limits: where the smooth branch may end.
+double share_of_limit(const Prediction& prediction) {
+  Validity validity;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (!vessel.rod_solved) continue;
+    std::vector<int> held;
+    for (const RodSupport& support : vessel.conditions.rod.supports) held.push_back(support.node);
+    add_validity(vessel.prepared, vessel.rod.poses, held, validity);
+  }
+  return std::max(validity.brazier_ratio, validity.twist_ratio);
+}
+
+std::vector<double> path_times(const Prediction& prediction) {
+  if (prediction.glenn) return {1};  // the pose is no more than a start: no path leads from rest to it
+  const double share = share_of_limit(prediction);
+  if (share < follow_from) return {1};
+  const int steps = std::min(most_steps, static_cast<int>(std::ceil((share - first_share) / share_step)));
+  std::vector<double> times;
+  const double first = first_share / share;
+  for (int k = 0; k <= steps; ++k) times.push_back(first + (1 - first) * k / steps);
+  times.back() = 1;
+  return times;
+}
+
+CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses, const VesselSections& sections) {
+  const Vessel& v = vessel.prepared.vessel;
+  CarriedBody body;
+  body.points = carried_points(v.rod, poses, v.binding);
+  body.rotations = carried_rotations(v.rod, poses, v.binding);
+  for (const int node : sections.nodes)
+    body.sections.push_back({poses[index(node)].rotation * v.rod.rest[index(node)].rotation.transpose(),
+                             poses[index(node)].position});
+  return body;
+}
+
+CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& sections) {
+  CoupledProblem problem;
+  problem.surfaces = surface_problem(prediction);
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    sections.emplace_back();
+    problem.vessels.emplace_back();
+    if (vessel.prepared.obstacle()) continue;
+    sections.back() = sections_of(vessel.prepared.vessel, vessel.conditions, mouth_of(prediction, vessel));
+    problem.vessels.back() =
+        std::make_unique<CoupledVessel>(CoupledVessel{wall_of(vessel.prepared), sections.back().sections});
+  }
+  problem.carried = [&prediction, &sections](double t) {
+    std::vector<CarriedBody> bodies;
+    for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+      const PredictedVessel& vessel = prediction.vessels[v];
+      bodies.emplace_back();
+      if (!vessel.rod_solved) continue;
+      const RodPoses poses =
+          t == 1 ? vessel.rod.poses
+                 : solve_rod(vessel.prepared.vessel.rod, conditions_at(vessel.conditions.rod, t)).poses;
+      bodies.back() = carried_by(vessel, poses, sections[v]);
+    }
+    return bodies;
+  };
+  return problem;
+}
+
+// What is reported of a vessel along its axis is its wall's: the mean poses of its sections.
+void give_rods_the_walls_means(Prediction& prediction, const std::vector<VesselSections>& sections) {
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    PredictedVessel& vessel = prediction.vessels[v];
+    if (!prediction.surface->bodies[v].modelled) continue;
+    const Vessel& mine = vessel.prepared.vessel;
+    std::vector<std::optional<Pose>> known(mine.rod.rest.size());
+    for (size_t k = 0; k < sections[v].nodes.size(); ++k) {
+      const SectionSolution& solved = prediction.coupled->sections[v][k];
+      const auto node = index(sections[v].nodes[k]);
+      known[node] = Pose{solved.rotation * mine.rod.rest[node].rotation, solved.center};
+    }
+    vessel.rod.poses = section_means(mine, vessel.positions, vessel.rod.poses, known);
+  }
+}
+
+}  // namespace
+
+void solve_coupled(Prediction& prediction, const SolveOptions& options) {
+  std::vector<VesselSections> sections;
+  CoupledOptions coupled;
+  coupled.times = path_times(prediction);
+  coupled.keep_going = [&](const PaperProgress& at) {
+    if (at.iterations % 10 == 0)
+      options.progress("walls: update " + std::to_string(at.outer) + ", iteration " +
+                       std::to_string(at.iterations));
+    return !options.stop();
+  };
+  CoupledSolver solver(problem_of(prediction, sections), coupled);
+  prediction.coupled = solver.solve();
+  prediction.surface = prediction.coupled->surface;
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    prediction.vessels[v].positions = prediction.surface->bodies[v].positions;
+    prediction.vessels[v].pressure = prediction.surface->bodies[v].pressure;
+    if (!prediction.surface->bodies[v].modelled && !prediction.vessels[v].prepared.obstacle())
+      prediction.left_out["wall of " + prediction.vessels[v].prepared.spec.name] =
+          "nothing moves, joins or touches it: it stays as it is";
+  }
+  const bool touching = std::any_of(prediction.surface->contacts.begin(), prediction.surface->contacts.end(),
+                                    [](const ContactSolution& pair) { return pair.within_reach; });
+  if (!touching) prediction.left_out["contact"] = "no vessel within reach";
+  prediction.left_out["energy of the rods"] =
+      "fidelity coupled: the walls carry all of it; the rods are start, frames and report";
+  give_rods_the_walls_means(prediction, sections);
+}
+
+}  // namespace vasorod

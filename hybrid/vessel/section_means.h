@@ -1,0 +1,20 @@
+// The rod that a deformed surface implies: each node's pose is the mean pose of its section.
+#pragma once
+
+#include <optional>
+
+#include "vessel/vessel.h"
+
+namespace vasorod {
+
+/// `current`: the deformed surface. `near`: poses whose sections are roughly there (the solved rod). `known`:
+/// per node the pose where a rigid section gives it; may be empty.
+///
+/// A node's section is the band of vertices about it, weighted by their area and a hat along the axis. In the
+/// frames of `near` the band is brought to one plane, and the pose is the least-squares fit of position r and
+/// rotation R: r the weighted mean, R from sum A_i (R rho_i) x (x_i - r) = 0. What the band averages is only
+/// the difference to `near`, so the strains between nodes are second-order accurate in its width.
+RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
+                       const std::vector<std::optional<Pose>>& known);
+
+}  // namespace vasorod

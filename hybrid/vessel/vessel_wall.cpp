@@ -1,0 +1,100 @@
+#include "vessel/vessel_wall.h"
+
+#include <algorithm>
+
+namespace vasorod {
+namespace {
+
+size_t index(Eigen::Index i) {
+  return static_cast<size_t>(i);
+}
+
+WallMaterial material_of(const VesselSpec& spec) {
+  const Wall& wall = *spec.wall;
+  WallMaterial material;
+  material.law = spec.law == Law::biot ? StrainLaw::biot : StrainLaw::svk;
+  if (wall.isotropic()) return WallMaterial::isotropic(wall.young, wall.poisson, material.law);
+  material.young_axial = wall.young;
+  material.young_transverse = wall.transverse_young.value_or(wall.young);
+  material.shear_axial = wall.shear_modulus();
+  material.poisson_tt = wall.poisson;
+  material.poisson_lt = wall.coupling;
+  return material;
+}
+
+}  // namespace
+
+WallInput wall_of(const PreparedVessel& prepared) {
+  const Vessel& vessel = prepared.vessel;
+  WallInput wall;
+  wall.name = "vessel " + prepared.spec.name;
+  wall.rest = vessel.surface;
+  wall.mid_offset = prepared.mid_offset();
+  wall.material = material_of(prepared.spec);
+  const auto vertices = vessel.surface.points.rows();
+  wall.thickness.resize(vertices);
+  std::vector<Vec3> tangent;
+  for (Eigen::Index i = 0; i < vertices; ++i) {
+    const RodCoordinates& at = vessel.binding[index(i)];
+    const RodElement& element = vessel.rod.elements[index(at.element)];
+    const double share = std::clamp(at.s / element.length, 0.0, 1.0);
+    wall.thickness[i] = (1 - share) * prepared.node_thickness[index(element.first)] +
+                        share * prepared.node_thickness[index(element.second)];
+    tangent.push_back(frame_at(vessel.rod, vessel.rod.rest, at.element, at.s).director(3));
+  }
+  const Triangles& triangles = vessel.surface.triangles;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    wall.axis.push_back(tangent[index(triangles(t, 0))] + tangent[index(triangles(t, 1))] +
+                        tangent[index(triangles(t, 2))]);
+  return wall;
+}
+
+VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditions, int left_out) {
+  VesselSections all;
+  for (size_t e = 0; e < vessel.ends.size(); ++e) {
+    const VesselEnd& end = vessel.ends[e];
+    if (end.node == left_out) continue;
+    HeldSection section;
+    section.fixed.fill(false);
+    bool named = false;
+    for (const RodSupport& support : conditions.rod.supports) {
+      if (support.node != end.node) continue;
+      section.fixed = support.fixed;
+      section.frame = support.frame;
+      section.motion = support.motion;
+      named = true;
+    }
+    for (const RodLoad& load : conditions.rod.loads) {
+      if (load.node != end.node) continue;
+      section.force += load.force;
+      (load.moment_in_body ? section.body_moment : section.moment) += load.moment;
+      named = true;
+    }
+    if (!named) continue;
+    section.ring = end.loop;
+    section.rest = vessel.rod.rest[index(end.node)];
+    for (const ConditionedEnd& conditioned : conditions.ends)
+      if (conditioned.end == static_cast<int>(e)) {
+        section.label = conditioned.label;
+        section.rigid = conditioned.rigid;
+      }
+    all.sections.push_back(std::move(section));
+    all.nodes.push_back(end.node);
+  }
+  return all;
+}
+
+RodConditions conditions_at(const RodConditions& conditions, double t) {
+  RodConditions now = conditions;
+  for (RodSupport& support : now.supports) {
+    support.motion.rotate *= t;
+    support.motion.move *= t;
+  }
+  for (RodLoad& load : now.loads) {
+    load.force *= t;
+    load.moment *= t;
+  }
+  return now;
+}
+
+}  // namespace vasorod

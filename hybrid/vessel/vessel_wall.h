@@ -1,0 +1,26 @@
+// From a prepared vessel and its conditions to the wall of the coupled minimum.
+#pragma once
+
+#include "vessel/end_conditions.h"
+#include "vessel/prepared_vessel.h"
+#include "wall/held_section.h"
+#include "wall/wall_energy.h"
+
+namespace vasorod {
+
+/// The vessel's surface as a wall: thickness of its sections, the rod's tangent as fibre, the scene's
+/// material.
+WallInput wall_of(const PreparedVessel& vessel);
+
+/// The sections of the vessel's ends that its conditions hold or load, and per section the rod's node.
+/// Supports at `left_out` (a node, -1: none) are no section's: what poses a mouth is its join.
+struct VesselSections {
+  std::vector<HeldSection> sections;
+  std::vector<int> nodes;
+};
+VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditions, int left_out);
+
+/// The rod's conditions at time t of their motions and loads.
+RodConditions conditions_at(const RodConditions& conditions, double t);
+
+}  // namespace vasorod

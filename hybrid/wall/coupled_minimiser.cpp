@@ -1,0 +1,214 @@
+#include "wall/coupled_minimiser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+
+constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e4;
+// A factorisation made this near the minimum speaks for the minimum.
+constexpr double near_enough = 1e-5;
+constexpr int inverse_iterations = 12;
+// Forces this small against stiffness times coordinates are what cancellation leaves.
+constexpr double rounding = 1e-14;
+
+}  // namespace
+
+CoupledMinimiser::CoupledMinimiser(CoupledSystem& system) : system_(system) {
+  renew_rest();
+  turns_.first = system.groups();
+  turns_.unknowns = system.unknowns();
+  turns_.turn.resize(turns_.first.size());
+}
+
+void CoupledMinimiser::renew_rest() {
+  rest_ = system_.rest_hessian();
+  double sum = 0;
+  int count = 0;
+  for (const CoupledWall& wall : system_.walls())
+    for (int i = 0; i < 3 * wall.energy->vertices(); ++i)
+      if (const int u = wall.unknown[static_cast<size_t>(i)]; u >= 0) {
+        sum += rest_.coeff(u, u);
+        ++count;
+      }
+  mean_stiffness_ = count > 0 ? sum / count : 1;
+}
+
+void CoupledMinimiser::set_turns(GroupTurns turns) {
+  turns_ = std::move(turns);
+}
+
+void CoupledMinimiser::factorise_rest() {
+  if (!rest_factor_.analysed()) rest_factor_.analyse(rest_, system_.groups());
+  Matrix shifted = rest_;
+  double shift = 0;
+  // Mechanisms that only a motion or a load would excite leave K0 singular to rounding.
+  while (!rest_factor_.factorise(shifted)) {
+    shift = shift == 0 ? 1e-10 : 10 * shift;
+    shifted = rest_;
+    for (int i = 0; i < shifted.cols(); ++i) shifted.coeffRef(i, i) += shift * mean_stiffness_;
+  }
+}
+
+double CoupledMinimiser::evaluate(const VectorXd& z, VectorXd& g, double& residual) const {
+  const CoupledTerms terms = system_.gradient(z, g);
+  const double force = std::sqrt(2 * mean_stiffness_ * std::max(0.0, terms.wall));
+  const double size = g.norm();
+  if (size <= rounding * mean_stiffness_ * z.norm())
+    residual = 0;
+  else
+    residual = force > 0 ? size / force : 1;
+  return terms.total();
+}
+
+double CoupledMinimiser::residual(const VectorXd& z) {
+  VectorXd g;
+  double r = 0;
+  evaluate(z, g, r);
+  return r;
+}
+
+void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
+  work_ = g;
+  apply(turns_, true, work_);
+  rest_factor_.solve(work_.data(), direction.data(), 1);
+  apply(turns_, false, direction);
+}
+
+// H, or where Cholesky refuses it H + shift D K0 D^T with the smallest shift of a ladder that it accepts.
+bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most) {
+  hessian_ = system_.hessian(z);
+  const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
+      inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
+  if (!std::equal(outer.begin(), outer.end(), analysed_outer_.begin(), analysed_outer_.end()) ||
+      !std::equal(inner.begin(), inner.end(), analysed_inner_.begin(), analysed_inner_.end())) {
+    factor_.analyse(hessian_, system_.groups());
+    analysed_outer_.assign(outer.begin(), outer.end());
+    analysed_inner_.assign(inner.begin(), inner.end());
+  }
+  Matrix metric;
+  for (;;) {
+    ++factorisations;
+    if (shift == 0) {
+      if (factor_.factorise(hessian_)) return true;
+    } else {
+      if (metric.size() == 0) {
+        metric = rest_;
+        turn_matrix(turns_, metric);
+        for (int i = 0; i < metric.cols(); ++i) metric.coeffRef(i, i) += 1e-6 * mean_stiffness_;
+      }
+      // hessian_'s pattern contains the metric's.
+      if (factor_.factorise(hessian_ + shift * metric)) return true;
+    }
+    shift = shift == 0 ? first_shift : shift_growth * shift;
+    if (shift > largest_shift || factorisations >= most) return false;
+  }
+}
+
+// From an equilibrium whose Hessian is not positive definite: inverse iteration with the shifted factor finds
+// the softest direction; down it goes as far as the energy falls.
+bool CoupledMinimiser::leave_saddle(VectorXd& z) {
+  VectorXd v(z.size()), next(z.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i % 7919));
+  for (int k = 0; k < inverse_iterations; ++k) {
+    v.normalize();
+    factor_.solve(v.data(), next.data(), 1);
+    v.swap(next);
+  }
+  v.normalize();
+  const VectorXd hv = hessian_.selfadjointView<Eigen::Lower>() * v;
+  if (!(v.dot(hv) < 0)) return false;
+  VectorXd g;
+  double ignored = 0;
+  const double energy = evaluate(z, g, ignored);
+  if (g.dot(v) > 0) v = -v;
+  double best = energy, best_step = 0;
+  // In mean edges: from a step too small to see to one that turns a section's shape.
+  for (double step = 1e-3 / v.cwiseAbs().maxCoeff(); step < 3 / v.cwiseAbs().maxCoeff(); step *= 2) {
+    const double at = evaluate(z + step * v, g, ignored);
+    if (!(at < best)) break;
+    best = at;
+    best_step = step;
+  }
+  z += best_step * v;
+  return best_step > 0;
+}
+
+CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMinimiserOptions& options) {
+  CoupledMinimiserSummary summary;
+  const Evaluation evaluation = [this](const VectorXd& at, VectorXd& g, double& r) {
+    return evaluate(at, g, r);
+  };
+  LbfgsOptions inner;
+  if (options.keep_going)
+    inner.keep_going = [&](int iteration, double energy, double residual) {
+      return options.keep_going(summary.iterations + iteration, energy, residual);
+    };
+  const auto take = [&](const LbfgsSummary& s) {
+    summary.status = s.status;
+    summary.iterations += s.iterations;
+    summary.energy = s.energy;
+    summary.residual = s.residual;
+  };
+  const Preconditioner rest = [this](const VectorXd& g, VectorXd& d) { by_rest(g, d); };
+  const Preconditioner hessian = [this](const VectorXd& g, VectorXd& d) {
+    factor_.solve(g.data(), d.data(), 1);
+  };
+  const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
+  if (options.use_rest) {
+    if (!rest_factor_.factorised()) factorise_rest();
+    inner.tolerance = std::max(options.rough, options.tolerance);
+    inner.patience = options.rest_patience;
+    inner.max_iterations = options.max_iterations;
+    take(lbfgs(evaluation, rest, z, inner));
+    summary.rest_iterations = summary.iterations;
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return summary;
+  }
+  inner.patience = 0;
+  inner.tolerance = options.tolerance;
+  double shift = 0, factored_at = 1;
+  int stalls = 0;
+  bool fresh = false;  // factor_ belongs to a point near z, unshifted
+  if (options.reuse_hessian && factor_.factorised()) {
+    inner.max_iterations = options.per_hessian;
+    take(lbfgs(evaluation, hessian, z, inner));
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return summary;
+  }
+  while (summary.factorisations < options.max_factorisations && summary.iterations < options.max_iterations) {
+    factored_at = residual(z);
+    if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) break;
+    fresh = shift == 0;
+    const bool at_rest = factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
+    if (at_rest && !fresh) {
+      if (!leave_saddle(z)) {
+        summary.residual = factored_at;
+        return summary;
+      }
+      summary.left_saddle = true;
+      stalls = 0;
+      continue;
+    }
+    inner.max_iterations = std::min(options.per_hessian, options.max_iterations - summary.iterations);
+    take(lbfgs(evaluation, hessian, z, inner));
+    if (interrupted()) return summary;
+    if (summary.status == LbfgsStatus::converged || (summary.status == LbfgsStatus::stalled && at_rest)) {
+      if (fresh && (factored_at <= near_enough || !options.certify)) {
+        summary.positive = true;
+        return summary;
+      }
+      if (!options.certify) return summary;
+    }
+    stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
+    if (stalls > 2) return summary;
+    shift = shift <= first_shift ? 0 : shift / (shift_growth * shift_growth);
+  }
+  if (summary.status != LbfgsStatus::converged && summary.status != LbfgsStatus::stalled)
+    summary.status = LbfgsStatus::iteration_limit;
+  return summary;
+}
+
+}  // namespace vasorod

@@ -16,6 +16,7 @@
 #include "wall/hinge.h"
 #include "wall/triangle_energy.h"
 #include "wall/wall_material.h"
+#include "wall/wall_section.h"
 
 namespace vasorod {
 
@@ -65,6 +66,9 @@ class WallEnergy {
   /// Lower triangle, compressed; the pattern never changes, the values are rewritten in place.
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
+  /// Another material on the same wall: the pattern, the rest state and all unknowns stay.
+  void set_material(const WallMaterial& material);
+
   WallReport report(const Eigen::VectorXd& q) const;
 
  private:
@@ -93,6 +97,7 @@ class WallEnergy {
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
 
+  std::string name_;
   StrainLaw law_;
   int vertices_ = 0, free_edges_ = 0, glued_edges_ = 0;
   Triangles triangles_;
@@ -101,6 +106,7 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
+  std::vector<WallSection> sections_;  // geometry alone; the material is put in by set_material
   Eigen::VectorXd rest_;
   Eigen::SparseMatrix<double> hessian_;
   // Per triangle: nodes (its vertices, what stands across its edges, its edges' xi; -1: none) and the place

@@ -6,8 +6,8 @@
 
 #include "geometry/error.h"
 #include "geometry/triangle_surface.h"
+#include "wall/triangle_stiffness.h"
 #include "wall/wall_energy.h"
-#include "wall/wall_section.h"
 
 namespace vasorod {
 
@@ -22,7 +22,6 @@ template <typename... Parts>
 }
 
 void check(const WallInput& in) {
-  check_material(in.material, in.name);
   const auto n = in.rest.points.rows();
   if (in.rest.triangles.rows() == 0) refuse(in.name, "found no triangle, expected a surface");
   if (in.thickness.size() != n)
@@ -51,7 +50,8 @@ constexpr double largest_thickness_ratio = 0.8;
 }  // namespace
 
 WallEnergy::WallEnergy(const WallInput& input)
-    : law_(input.material.law),
+    : name_(input.name),
+      law_(input.material.law),
       vertices_(static_cast<int>(input.rest.points.rows())),
       triangles_(input.rest.triangles) {
   check(input);
@@ -158,14 +158,21 @@ void WallEnergy::set_rest(const WallInput& input) {
     const double reach = std::max(std::abs(section.inner), std::abs(section.outer));
     section.curvature = limited({turning(0, 0), turning(1, 1), (turning(0, 1) + turning(1, 0)) / 2},
                                 largest_thickness_ratio / reach);
-    section.stiffness = plane_stress(input.material);
-    // From (e, c) to (e, b_k): c = sum_k b_k g_k g_k^T.
-    Mat6 bending = Mat6::Identity();
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 d = rest.gradients.col(k);
-      bending.block<3, 1>(3, 3 + k) << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
-    }
-    rest.stiffness = rest.area * bending.transpose() * wall_section_stiffness(section) * bending;
+    sections_.push_back(section);
+  }
+  set_material(input.material);
+}
+
+void WallEnergy::set_material(const WallMaterial& material) {
+  check_material(material, name_);
+  law_ = material.law;
+  const Mat3 stiffness = plane_stress(material);
+  const Vec2 shear(material.shear_axial, material.young_transverse / (2 * (1 + material.poisson_tt)));
+  for (size_t t = 0; t < sections_.size(); ++t) {
+    WallSection section = sections_[t];
+    section.stiffness = stiffness;
+    section.shear_modulus = shear;
+    triangle_rest_[t].stiffness = triangle_stiffness(triangle_rest_[t].gradients, section);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "wall/wall_section.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 
@@ -9,7 +10,7 @@ namespace {
 
 using Mat2 = Eigen::Matrix2d;
 
-// Gauss points on [-1, 1]: five integrate the thin wall exactly and 1/Z to 1e-6 at t/R = 1.
+// Gauss points on [-1, 1]: five integrate the thin wall exactly and 1/Z to 1e-6 at t/R = 0.5.
 constexpr std::array<double, 5> abscissa{0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
                                          -0.9061798459386640};
 constexpr std::array<double, 5> weight{0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
@@ -19,11 +20,7 @@ Vec3 voigt(const Mat2& m) {
   return {m(0, 0), m(1, 1), m(0, 1) + m(1, 0)};
 }
 
-}  // namespace
-
-Mat6 wall_section_stiffness(const WallSection& s) {
-  Mat2 b;
-  b << s.curvature[0], s.curvature[2], s.curvature[2], s.curvature[1];
+Mat6 kirchhoff_love(const WallSection& s, const Mat2& b) {
   std::array<Mat2, 3> unit;
   unit[0] << 1, 0, 0, 0;
   unit[1] << 0, 0, 0, 1;
@@ -41,6 +38,28 @@ Mat6 wall_section_stiffness(const WallSection& s) {
       strain.col(3 + k) = voigt(z * m * inverse);
     }
     stiffness += half * weight[i] * shifter.determinant() * strain.transpose() * s.stiffness * strain;
+  }
+  return stiffness;
+}
+
+}  // namespace
+
+Mat6 wall_section_stiffness(const WallSection& s) {
+  Mat2 b;
+  b << s.curvature[0], s.curvature[2], s.curvature[2], s.curvature[1];
+  Mat6 stiffness = kirchhoff_love(s, b);
+  if (s.shear_modulus.isZero(0)) return stiffness;
+  const Eigen::SelfAdjointEigenSolver<Mat2> principal(b);
+  for (int i = 0; i < 2; ++i) {
+    const Vec2 d = principal.eigenvectors().col(i);
+    const double k = principal.eigenvalues()[i];
+    const double g = d.cwiseAbs2().dot(s.shear_modulus);
+    const double compliance = 4 * k * k / (5.0 / 6 * g * (s.outer - s.inner));
+    Vec6 bend = Vec6::Zero();
+    bend.tail<3>() << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+    // (K^-1 + compliance bend bend^T)^-1 by Sherman and Morrison
+    const Vec6 moment = stiffness * bend;
+    stiffness -= compliance / (1 + compliance * bend.dot(moment)) * moment * moment.transpose();
   }
   return stiffness;
 }

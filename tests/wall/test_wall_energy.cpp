@@ -173,6 +173,15 @@ TEST(WallEnergy, ReportAddsUp) {
   EXPECT_EQ(r.strain.size(), r.moment.size());
 }
 
+TEST(WallEnergy, AnotherMaterialIsAnotherWall) {
+  WallEnergy changed(tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true));
+  changed.set_material(fibred);
+  WallEnergy wall(tube_wall(tube(3, 1, 7, 4), 0.3, fibred, true));
+  const Eigen::VectorXd q = disturbed(wall, 0.05, 7);
+  EXPECT_DOUBLE_EQ(changed.value(q), wall.value(q));
+  EXPECT_LT((changed.hessian(q) - wall.hessian(q)).norm(), 1e-14);
+}
+
 TEST(WallEnergy, RefusesInOneSentence) {
   const WallInput good = tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true);
   const auto sentence = [](const WallInput& in) -> std::string {

@@ -1,0 +1,71 @@
+#include "wall/triangle_stiffness.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+namespace vasorod {
+
+namespace {
+
+using Mat2 = Eigen::Matrix2d;
+
+// Row picking the strain along the unit direction t from (e11, e22, 2 e12).
+Eigen::RowVector3d along(const Vec2& t) {
+  return {t[0] * t[0], t[1] * t[1], t[0] * t[1]};
+}
+
+constexpr double largest_strain = 0.1;
+
+// From (e, c) of the facet to (e, c) of the curved piece it stands for, and the ratio of their areas.
+struct CurvedPiece {
+  Mat6 map = Mat6::Identity();
+  double area_ratio;
+
+  CurvedPiece(const std::array<Vec2, 3>& edge, const Vec3& b) {
+    Mat3 facet, piece;
+    Vec3 square, curvature;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& d = edge[static_cast<size_t>(k)];
+      square[k] = d.squaredNorm();
+      facet.row(k) = along(d / std::sqrt(square[k]));
+      curvature[k] = facet.row(k).dot(Vec3(b[0], b[1], 2 * b[2]));
+    }
+    Vec3 bow = square.cwiseProduct(curvature) / 12;  // l^2 k / 12
+    Vec3 stretch = bow.cwiseProduct(curvature);      // of the squared length, chord to arc
+    // The arcs' triangle is the facet stretched by u, to first order in `stretch`.
+    Vec3 e = facet.inverse() * stretch / 2;
+    // A sliver across the curvature leans out of the surface: there the first order means nothing.
+    const double excess = e.cwiseAbs().maxCoeff() / largest_strain;
+    if (excess > 1) {
+      e /= excess;
+      stretch /= excess;
+      bow /= std::sqrt(excess);
+    }
+    Mat2 u;
+    u << 1 + e[0], e[2] / 2, e[2] / 2, 1 + e[1];
+    area_ratio = u.determinant();
+    for (int k = 0; k < 3; ++k) piece.row(k) = along((u * edge[static_cast<size_t>(k)]).normalized());
+    const Mat3 back = piece.inverse();
+    map.topLeftCorner<3, 3>() = back * (Vec3::Ones() - stretch).asDiagonal() * facet;
+    map.topRightCorner<3, 3>() = back * bow.asDiagonal() * facet;
+  }
+};
+
+}  // namespace
+
+Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
+  const double area = 0.5 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
+  std::array<Vec2, 3> edge;
+  Mat6 bending = Mat6::Identity();  // c = sum_k b_k g_k g_k^T
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 g = gradients.col(k);
+    edge[static_cast<size_t>(k)] = 2 * area * Vec2(-g[1], g[0]);
+    bending.block<3, 1>(3, 3 + k) << g[0] * g[0], g[1] * g[1], 2 * g[0] * g[1];
+  }
+  const CurvedPiece piece(edge, section.curvature);
+  const Mat6 map = piece.map * bending;
+  return area * piece.area_ratio * map.transpose() * wall_section_stiffness(section) * map;
+}
+
+}  // namespace vasorod

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/error.h"
 #include "vessel/arc_length.h"
 
 namespace vasorod {
@@ -89,6 +90,7 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
     for (double& u : u_) u = arc(u) + offset;
     end_ = arc(present.end) + offset;
     if (clean_at || first) start_ = 0;
+    check_length();
     curve.clean_start = arc(curve.clean_start) + offset;
   }
   Spline<3> axis;
@@ -113,6 +115,16 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
   // The second difference decides only where no data do.
   fit_penalised(axis, data, {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
   curve.axis = std::move(axis);
+}
+
+// Ways along edges are longer than the axis they surround; an axis much longer than those has lost its rows
+// of vertices and would grow without end.
+void PathFit::check_length() const {
+  const double on_edges = path_.finish - path_.start;
+  if (end_ - start_ > 2 * on_edges + 10 * radius())
+    throw InputError("the axis cannot be found: it winds over " + std::to_string(end_ - start_) +
+                     " where the surface's edges take " + std::to_string(on_edges) +
+                     ", expected several rows of triangles per radius along the vessel (remesh: makes them)");
 }
 
 void PathFit::fit_radius() {

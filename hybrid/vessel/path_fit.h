@@ -52,6 +52,7 @@ class PathFit {
   Vec3 point(int v) const { return surface_.points.row(v); }
   double weight(size_t i) const;
   std::vector<double> directions() const;
+  void check_length() const;
 
   const TriangleSurface& surface_;
   const AxisPath& path_;

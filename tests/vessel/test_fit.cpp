@@ -3,6 +3,7 @@
 #include <array>
 
 #include "geometry/error.h"
+#include "geometry/tube.h"
 #include "shapes.h"
 #include "vessel/vessel.h"
 
@@ -173,6 +174,13 @@ TEST(Fit, RefusesWhatIsNoTube) {
   sharp.length = 32;  // turns on a circle of 10.2, radius 10
   EXPECT_NE(refusal(sharp.surface()).find("centre of curvature"), std::string::npos)
       << refusal(sharp.surface());
+
+  TubeSpec coarse;  // four rows of vertices, three radii apart, around 200: no axis goes through them
+  coarse.length = 100;
+  coarse.radius = 10;
+  coarse.around = 200;
+  coarse.along = 3;
+  EXPECT_NE(refusal(tube_surface(coarse)).find("rows of triangles"), std::string::npos);
 }
 
 }  // namespace

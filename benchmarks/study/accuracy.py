@@ -1,11 +1,22 @@
 """The accuracy table: every fidelity at three resolutions, and the shell, against the solid on every case."""
 
-from measure import compared, converged
+from measure import compared, converged, result_of
 from runs import AROUND, FIDELITIES, accuracy_reference, accuracy_shell, hybrid
 from tables import provenance, write_table
 
 COLUMNS = ("rms", "largest", "centerline_rms", "centerline_largest", "force", "moment", "reaction_signed", "flattening",
            "flattening_reference", "u_shape", "u_reaction")
+DEMANDS = ("demand_stretch", "demand_twist", "demand_bend")
+
+
+def demand_of(store, case):
+    """What the case asks of a vessel, as the hybrid's rod sees it: see hybrid/vessel/accuracy_table.h."""
+    run = hybrid(case, "skin", 48)
+    if not converged(store, store.record(run.identity)):
+        return {name: None for name in DEMANDS}
+    result = result_of(store, run.identity)
+    return {"demand_stretch": max(abs(v - 1) for v in result["metrics"][0]["stretch"]), "demand_twist": result["validity"]["twist_ratio"],
+            "demand_bend": result["validity"]["wrinkling_ratio"]}
 
 
 def hybrid_runs(case):
@@ -28,6 +39,7 @@ def rows_of(store, case, records):
         return []
     records.append(record)
     rows = []
+    demand = demand_of(store, case)
     others = hybrid_runs(case)
     if reference.identity != accuracy_shell(case).identity:
         others.append(accuracy_shell(case))
@@ -38,7 +50,9 @@ def rows_of(store, case, records):
         records.append(record)
         settings = run.identity.split("/")[1].split("-")
         row = {"case": case.name, "family": case.family, "ratio": case.ratio, "counted": int(case.counted), "model": settings[0],
-               "around": int(settings[1]) if settings[1].isdigit() else None, "reference": reference.identity.split("/")[1]}
+               "around": int(settings[1]) if settings[1].isdigit() else None, "reference": reference.identity.split("/")[1],
+               "thickness_over_radius": case.wall["thickness"] / case.tube["radius"],
+               "length_over_radius": case.tube["length"] / case.tube["radius"], **demand}
         if converged(store, record):
             numbers = compared(store, case, run, reference)
             row.update({name: numbers[name] for name in COLUMNS}, failure=None)

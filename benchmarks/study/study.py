@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """The comparison's driver.
 
-  study.py run accuracy|references|... [--case NAME ...]   what is not there yet is run, the rest is kept
-  study.py tables                                          tables from finished runs, into benchmarks/baselines
+  study.py run PLAN [--case NAME ...]   what is not there yet is run, the rest is kept
+  study.py tables                       tables from finished runs, into benchmarks/baselines
+  study.py promise                      the table behind `accuracy: x`, from those
+  study.py report                       docs/comparison.md, from those
+  study.py check [--quick]              have the curves moved? exit 1 says where, and draws it
+  study.py accept --reason TEXT         yes, and this is why
 """
 
 import argparse
@@ -12,17 +16,21 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import accuracy  # noqa: E402
+import promise  # noqa: E402
+import regression  # noqa: E402
+import sensitivity  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
 from store import REPOSITORY, Store  # noqa: E402
 
 BASELINES = REPOSITORY / "benchmarks" / "baselines"
 
-PLANS = {
+PLANS = {  # per case
     "accuracy": accuracy.hybrid_runs,
     "shell": lambda case: [accuracy_shell(case)],
     "solid": lambda case: [accuracy_reference(case)],
 }
+SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
 
 
 def open_store(arguments):
@@ -33,17 +41,46 @@ def chosen_cases(arguments):
     return [case_named(name) for name in arguments.case] if arguments.case else all_cases()
 
 
+def runs_of(arguments):
+    if arguments.plan in SWEEPS:
+        return [one for load in sensitivity.LOADS for one in SWEEPS[arguments.plan](load)]
+    return [one for case in chosen_cases(arguments) for one in PLANS[arguments.plan](case)]
+
+
 def run(arguments):
     store = open_store(arguments)
-    for case in chosen_cases(arguments):
-        for one in PLANS[arguments.plan](case):
-            record = store.ensure(one, arguments.again)
-            print(f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s, {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}",
-                  flush=True)
+    for one in runs_of(arguments):
+        record = store.ensure(one, arguments.again)
+        print(f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s, {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}",
+              flush=True)
 
 
 def tables(arguments):
-    accuracy.make_table(open_store(arguments), all_cases(), arguments.baselines / "accuracy.csv")
+    store = open_store(arguments)
+    accuracy.make_table(store, all_cases(), arguments.baselines / "accuracy.csv")
+
+
+def write_promise(arguments):
+    promise.write_promise(arguments.baselines, REPOSITORY / "hybrid" / "vessel" / "accuracy_table.cpp")
+
+
+def write_report(arguments):
+    import report  # needs matplotlib
+    report.write_report(arguments.baselines, arguments.docs)
+
+
+def check(arguments):
+    image = arguments.results / "drift.png"
+    if not regression.check(open_store(arguments), arguments.baselines, arguments.quick, arguments.again, image):
+        raise SystemExit(1)
+
+
+def accept(arguments):
+    store = open_store(arguments)
+    for load in sensitivity.LOADS:
+        for one in sensitivity.runs(load):
+            store.ensure(one)
+    regression.accept(store, arguments.baselines, arguments.reason)
 
 
 def main():
@@ -53,12 +90,24 @@ def main():
     parser.add_argument("--baselines", type=Path, default=BASELINES, help="folder of the tables (default: benchmarks/baselines)")
     commands = parser.add_subparsers(dest="command", required=True)
     command = commands.add_parser("run", help="run what is not there yet")
-    command.add_argument("plan", choices=sorted(PLANS))
+    command.add_argument("plan", choices=sorted([*PLANS, *SWEEPS]))
     command.add_argument("--case", action="append", help="this case only (may be repeated)")
     command.add_argument("--again", action="store_true", help="repeat finished runs too")
     command.set_defaults(call=run)
     command = commands.add_parser("tables", help="tables from finished runs")
     command.set_defaults(call=tables)
+    command = commands.add_parser("promise", help="the table behind accuracy: x")
+    command.set_defaults(call=write_promise)
+    command = commands.add_parser("report", help="docs/comparison.md")
+    command.add_argument("--docs", type=Path, default=REPOSITORY / "docs", help="where comparison.md and its pictures go (default: docs)")
+    command.set_defaults(call=write_report)
+    command = commands.add_parser("check", help="have the baseline's curves moved?")
+    command.add_argument("--quick", action="store_true", help="five factors a curve instead of all")
+    command.add_argument("--again", action="store_true", help="repeat finished runs too")
+    command.set_defaults(call=check)
+    command = commands.add_parser("accept", help="take the curves as they are now for the baseline")
+    command.add_argument("--reason", required=True, help="why they moved")
+    command.set_defaults(call=accept)
     arguments = parser.parse_args()
     arguments.call(arguments)
 

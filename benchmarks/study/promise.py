@@ -1,0 +1,111 @@
+"""The table behind `accuracy: x`, hybrid/vessel/accuracy_table.cpp, from the accuracy table. It is made from pulled, twisted and bent
+straight tubes; all other cases check that its promise is kept (see held_out)."""
+
+import math
+
+from tables import read_table
+
+FIDELITIES = ("skin", "paper", "coupled")
+KINDS = ("stretch", "twist", "bend")
+HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
+#include "vessel/accuracy_table.h"
+
+namespace vasorod {{
+namespace {{
+
+using enum Fidelity;
+using enum LoadKind;
+
+constexpr AccuracyRow rows[] = {{
+{rows}
+}};
+
+}}  // namespace
+
+std::span<const AccuracyRow> accuracy_table() {{
+  return rows;
+}}
+
+AccuracyScope accuracy_scope() {{
+  return {{{{{thickness}}}, {{{length}}}}};
+}}
+
+}}  // namespace vasorod
+"""
+
+
+def up(value):
+    """Rounded up to two digits: what is promised is never less than what was measured."""
+    if value == 0:
+        return "0.0"
+    step = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return f"{math.ceil(value / step - 1e-9) * step:.2g}"
+
+
+def mean_edge(around, length=10.0, along_ratio=88 / 48):
+    """Mean edge over R of a generated tube with `around` points around (staggered rows), length over R as given, 1 % added."""
+    row = length / (around * along_ratio)
+    half = 2 * math.sin(math.pi / (2 * around))
+    return 1.01 * (2 * math.sin(math.pi / around) + 2 * math.hypot(row, half)) / 3
+
+
+def promise_rows(accuracy):
+    """(fidelity, kind, edge, demand, error) sorted; the error is the largest measured over all walls, plus the reference's own."""
+    made_from = [row for row in accuracy if row["counted"] and row["family"] in KINDS and row["model"] in FIDELITIES]
+    rows = []
+    for fidelity in FIDELITIES:
+        for kind in KINDS:
+            mine = [row for row in made_from if row["model"] == fidelity and row["family"] == kind]
+            for around in sorted({row["around"] for row in mine}, reverse=True):
+                largest = 0.0
+                for ratio in sorted({row["ratio"] for row in mine}):
+                    level = [row for row in mine if row["around"] == around and row["ratio"] == ratio]
+                    if not level or any(row["rms"] is None for row in level):
+                        break  # what failed is not promised, nor anything beyond it
+                    largest = max(largest, *(row["rms"] + (row["u_shape"] or 0) for row in level), 0.0)
+                    rows.append((fidelity, kind, mean_edge(around), min(row[f"demand_{kind}"] for row in level), largest))
+    return rows
+
+
+def source_text(accuracy, source):
+    rows = promise_rows(accuracy)
+    tubes = [row for row in accuracy if row["family"] in KINDS]
+    def span(column):
+        values = [row[column] for row in tubes]
+        return f"{min(values):g}, {max(values):g}"
+    lines = [f"    {{{fidelity}, {kind}, {edge:.4f}, {demand:.4g}, {up(error)}}}," for fidelity, kind, edge, demand, error in rows]
+    return HEAD.format(source=source, rows="\n".join(lines), thickness=span("thickness_over_radius"), length=span("length_over_radius"))
+
+
+def promised(rows, fidelity, around, demands):
+    """As hybrid/vessel/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds of load; None where the table ends."""
+    total = 0.0
+    for kind in KINDS:
+        mine = [(demand, error) for f, k, edge, demand, error in rows if f == fidelity and k == kind and edge == mean_edge(around)]
+        before = (0.0, 0.0)
+        for demand, error in mine:
+            if demands[f"demand_{kind}"] <= demand:
+                total += before[1] + (error - before[1]) * (demands[f"demand_{kind}"] - before[0]) / (demand - before[0])
+                break
+            before = (demand, error)
+        else:
+            return None
+    return total
+
+
+def held_out(accuracy):
+    """Every measured result the table was not made from, within its scope: (row, promised error)."""
+    rows = promise_rows(accuracy)
+    out = []
+    for row in accuracy:
+        if row["family"] in KINDS or row["family"] == "curved" or not row["counted"] or row["model"] not in FIDELITIES or row["rms"] is None:
+            continue
+        error = promised(rows, row["model"], row["around"], row)
+        if error is not None:
+            out.append((row, error))
+    return out
+
+
+def write_promise(baselines, target):
+    accuracy, _ = read_table(baselines / "accuracy.csv")
+    target.write_text(source_text(accuracy, "benchmarks/baselines/accuracy.csv"))

@@ -1,0 +1,92 @@
+"""How shapes and reactions follow E and G: the wall transversely isotropic about the tube's axis, the sweep of E scaling E_axial and E_T
+together, that of G scaling G_axial alone (design.md, section 3). Base: the isotropic wall's moduli with nu_LT = 0."""
+
+from cases import case_named
+from measure import converged, moved_end, norm, own_error, result_of, shapes
+from runs import hybrid, reference
+from tables import provenance, write_table
+
+FACTORS = tuple(10 ** (k / 5 - 2) for k in range(21))
+FEW = tuple(FACTORS[k] for k in (0, 5, 10, 15, 20))  # what a quick check runs
+REFERENCE_FACTORS = tuple(10 ** (2 * k / 3 - 2) for k in range(7))
+MODULI = ("E", "G")
+FIDELITIES = ("skin", "paper", "coupled")
+AROUND = 48
+TWIST_DEG = 0.1  # t / R = 0.1 wrinkles at 20 degrees, at 0.2 with E / G a hundredth of that; surface shear 1.7e-4
+LOADS = {"twist": ("twist_t1_0.5", {"rotate_deg": [0, 0, TWIST_DEG]}), "bend": ("bend_t1_0.5", None), "stretch": ("stretch_t1_1.05", None),
+         "offset": ("offset_t1_0.5", None)}
+
+
+def wall(modulus, factor):
+    e, g = (factor, 1) if modulus == "E" else (1, factor)
+    return {"thickness": 1, "young": e, "shear": g / 2.6, "transverse": {"young": e, "poisson": 0.3, "coupling": 0}}
+
+
+def varied(load, modulus, factor):
+    name, end = LOADS[load]
+    case = case_named(name).changed(study_end=end)
+    case.scene["vessels"][0]["wall"] = wall(modulus, factor)
+    return case
+
+
+def tag(load, modulus, factor):
+    """Both sweeps share their middle."""
+    return f"-{load}-base" if abs(factor - 1) < 1e-9 else f"-{load}-{modulus}-{factor:.3g}"
+
+
+def hybrid_run(load, modulus, factor, fidelity, around=AROUND):
+    return hybrid(varied(load, modulus, factor), fidelity, around, tag=tag(load, modulus, factor))
+
+
+def reference_run(load, modulus, factor):
+    """The shell: t / R = 0.1 is thin enough for it, and forty runs of it cost what five of the solid do."""
+    return reference(varied(load, modulus, factor), "shell", 4, (8, 12), 1, tag=tag(load, modulus, factor))
+
+
+def runs(load, fidelities=FIDELITIES, factors=FACTORS):
+    return [hybrid_run(load, modulus, factor, fidelity) for fidelity in fidelities for modulus in MODULI for factor in factors]
+
+
+def reference_runs(load):
+    return [reference_run(load, modulus, factor) for modulus in MODULI for factor in REFERENCE_FACTORS]
+
+
+def point(store, load, modulus, factor, fidelity, run, base, records):
+    """One point of a curve, or None where it was not run."""
+    record, base_record = store.record(run.identity), store.record(base.identity)
+    if record is None or base_record is None:
+        return None
+    records.append(record)
+    row = {"load": load, "modulus": modulus, "factor": factor, "fidelity": fidelity, "variation": None, "force": None, "moment": None,
+           "energy": None, "bending_energy": None, "stretching_energy": None, "binding_energy": None, "flattening": None, "u_shape": None,
+           "u_reaction": None, "failure": None}
+    if not (converged(store, record) and converged(store, base_record)):
+        row["failure"] = record["sentence"] or base_record["sentence"]
+        return row
+    result = result_of(store, run.identity)
+    force, moment = moved_end(result)
+    energy = result["energy"]
+    row.update(variation=shapes(store, run.identity, base.identity, 10, 100)["mean"], force=norm(force), moment=norm(moment),
+               energy=energy["total"], bending_energy=energy["bending"], stretching_energy=energy["stretching"],
+               binding_energy=energy["binding"], flattening=result["metrics"][0]["flattening"], **own_error(result))
+    return row
+
+
+def make_rows(store, loads=LOADS, fidelities=FIDELITIES, factors=FACTORS, with_reference=True):
+    rows, records = [], []
+    for load in loads:
+        for modulus in MODULI:
+            for fidelity in fidelities:
+                base = hybrid_run(load, modulus, 1.0, fidelity)
+                rows += [point(store, load, modulus, f, fidelity, hybrid_run(load, modulus, f, fidelity), base, records) for f in factors]
+            if with_reference:
+                base = reference_run(load, modulus, 1.0)
+                rows += [point(store, load, modulus, f, "shell", reference_run(load, modulus, f), base, records) for f in REFERENCE_FACTORS]
+    return [row for row in rows if row is not None], records
+
+
+def make_table(store, path, notes=()):
+    rows, records = make_rows(store)
+    write_table(path, rows, ["Moduli alone: variation is the mean distance of material points to factor 1's shape over R, force and moment those at "
+                             "the moved end; law Biot", *provenance(records), *notes])
+    return rows

@@ -1,0 +1,141 @@
+#include "vessel/choose_fidelity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "geometry/error.h"
+#include "vessel/rod_change.h"
+#include "vessel/validity.h"
+
+namespace vasorod {
+namespace {
+
+std::string digits(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+double rod_length(const RodTree& rod) {
+  double length = 0;
+  for (const RodElement& element : rod.elements) length += element.length;
+  return length;
+}
+
+double mean_edge(const TriangleSurface& surface) {
+  double sum = 0;
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      sum += (surface.points.row(surface.triangles(f, k)) -
+              surface.points.row(surface.triangles(f, (k + 1) % 3)))
+                 .norm();
+  return sum / (3 * static_cast<double>(surface.triangles.rows()));
+}
+
+Demand demand_of(const RodOfVessel& rod) {
+  const Vessel& vessel = rod.vessel->vessel;
+  Validity validity;
+  add_validity(*rod.vessel, *rod.poses, rod.rigid_nodes, validity);
+  Demand demand;
+  demand.twist = validity.twist_ratio;
+  demand.bend = validity.wrinkling_ratio;
+  for (const ElementChange& change : element_changes(vessel.rod, *rod.poses))
+    demand.stretch = std::max(demand.stretch, std::abs(change.change[2]));
+  demand.edge = mean_edge(vessel.surface) / vessel.mean_radius;
+  return demand;
+}
+
+// Why the table says nothing of this scene; empty where it does.
+std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>& rods) {
+  if (scene.glenn) return "the table is of single tubes, not of operations";
+  if (scene.vessels.size() != 1 || rods.size() != 1)
+    return "the table is of single tubes, not of several vessels";
+  const PreparedVessel& prepared = *rods.front().vessel;
+  const Vessel& vessel = prepared.vessel;
+  if (vessel.rod.branches.size() != 1) return "the table is of tubes without branches";
+  const AccuracyScope scope = accuracy_scope();
+  const double tolerance = 0.01, thickness = prepared.thickness() / vessel.mean_radius,
+               length = rod_length(vessel.rod) / vessel.mean_radius;
+  const auto outside = [&](double value, const std::array<double, 2>& range) {
+    return value < range[0] * (1 - tolerance) || value > range[1] * (1 + tolerance);
+  };
+  if (outside(thickness, scope.thickness))
+    return "the table is of walls with t/R " + digits(scope.thickness[0]) + " to " +
+           digits(scope.thickness[1]) + ", this one has " + digits(thickness);
+  if (outside(length, scope.length))
+    return "the table is of tubes with L/R " + digits(scope.length[0]) + " to " + digits(scope.length[1]) +
+           ", this one has " + digits(length);
+  // curved at rest by a hundredth of the local wrinkling curvature, a section already flattens to first order
+  for (const ElementChange& change : element_changes(vessel.rod, *rods.front().poses))
+    if ((change.strain - change.change).segment<2>(3).norm() * vessel.mean_radius > 0.01 * 0.605 * thickness)
+      return "the table is of tubes that are straight at rest";
+  return {};
+}
+
+}  // namespace
+
+std::optional<double> promised_error(std::span<const AccuracyRow> table, Fidelity fidelity,
+                                     const Demand& demand) {
+  double sum = 0;
+  for (const auto& [kind, wanted] :
+       {std::pair(LoadKind::stretch, demand.stretch), std::pair(LoadKind::twist, demand.twist),
+        std::pair(LoadKind::bend, demand.bend)}) {
+    const auto belongs = [&, k = kind](const AccuracyRow& row) {
+      return row.fidelity == fidelity && row.kind == k && row.edge >= demand.edge * (1 - 1e-9);
+    };
+    double edge = INFINITY;  // the finest tabulated mesh that is not finer than the scene's
+    for (const AccuracyRow& row : table)
+      if (belongs(row)) edge = std::min(edge, row.edge);
+    double demand_before = 0, error_before = 0;
+    bool reached = false;
+    for (const AccuracyRow& row : table) {
+      if (!belongs(row) || row.edge != edge || reached) continue;
+      if (wanted <= row.demand) {
+        sum += error_before +
+               (row.error - error_before) * (wanted - demand_before) / (row.demand - demand_before);
+        reached = true;
+      }
+      demand_before = row.demand;
+      error_before = row.error;
+    }
+    if (!reached) return std::nullopt;
+  }
+  return sum;
+}
+
+FidelityChoice choose_fidelity(const Scene& scene, const std::vector<RodOfVessel>& rods,
+                               std::span<const AccuracyRow> table) {
+  FidelityChoice choice;
+  choice.wanted = *scene.accuracy;
+  std::string reason = outside_of_table(scene, rods);
+  if (reason.empty()) {
+    const Demand demand = demand_of(rods.front());
+    const std::string load = "stretch " + digits(demand.stretch) + ", twist ratio " + digits(demand.twist) +
+                             ", bend ratio " + digits(demand.bend) + ", edge/R " + digits(demand.edge);
+    std::optional<double> best;
+    for (const Fidelity fidelity : {Fidelity::skin, Fidelity::paper, Fidelity::coupled}) {
+      const auto error = promised_error(table, fidelity, demand);
+      if (!error) continue;
+      if (*error <= choice.wanted) {
+        choice.fidelity = fidelity;
+        choice.promised = *error;
+        choice.reason = "the cheapest the measured table promises to be within " + digits(choice.wanted) +
+                        " of R at " + load;
+        return choice;
+      }
+      best = std::min(best.value_or(INFINITY), *error);
+    }
+    if (best)
+      throw InputError(scene.file.string() + ": accuracy: found " + digits(choice.wanted) + ", expected " +
+                       digits(*best) + " or more: nothing is promised to be nearer to finite elements at " +
+                       load);
+    reason = "the table does not reach to " + load;
+  }
+  choice.fidelity = Fidelity::coupled;
+  choice.reason = "the dearest, without a promise: " + reason;
+  return choice;
+}
+
+}  // namespace vasorod

@@ -36,7 +36,7 @@ def errors_picture(rows, path):
     axis.set_xscale("log")
     axis.set_xlim(left=1e-3)
     axis.set_xlabel("RMS distance of material points, % of R")
-    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.06), ncol=3, fontsize=8)
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=3, fontsize=8)
     save(figure, path)
     plt.close(figure)
 
@@ -99,7 +99,7 @@ def sensitivity_picture(rows, path):
             if quantity == "reaction":
                 axis.set_yscale("log")
             axis.set_xlabel(f"factor on {modulus}")
-            axis.set_ylabel("variation, mean over R" if quantity == "variation" else "reaction, max(|F|, |M|/R)")
+            axis.set_ylabel("variation, RMS over R" if quantity == "variation" else "reaction, max(|F|, |M|/R)")
             if line == 0:
                 axis.set_title(load)
     axes[0][0].legend(fontsize=7)

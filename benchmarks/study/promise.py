@@ -7,7 +7,9 @@ from tables import read_table
 
 FIDELITIES = ("skin", "paper", "coupled")
 KINDS = ("stretch", "twist", "bend")
+SAFETY = 1.25  # on what was measured: a tapered tube exceeded the bare table by 8 %
 HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
+// clang-format off
 #include "vessel/accuracy_table.h"
 
 namespace vasorod {{
@@ -50,7 +52,7 @@ def mean_edge(around, length=10.0, along_ratio=88 / 48):
 
 
 def promise_rows(accuracy):
-    """(fidelity, kind, edge, demand, error) sorted; the error is the largest measured over all walls, plus the reference's own."""
+    """(fidelity, kind, edge, demand, error) sorted; the error is SAFETY times the largest measured over all walls, the reference's own added."""
     made_from = [row for row in accuracy if row["counted"] and row["family"] in KINDS and row["model"] in FIDELITIES]
     rows = []
     for fidelity in FIDELITIES:
@@ -63,7 +65,7 @@ def promise_rows(accuracy):
                     if not level or any(row["rms"] is None for row in level):
                         break  # what failed is not promised, nor anything beyond it
                     largest = max(largest, *(row["rms"] + (row["u_shape"] or 0) for row in level), 0.0)
-                    rows.append((fidelity, kind, mean_edge(around), min(row[f"demand_{kind}"] for row in level), largest))
+                    rows.append((fidelity, kind, mean_edge(around), min(row[f"demand_{kind}"] for row in level), SAFETY * largest))
     return rows
 
 

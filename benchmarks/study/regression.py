@@ -109,6 +109,8 @@ def accept(store, baselines, reason):
     path = baselines / FILE
     earlier = [note for note in read_table(path)[1] if note.startswith("accepted ")] if path.exists() else []
     rows, records = sensitivity.make_rows(store)
+    if not rows:
+        return
     line = f"accepted {time.strftime('%Y-%m-%d', time.gmtime())} at {commit()}: {reason}"
-    write_table(path, rows, ["Moduli alone: variation is the mean distance of material points to factor 1's shape over R, force and moment those "
+    write_table(path, rows, ["Moduli alone: variation is the RMS distance of material points to factor 1's shape over R, force and moment those "
                              "at the moved end; law Biot", *provenance(records), *earlier, line])

@@ -119,9 +119,10 @@ def promise_section(rows):
     kept = promise.held_out(rows)
     if not kept:
         return ""
-    lines = [[row["case"], row["model"], row["around"], percent(error, 3), percent(row["rms"], 3), "kept" if row["rms"] <= error else "broken"] for row, error in kept]
+    lines = [[row["case"], row["model"], f"{row['around']:.0f}", percent(error, 3), percent(row["rms"], 3), "kept" if row["rms"] <= error else "broken"] for row, error in kept]
     return "\n".join(["## `accuracy: x`\n", "The table behind it (`hybrid/vessel/accuracy_table.cpp`) is made from the pulled, twisted and bent straight tubes "
-                      "above: at each level the largest error over their walls plus the reference's own. Between levels it is interpolated linearly, over kinds of load summed. "
+                      "above: at each level the largest error over their walls plus the reference's own, "
+                      f"times {promise.SAFETY}. Between levels it is interpolated linearly, over kinds of load summed. "
                       "These cases it was not made from; tubes curved at rest it does not cover.\n",
                       markdown(("case", "fidelity", "points around", "promised, % R", "measured, % R", ""), lines)])
 
@@ -146,7 +147,7 @@ def sensitivity_section(rows, notes):
                     lines.append([load, modulus, model, f"{signed(worst[2])} at {worst[1]:.3g}", f"{percent(shape[0], 3)} at {shape[1]:.3g}"])
     text = ["## Moduli alone\n",
             "The wall transversely isotropic about the tube's axis; E scales E_axial and E_T together, G scales G_axial alone. t / R = 0.1, L / R = 10, Biot law. "
-            "Variation: mean distance of material points to the shape at factor 1, over R. The twist is a tenth of a degree (surface shear 1.7e-4): at E / G a hundredth "
+            "Variation: RMS distance of material points to the shape at factor 1, over R. The twist is a tenth of a degree (surface shear 1.7e-4): at E / G a hundredth "
             "of the base the tube wrinkles at 0.2 degrees. Shapes under prescribed motions depend on E / G alone.\n",
             f"![Sensitivity]({IMAGES}/sensitivity.png)\n"]
     if lines:

@@ -4,7 +4,6 @@ together, that of G scaling G_axial alone (design.md, section 3). Base: the isot
 from cases import case_named
 from measure import converged, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference
-from tables import provenance, write_table
 
 FACTORS = tuple(10 ** (k / 5 - 2) for k in range(21))
 FEW = tuple(FACTORS[k] for k in (0, 5, 10, 15, 20))  # what a quick check runs
@@ -66,7 +65,7 @@ def point(store, load, modulus, factor, fidelity, run, base, records):
     result = result_of(store, run.identity)
     force, moment = moved_end(result)
     energy = result["energy"]
-    row.update(variation=shapes(store, run.identity, base.identity, 10, 100)["mean"], force=norm(force), moment=norm(moment),
+    row.update(variation=shapes(store, run.identity, base.identity, 10, 100)["rms"], force=norm(force), moment=norm(moment),
                energy=energy["total"], bending_energy=energy["bending"], stretching_energy=energy["stretching"],
                binding_energy=energy["binding"], flattening=result["metrics"][0]["flattening"], **own_error(result))
     return row
@@ -84,9 +83,3 @@ def make_rows(store, loads=LOADS, fidelities=FIDELITIES, factors=FACTORS, with_r
                 rows += [point(store, load, modulus, f, "shell", reference_run(load, modulus, f), base, records) for f in REFERENCE_FACTORS]
     return [row for row in rows if row is not None], records
 
-
-def make_table(store, path, notes=()):
-    rows, records = make_rows(store)
-    write_table(path, rows, ["Moduli alone: variation is the mean distance of material points to factor 1's shape over R, force and moment those at "
-                             "the moved end; law Biot", *provenance(records), *notes])
-    return rows

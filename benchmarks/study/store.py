@@ -27,7 +27,7 @@ def commit():
 class Store:
     def __init__(self, results, programs):
         """results: the folder of all runs; programs: {name: path of the executable}."""
-        self.results, self.programs = Path(results), {name: Path(path) for name, path in programs.items()}
+        self.results, self.programs = Path(results).resolve(), {name: Path(path).resolve() for name, path in programs.items()}
         self._hashes = {}
 
     def folder(self, identity):

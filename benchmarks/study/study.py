@@ -41,6 +41,20 @@ def chosen_cases(arguments):
     return [case_named(name) for name in arguments.case] if arguments.case else all_cases()
 
 
+def every_run():
+    """All runs of the study by identity."""
+    runs = [one for case in all_cases() for plan in PLANS.values() for one in plan(case)]
+    runs += [one for load in sensitivity.LOADS for sweep in SWEEPS.values() for one in sweep(load)]
+    return {one.identity: one for one in runs}
+
+
+def run_one(arguments):
+    one = every_run().get(arguments.identity)
+    if one is None:
+        raise SystemExit(f"{arguments.identity}: found no such run, expected CASE/RUN as in results/study")
+    open_store(arguments).ensure(one)
+
+
 def runs_of(arguments):
     if arguments.plan in SWEEPS:
         return [one for load in sensitivity.LOADS for one in SWEEPS[arguments.plan](load)]
@@ -58,6 +72,8 @@ def run(arguments):
 def tables(arguments):
     store = open_store(arguments)
     accuracy.make_table(store, all_cases(), arguments.baselines / "accuracy.csv")
+    if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
+        regression.accept(store, arguments.baselines, "first")
 
 
 def write_promise(arguments):
@@ -94,6 +110,9 @@ def main():
     command.add_argument("--case", action="append", help="this case only (may be repeated)")
     command.add_argument("--again", action="store_true", help="repeat finished runs too")
     command.set_defaults(call=run)
+    command = commands.add_parser("one", help="one run by its identity, for the workflow")
+    command.add_argument("identity", help="CASE/RUN")
+    command.set_defaults(call=run_one)
     command = commands.add_parser("tables", help="tables from finished runs")
     command.set_defaults(call=tables)
     command = commands.add_parser("promise", help="the table behind accuracy: x")

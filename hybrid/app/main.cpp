@@ -29,7 +29,7 @@ void add_output(CLI::App* app, Common* common) {
 }
 
 void add_solving(CLI::App* app, Common* common) {
-  app->add_option("--fidelity", common->fidelity, "rod, skin or paper; overrides the scene's")
+  app->add_option("--fidelity", common->fidelity, "rod, skin, paper or coupled; overrides the scene's")
       ->check(CLI::IsMember({"rod", "skin", "paper", "coupled"}));
   app->add_flag("--certify", common->command.solve.certify,
                 "Ask for the sign of the surfaces' smallest curvature too");

@@ -9,6 +9,7 @@
 #include "app/stopwatch.h"
 #include "geometry/error.h"
 #include "surface/blas.h"
+#include "vessel/choose_fidelity.h"
 #include "vessel/rod_scene.h"
 
 namespace vasorod {
@@ -18,14 +19,15 @@ std::string place(const Scene& scene, const VesselSpec& vessel) {
   return scene.file.string() + ":" + std::to_string(vessel.line) + ": vessel " + vessel.name + ": ";
 }
 
+bool has_bare_rods(const Scene& scene) {
+  return std::any_of(scene.vessels.begin(), scene.vessels.end(),
+                     [](const VesselSpec& vessel) { return vessel.rod.has_value(); });
+}
+
+// As asked for; with `accuracy:` alone the dearest the vessels allow, until the rods say what will do.
 Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
-  const std::string file = scene.file.string();
-  if (!options.fidelity && !scene.fidelity)
-    throw InputError(
-        file +
-        ": accuracy: found a wanted accuracy, expected fidelity: rod, skin, paper or coupled: choosing by a "
-        "measured table is not there yet");
-  const Fidelity fidelity = options.fidelity ? *options.fidelity : *scene.fidelity;
+  const Fidelity dearest = has_bare_rods(scene) ? Fidelity::rod : Fidelity::coupled;
+  const Fidelity fidelity = options.fidelity ? *options.fidelity : scene.fidelity.value_or(dearest);
   for (const VesselSpec& vessel : scene.vessels) {
     if (vessel.pressure)
       throw InputError(place(scene, vessel) +
@@ -35,11 +37,6 @@ Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
                        ", expected fidelity rod");
   }
   return fidelity;
-}
-
-bool has_bare_rods(const Scene& scene) {
-  return std::any_of(scene.vessels.begin(), scene.vessels.end(),
-                     [](const VesselSpec& vessel) { return vessel.rod.has_value(); });
 }
 
 PredictedVessel& vessel_named(Prediction& prediction, const std::string& name) {
@@ -65,10 +62,22 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
   }
 }
 
+// The rods are solved: which fidelity does `accuracy:` need?
+FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
+  std::vector<RodOfVessel> rods;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle()) continue;
+    RodOfVessel rod{&vessel.prepared, &vessel.rod.poses, {}};
+    for (const RodSupport& support : vessel.conditions.rod.supports) rod.rigid_nodes.push_back(support.node);
+    rods.push_back(std::move(rod));
+  }
+  return choose_fidelity(scene, rods);
+}
+
 }  // namespace
 
 Result solve_scene(const Scene& scene, const SolveOptions& options) {
-  const Fidelity fidelity = checked_fidelity(scene, options);
+  Fidelity fidelity = checked_fidelity(scene, options);
   set_blas_threads(options.threads);
   if (has_bare_rods(scene)) {
     RodSceneOptions rods;
@@ -79,8 +88,6 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   Stopwatch watch;
   Prediction prediction;
   prediction.scene = &scene;
-  prediction.fidelity = fidelity;
-  prediction.certified = options.certify && fidelity == Fidelity::paper;
   for (const VesselSpec& spec : scene.vessels) {
     if (spec.role == Role::obstacle && fidelity == Fidelity::rod) {
       prediction.left_out["obstacle " + spec.name] = "fidelity rod: no surface, nothing to touch";
@@ -120,6 +127,13 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   watch.lap("surgery");
 
   solve_rods(prediction, options);
+  std::optional<FidelityChoice> choice;
+  if (!options.fidelity && !scene.fidelity) {
+    choice = choose(scene, prediction);
+    fidelity = choice->fidelity;
+  }
+  prediction.fidelity = fidelity;
+  prediction.certified = options.certify && fidelity == Fidelity::paper;
   watch.lap("rod");
   if (fidelity == Fidelity::rod)
     prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
@@ -132,6 +146,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   watch.lap("solve");
 
   Result result = collect_result(prediction);
+  if (choice) result.certificate.notes.push_back(choice->sentence());
   watch.lap("collect");
   result.seconds = watch.seconds();
   result.environment.threads = options.threads;

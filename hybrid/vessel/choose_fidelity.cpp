@@ -14,7 +14,7 @@ namespace {
 std::string digits(double value) {
   std::ostringstream text;
   text.precision(3);
-  text << value;
+  text << (std::abs(value) < 1e-9 ? 0 : value);  // round-off of a load that is not there
   return text.str();
 }
 
@@ -92,7 +92,7 @@ std::optional<double> promised_error(std::span<const AccuracyRow> table, Fidelit
     bool reached = false;
     for (const AccuracyRow& row : table) {
       if (!belongs(row) || row.edge != edge || reached) continue;
-      if (wanted <= row.demand) {
+      if (wanted <= row.demand * (1 + 1e-6)) {  // a load at the last row is not beyond it by round-off
         sum += error_before +
                (row.error - error_before) * (wanted - demand_before) / (row.demand - demand_before);
         reached = true;
@@ -103,6 +103,11 @@ std::optional<double> promised_error(std::span<const AccuracyRow> table, Fidelit
     if (!reached) return std::nullopt;
   }
   return sum;
+}
+
+std::string FidelityChoice::sentence() const {
+  return "accuracy " + digits(wanted) + " of R: " + to_string(fidelity) +
+         (promised ? ", promised to be within " + digits(*promised) : "") + ": " + reason;
 }
 
 FidelityChoice choose_fidelity(const Scene& scene, const std::vector<RodOfVessel>& rods,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "output/result.h"
+#include "rod/rod_tree.h"
 #include "vessel/accuracy_table.h"
 #include "vessel/prepared_vessel.h"
 
@@ -24,6 +24,16 @@ struct Demand {
 /// the table does not reach that far.
 std::optional<double> promised_error(std::span<const AccuracyRow> table, Fidelity fidelity,
                                      const Demand& demand);
+
+/// What a wanted accuracy is answered with.
+struct FidelityChoice {
+  double wanted = 0;  ///< RMS distance over R
+  Fidelity fidelity = Fidelity::coupled;
+  std::optional<double> promised;  ///< empty: the table says nothing of such a scene
+  std::string reason;
+  /// All of it, as the result's notes have it.
+  std::string sentence() const;
+};
 
 /// A deformable vessel with its rod solved.
 struct RodOfVessel {

@@ -22,10 +22,11 @@ sensitivity.hybrid_run.__defaults__ = (24,)
 
 ALTERED = """#!{python}
 import os, sys, yaml
-scene = yaml.safe_load(open('scene.yaml'))
-vessel = scene['vessels'][0]
-{change}
-yaml.safe_dump(scene, open('scene.yaml', 'w'))
+if sys.argv[1] == 'solve':
+    scene = yaml.safe_load(open('scene.yaml'))
+    vessel = scene['vessels'][0]
+    {change}
+    yaml.safe_dump(scene, open('scene.yaml', 'w'))
 os.execv({vasorod!r}, ['vasorod', *sys.argv[1:]])
 """
 
@@ -56,8 +57,6 @@ with tempfile.TemporaryDirectory() as scratch:
     ok, said = told(lambda: regression.check(good, baselines))
     assert ok and "6 points" in said, said
 
-    # factor 1 and 10 of what the wall's paper coefficients are in this scene, k_s and k_b apart, and E of the wall
-    first = sensitivity.hybrid_run("bend", "E", 1.0, "paper")
     for name, change in {"stiffness": "vessel['wall']['young'] *= 1.02", "shear": "vessel['wall']['shear'] *= 1.02",
                          "thickness": "vessel['wall']['thickness'] *= 1.02"}.items():
         program = scratch / f"altered-{name}"
@@ -71,7 +70,6 @@ with tempfile.TemporaryDirectory() as scratch:
             continue
         assert not ok and "paper bend" in said and "moment" in said, f"{name} by 2 % was not caught: {said}"
         assert image.exists() or "python3-matplotlib" in said, said
-    assert first.identity.endswith("paper-24")
 
 # the rule itself: relative to the largest value on the same curve
 rows = [{"load": "bend", "modulus": "E", "fidelity": "paper", "factor": f, **{q: None for q in regression.QUANTITIES}, "force": v}

@@ -17,18 +17,19 @@ RodSolution collect(RodProblem& problem, const RodState& state, const RodSummary
   RodSolution solution;
   solution.summary = summary;
   const ScaledRod& rod = problem.rod();
+  const std::vector<RodLink>& links = problem.links();
   const std::vector<Pose>& poses = state.poses;
   // the largest wrench anywhere measures the imbalance
   double largest = 0, unbalanced = 0, misfit = 0, energy = 0;
   std::vector<Vec6> sum(poses.size(), Vec6::Zero());
-  for (std::size_t k = 0; k < rod.links.size(); ++k) {
+  for (std::size_t k = 0; k < links.size(); ++k) {
     const Vec6 second = wrench_on_second(poses[k + 1], state.strain[k], state.stress[k]);
     sum[k + 1] += second;
-    sum[index(rod.links[k].parent)] += wrench_on_first(rod.links, poses, k, second);
+    sum[index(links[k].parent)] += wrench_on_first(links, poses, k, second);
     largest = std::max(largest, second.squaredNorm());
-    const Vec6 strain = strain_of(rod.links[k].stiffness, state.stress[k]);
+    const Vec6 strain = strain_of(links[k].stiffness, state.stress[k]);
     energy += 0.5 * strain.dot(state.stress[k]);
-    misfit = std::max(misfit, (state.strain[k] - rod.links[k].natural - strain).squaredNorm());
+    misfit = std::max(misfit, (state.strain[k] - links[k].natural - strain).squaredNorm());
   }
   largest = std::sqrt(largest);
   misfit = std::sqrt(misfit);

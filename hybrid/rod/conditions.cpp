@@ -10,6 +10,7 @@
 
 #include "geometry/error.h"
 #include "geometry/rigid_motion.h"
+#include "rod/index.h"
 
 namespace vasorod {
 namespace {
@@ -29,8 +30,13 @@ std::string text(double x) {
   return out.str();
 }
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
+/// Scaled to a unit diagonal, so that slenderness does not hide what is indefinite.
+bool is_positive_definite(const Mat6& c) {
+  const Vec6 diagonal = c.diagonal();
+  if (!(diagonal.minCoeff() > 0)) return false;
+  const Vec6 s = diagonal.cwiseSqrt().cwiseInverse();
+  const Mat6 scaled = s.asDiagonal() * c * s.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] >= 1e-13;
 }
 
 }  // namespace
@@ -117,50 +123,48 @@ void check_tree(const RodTree& tree, const std::string& where) {
       fail("the rest frame of node " + text(i) + " is not right-handed and orthonormal");
   }
   std::vector<int> parent(index(n), -1);
-  std::vector<std::vector<int>> children(index(n));
   for (std::size_t e = 0; e < tree.elements.size(); ++e) {
     const RodElement& element = tree.elements[e];
-    const std::string name = "element " + std::to_string(e);
+    const auto name = [e] { return "element " + std::to_string(e); };
     if (element.first < 0 || element.first >= n || element.second < 0 || element.second >= n ||
         element.first == element.second)
-      fail(name + " joins nodes " + text(element.first) + " and " + text(element.second) +
+      fail(name() + " joins nodes " + text(element.first) + " and " + text(element.second) +
            ", expected two different nodes of the rod");
     if (!(element.length > 0) || !std::isfinite(element.length))
-      fail(name + " has length " + text(element.length) + ", expected a positive number");
+      fail(name() + " has length " + text(element.length) + ", expected a positive number");
     if (!element.natural_strain.allFinite() || !element.rest_strain.allFinite() ||
         !element.stiffness.allFinite())
-      fail(name + " has a strain or stiffness that is not finite");
+      fail(name() + " has a strain or stiffness that is not finite");
     const double turn = element.length * element.natural_strain.tail<3>().norm();
     if (turn >= std::numbers::pi)
-      fail(name + " turns by " + text(turn * 180 / std::numbers::pi) +
+      fail(name() + " turns by " + text(turn * 180 / std::numbers::pi) +
            " degrees in its natural shape, expected below 180: use more elements");
     const Mat6& c = element.stiffness;
-    if ((c - c.transpose()).norm() > 1e-9 * c.norm())
-      fail(name + " has a stiffness matrix that is not symmetric");
-    // scaled to a unit diagonal, so that slenderness does not hide what is indefinite
-    const Vec6 diagonal = c.diagonal();
-    if (!(diagonal.minCoeff() > 0)) fail(name + " has a stiffness that is not positive definite");
-    const Vec6 s = diagonal.cwiseSqrt().cwiseInverse();
-    const Mat6 scaled = s.asDiagonal() * c * s.asDiagonal();
-    if (Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] < 1e-13)
-      fail(name + " has a stiffness that is not positive definite");
+    if (e == 0 || c != tree.elements[e - 1].stiffness) {
+      if ((c - c.transpose()).norm() > 1e-9 * c.norm())
+        fail(name() + " has a stiffness matrix that is not symmetric");
+      if (!is_positive_definite(c)) fail(name() + " has a stiffness that is not positive definite");
+    }
     if (element.second == 0)
-      fail(name + " leads into node 0, expected every element to lead away from that root");
+      fail(name() + " leads into node 0, expected every element to lead away from that root");
     if (parent[index(element.second)] >= 0)
       fail("two elements lead into node " + text(element.second) +
            ": the rod has a closed loop or a reversed element");
     parent[index(element.second)] = element.first;
-    children[index(element.first)].push_back(element.second);
   }
-  std::vector<int> reached{0};
-  for (std::size_t k = 0; k < reached.size(); ++k)
-    for (const int child : children[index(reached[k])]) reached.push_back(child);
-  if (static_cast<int>(reached.size()) != n) {
-    std::vector<bool> seen(index(n), false);
-    for (const int i : reached) seen[index(i)] = true;
-    const auto lost = std::find(seen.begin(), seen.end(), false) - seen.begin();
-    fail("node " + text(static_cast<double>(lost)) +
-         " is not connected to the root, expected one connected tree");
+  // with one element into every node but the root, what the root does not reach runs in a circle
+  std::vector<char> reached(index(n), 0);
+  reached[0] = 1;
+  std::vector<int> way;
+  for (int i = 0; i < n; ++i) {
+    int at = i;
+    for (way.clear(); at >= 0 && !reached[index(at)]; at = parent[index(at)]) {
+      way.push_back(at);
+      if (static_cast<int>(way.size()) > n) break;
+    }
+    if (at < 0 || !reached[index(at)])
+      fail("node " + text(i) + " is not connected to the root, expected one connected tree");
+    for (const int node : way) reached[index(node)] = 1;
   }
 }
 

@@ -4,10 +4,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
 #include "rod/link_geometry.h"
+#include "rod/small_products.h"
 
 namespace vasorod {
 namespace {
@@ -17,22 +19,26 @@ constexpr double neutral_pivot = 1e-10;
 
 // From the second node's twist space to its parent's: A = (1, -hat(lever); 0, 1), S_i += A^T S A, g_i += A^T
 // g.
-void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, Mat6& to_s, Vec6& to_g) {
-  const Mat3 h = hat(lever);
-  const Mat3 vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>();
-  Mat3 left = s.bottomLeftCorner<3, 3>();
-  left.noalias() += h * vv;
-  Mat3 right = vw;
-  right.noalias() -= vv * h;
-  Mat3 turn = s.bottomRightCorner<3, 3>();
-  turn.noalias() += h * vw;
-  turn.noalias() -= left * h;
+void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, bool first, Mat6& to_s, Vec6& to_g) {
+  const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>();
+  const Mat3 left = s.bottomLeftCorner<3, 3>() + cross_columns(lever, vv);
+  const Mat3 right = vw - cross_rows(vv, lever);
+  const Mat3 turn = s.bottomRightCorner<3, 3>() + cross_columns(lever, vw) - cross_rows(left, lever);
+  const Vec3 moment = g.tail<3>() + lever.cross(g.head<3>());
+  if (first) {
+    to_s.topLeftCorner<3, 3>() = vv;
+    to_s.topRightCorner<3, 3>() = right;
+    to_s.bottomLeftCorner<3, 3>() = left;
+    to_s.bottomRightCorner<3, 3>() = turn;
+    to_g << g.head<3>(), moment;
+    return;
+  }
   to_s.topLeftCorner<3, 3>() += vv;
   to_s.topRightCorner<3, 3>() += right;
   to_s.bottomLeftCorner<3, 3>() += left;
   to_s.bottomRightCorner<3, 3>() += turn;
   to_g.head<3>() += g.head<3>();
-  to_g.tail<3>() += g.tail<3>() + lever.cross(g.head<3>());
+  to_g.tail<3>() += moment;
 }
 
 /// The same for the forces (or conditions) of reactions: A^T B.
@@ -56,6 +62,18 @@ Columns pull_back(const Mat3& j, const Mat3& b, const Columns& columns) {
   return k;
 }
 
+/// f(0), f(1), ... f(N - 1) with the number as a constant, so that every loop bound in f is one.
+template <class F, int... I>
+[[gnu::always_inline]] inline void unrolled(std::integer_sequence<int, I...>, F&& f) {
+  (f(std::integral_constant<int, I>{}), ...);
+}
+
+/// to -= factor * from, entries Begin to End (even numbers).
+template <int Begin, int End>
+[[gnu::always_inline]] inline void subtract(double* to, double factor, const double* from) {
+  for (int i = Begin; i < End; ++i) to[i] -= factor * from[i];
+}
+
 }  // namespace
 
 RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondition> conditions)
@@ -76,6 +94,7 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
   }
   s_.resize(nodes);
   g_.resize(nodes);
+  begun_.resize(nodes);
   work_.resize(links_.size());
   channels_.set_up(links_, conditions_);
 }
@@ -86,12 +105,12 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
 // load adds nothing: an unstressed rod's matrix is then positive. A moment without energy adds an
 // antisymmetric part, -M/2 dead in space, +M/2 in the body.
 void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links) {
-  for (std::size_t k = 0; k < s_.size(); ++k) {
-    s_[k].setZero();
-    g_[k].setZero();
-  }
+  std::fill(begun_.begin(), begun_.end(), 0);
   for (const NodeCondition& c : conditions_) {
     const std::size_t k = index(c.node);
+    begun_[k] = 1;
+    s_[k].setZero();
+    g_[k].setZero();
     const Pose& pose = poses[k];
     const Vec6 load = c.load(pose);
     g_[k] -= load;
@@ -119,31 +138,48 @@ void RodElimination::factor(const std::vector<Pose>& poses, const std::vector<Ve
                             const std::vector<Vec6>& stress, Purpose purpose, double shift) {
   const bool symmetric = purpose != Purpose::newton || !unsymmetric_;
   gather_node_terms(poses, symmetric, purpose == Purpose::descent);
-  if (shift != 0)
-    for (std::size_t k = 0; k < s_.size(); ++k) s_[k].diagonal().array() += shift * weight_[k];
-  sweep(poses, strain, stress, symmetric, false);
+  if (purpose == Purpose::newton)
+    for (const GaugeSpring& spring : gauge_) {
+      const std::size_t k = index(spring.node);
+      if (!begun_[k]) {
+        begun_[k] = 1;
+        s_[k].setZero();
+        g_[k].setZero();
+      }
+      s_[k] += spring.along * spring.along.transpose();
+    }
+  sweep(poses, strain, stress, symmetric, shift, nullptr);
 }
 
 void RodElimination::factor_mode(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
                                  const std::vector<Vec6>& stress, double shift,
                                  const std::vector<Vec6>& pull) {
   gather_node_terms(poses, true, false);
-  for (std::size_t k = 0; k < s_.size(); ++k) {
-    s_[k].diagonal().array() += shift * weight_[k];
-    g_[k] = -weight_[k] * pull[k];
+  for (const NodeCondition& c : conditions_) g_[index(c.node)].setZero();
+  sweep(poses, strain, stress, true, shift, &pull);
+}
+
+void RodElimination::complete(std::size_t node, double shift, const std::vector<Vec6>* pull) {
+  if (!begun_[node]) {
+    s_[node].setZero();
+    g_[node].setZero();
   }
-  sweep(poses, strain, stress, true, true);
+  if (shift != 0) s_[node].diagonal().array() += shift * weight_[node];
+  if (pull) g_[node] -= weight_[node] * (*pull)[node];
 }
 
 void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
-                           const std::vector<Vec6>& stress, bool symmetric, bool homogeneous) {
+                           const std::vector<Vec6>& stress, bool symmetric, double shift,
+                           const std::vector<Vec6>* pull) {
   negative_ = 0;
   singular_ = false;
   general_ = !symmetric;
   channels_.restart();
+  const bool homogeneous = pull != nullptr;
   for (std::size_t k = links_.size(); k-- > 0;) {
     const Pose &first = poses[index(links_[k].parent)], &second = poses[k + 1];
     const int node = static_cast<int>(k) + 1;
+    complete(k + 1, shift, pull);
     if (channels_.begins_at(node)) {
       const Mat6& c = links_[k].stiffness;
       const int condition = condition_of_[k + 1];
@@ -155,16 +191,18 @@ void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec
     else
       eliminate_unsymmetric(k, first, second, strain[k], stress[k]);
   }
+  complete(0, shift, pull);
   eliminate_root(poses, homogeneous);
 }
 
+VASOROD_VECTORIZED
 void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& second, const Vec6& strain,
                                const Vec6& stress, bool homogeneous) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
   const LinkGeometry geometry = link_geometry(strain, stress);
-  work.j.noalias() = second.rotation * geometry.j;
-  work.b.noalias() = second.rotation * geometry.b;
+  work.j = times(second.rotation, geometry.j);
+  work.b = times(second.rotation, geometry.b);
   work.lever = second.position - first.position;
   if (homogeneous)
     work.eps.setZero();
@@ -175,41 +213,37 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
   const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>(), wv = s.bottomLeftCorner<3, 3>(),
              ww = s.bottomRightCorner<3, 3>();
 
-  Mat3 a11, a12, a21, a22;  // Jr^T S
-  a11.noalias() = j.transpose() * vv;
-  a12.noalias() = j.transpose() * vw;
-  a21.noalias() = b.transpose() * vv;
-  a21.noalias() += j.transpose() * wv;
-  a22.noalias() = b.transpose() * vw;
-  a22.noalias() += j.transpose() * ww;
-  Mat6 t;  // T - C/L
-  Mat3 block;
-  block.noalias() = a11 * j;
-  t.topLeftCorner<3, 3>() = block;
-  block.noalias() = a21 * j;
-  t.bottomLeftCorner<3, 3>() = block + geometry.g12;  // g12 is symmetric
-  t.topRightCorner<3, 3>() = block.transpose() + geometry.g12;
-  block.noalias() = a21 * b;
-  block.noalias() += a22 * j;
-  t.bottomRightCorner<3, 3>() = block + geometry.g22;
+  const Mat3 a11 = transposed_times(j, vv);  // Jr^T S
+  Mat3 a12 = transposed_times(j, vw), a21 = transposed_times(b, vv, j, wv),
+       a22 = transposed_times(b, vw, j, ww);
+  const Mat3 t21 = times(a21, j) + geometry.g12;  // T - C/L; g12 is symmetric
+  Mat6 t;
+  t.topLeftCorner<3, 3>() = times(a11, j);
+  t.bottomLeftCorner<3, 3>() = t21;
+  t.topRightCorner<3, 3>() = t21.transpose();
+  t.bottomRightCorner<3, 3>() = times(a21, b) + times(a22, j) + geometry.g22;
 
   // P has the blocks (0, f; f, m): f = -hat(force)/2, m = -hat(moment)/2
-  const Mat3 f = hat(second.rotation * (-0.5 * geometry.force)),
-             m = hat(second.rotation * (-0.5 * geometry.moment));
-  const Mat3 jf = j.transpose() * f;
+  const Vec3 f = second.rotation * (-0.5 * geometry.force), m = second.rotation * (-0.5 * geometry.moment);
+  const Mat3 jf = transposed_cross(j, f);
   a12 += jf;
   a21 += jf;
-  a22.noalias() += b.transpose() * f;
-  a22.noalias() += j.transpose() * m;
+  a22 += transposed_cross(b, f) + transposed_cross(j, m);
 
   const Vec6& g = g_[k + 1];
   Vec6 q;
-  q.head<3>().noalias() = j.transpose() * g.head<3>();
-  q.tail<3>().noalias() = b.transpose() * g.head<3>() + j.transpose() * g.tail<3>();
-  q.noalias() -= t * work.eps;
+  for (int r = 0; r < 3; ++r) {
+    q[r] = j(0, r) * g[0] + j(1, r) * g[1] + j(2, r) * g[2];
+    q[r + 3] =
+        b(0, r) * g[0] + b(1, r) * g[1] + b(2, r) * g[2] + j(0, r) * g[3] + j(1, r) * g[4] + j(2, r) * g[5];
+  }
+  for (int c = 0; c < 6; ++c)
+    for (int r = 0; r < 6; ++r) q[r] -= t(r, c) * work.eps[c];
   t += link.stiffness;
 
   auto& w = work.w;
+  alignas(32) double next[6][8];  // S - Q^T T^-1 Q and g - Q^T (eps + T^-1 q)
+  alignas(32) double l[6][6];     // rows of T, of which only the upper part is used
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
       w[r][c] = a11(r, c);
@@ -221,38 +255,38 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
     w[r + 3][6] = q[r + 3];
     w[r][7] = w[r + 3][7] = 0;
   }
-  alignas(32) double next[6][8];  // S - Q^T T^-1 Q and g - Q^T (eps + T^-1 q)
   for (int r = 0; r < 6; ++r) {
     double pull = g[r];
     for (int c = 0; c < 6; ++c) {
-      next[r][c] = s(r, c);
+      l[r][c] = t(c, r);
+      next[r][c] = s(c, r);
       pull -= w[c][r] * work.eps[c];
     }
     next[r][6] = pull;
     next[r][7] = 0;
   }
   // T = L D L^T; C leads with its stiff rows, so no pivoting is needed for accuracy
-  double l[6][6];
-  for (int r = 0; r < 6; ++r)
-    for (int c = 0; c <= r; ++c) l[r][c] = t(r, c);
+  constexpr auto six = std::make_integer_sequence<int, 6>{};
   bool low = false;
-  for (int c = 0; c < 6; ++c) {
+  unrolled(six, [&](auto column) VASOROD_INLINE {
+    constexpr int c = column, even = (c + 1) & ~1;
     double pivot = l[c][c];
     low = low || !(pivot > neutral_pivot * link.stiffness(c, c));
     if (pivot == 0) pivot = 1e-300;
     const double inverse = 1 / pivot;
     work.inverse_pivot[c] = inverse;
-    for (int r = c + 1; r < 6; ++r) {
-      const double factor = l[r][c] * inverse;
-      work.lower[r][c] = factor;
-      for (int i = c + 1; i <= r; ++i) l[r][i] -= factor * l[i][c];
-      for (int i = 0; i < 8; ++i) w[r][i] -= factor * w[c][i];
-    }
-    for (int r = 0; r < 6; ++r) {
-      const double factor = w[c][r] * inverse;
-      for (int i = r & ~1; i < 8; ++i) next[r][i] -= factor * w[c][i];
-    }
-  }
+    unrolled(std::make_integer_sequence<int, 5 - c>{}, [&](auto below) VASOROD_INLINE {
+      constexpr int r = c + 1 + below;
+      const double factor = l[c][r] * inverse;
+      work.lower[r * (r - 1) / 2 + c] = factor;
+      subtract<even, 6>(l[r], factor, l[c]);
+      subtract<0, 8>(w[r], factor, w[c]);
+    });
+  });
+  unrolled(six, [&](auto row) VASOROD_INLINE {
+    constexpr int r = row;
+    for (int c = 0; c < 6; ++c) subtract<(r & ~1), 8>(next[r], w[c][r] * work.inverse_pivot[c], w[c]);
+  });
   if (low) check_pivots(k, t);
 
   Mat6 passed_s;
@@ -267,7 +301,7 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
     gain = pull_back(j, b, segment.force);
     segment.rest += gain.transpose() * work.eps;
     for (int c = 0; c < 5; ++c)
-      for (int r = c + 1; r < 6; ++r) gain.row(r) -= work.lower[r][c] * gain.row(c);
+      for (int r = c + 1; r < 6; ++r) gain.row(r) -= work.lower[r * (r - 1) / 2 + c] * gain.row(c);
     for (int c = 0; c < 6; ++c) {
       const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 6> row = gain.row(c);
       const double inverse = work.inverse_pivot[c];
@@ -280,7 +314,8 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
     segment.row = segment.force;
   }
   const std::size_t parent = index(link.parent);
-  move_to_parent(work.lever, passed_s, passed_g, s_[parent], g_[parent]);
+  move_to_parent(work.lever, passed_s, passed_g, !begun_[parent], s_[parent], g_[parent]);
+  begun_[parent] = 1;
 }
 
 /// Signs of the eigenvalues of T where its pivots alone do not tell them.
@@ -335,8 +370,9 @@ void RodElimination::eliminate_unsymmetric(std::size_t k, const Pose& first, con
     move_to_parent(work.lever, segment.row);
   }
   const std::size_t parent = index(link.parent);
-  move_to_parent(work.lever, s - q_left.transpose() * z, g - q_left.transpose() * (work.eps + z0), s_[parent],
-                 g_[parent]);
+  move_to_parent(work.lever, s - q_left.transpose() * z, g - q_left.transpose() * (work.eps + z0),
+                 !begun_[parent], s_[parent], g_[parent]);
+  begun_[parent] = 1;
 }
 
 void RodElimination::eliminate_root(const std::vector<Pose>& poses, bool homogeneous) {
@@ -368,7 +404,7 @@ void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, s
     if (!general_) {
       for (int r = 0; r < 6; ++r) y[r] *= work.inverse_pivot[r];
       for (int r = 4; r >= 0; --r)
-        for (int i = r + 1; i < 6; ++i) y[r] -= work.lower[i][r] * y[i];
+        for (int i = r + 1; i < 6; ++i) y[r] -= work.lower[i * (i - 1) / 2 + r] * y[i];
     }
     stretch[k] = y - work.eps;
     const Vec3 v = stretch[k].head<3>(), u = stretch[k].tail<3>();

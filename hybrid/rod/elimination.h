@@ -29,6 +29,12 @@ namespace vasorod {
 /// symmetric.
 enum class Purpose { newton, descent, certificate };
 
+/// A spring against the step of one node, of stiffness along along^T.
+struct GaugeSpring {
+  int node = 0;
+  Vec6 along = Vec6::Zero();
+};
+
 /// One linear step and its by-products.
 class RodElimination {
  public:
@@ -50,6 +56,8 @@ class RodElimination {
   /// stays short.
   void factor(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
               const std::vector<Vec6>& stress, Purpose purpose = Purpose::newton, double shift = 0);
+  /// Springs that Newton's steps feel, against motions along symmetries.
+  void set_gauge(std::vector<GaugeSpring> springs) { gauge_ = std::move(springs); }
   /// The same for (Hessian + shift) step = weight * pull with all misfits and loads left out.
   void factor_mode(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
                    const std::vector<Vec6>& stress, double shift, const std::vector<Vec6>& pull);
@@ -66,15 +74,17 @@ class RodElimination {
   /// What the way back needs, per link. Of T = L D L^T: w = L^-1 (Q, q), rows padded to 8.
   struct LinkWork {
     alignas(32) double w[6][8];
-    double lower[6][6];  // below the diagonal
+    double lower[15];  // below the diagonal, row by row: (r, c) at r (r - 1) / 2 + c
     double inverse_pivot[6];
     Mat3 j, b;  // Jr in space axes: (j, b; 0, j)
     Vec6 eps;
     Vec3 lever;  // r_j - r_i
   };
   void gather_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links);
+  /// S and g of a node when all beyond it is in: with the shift, and the pull in place of loads.
+  void complete(std::size_t node, double shift, const std::vector<Vec6>* pull);
   void sweep(const std::vector<Pose>& poses, const std::vector<Vec6>& strain, const std::vector<Vec6>& stress,
-             bool symmetric, bool homogeneous);
+             bool symmetric, double shift, const std::vector<Vec6>* pull);
   void eliminate(std::size_t k, const Pose& first, const Pose& second, const Vec6& strain, const Vec6& stress,
                  bool homogeneous);
   void eliminate_unsymmetric(std::size_t k, const Pose& first, const Pose& second, const Vec6& strain,
@@ -90,7 +100,9 @@ class RodElimination {
   bool general_ = false;  // the last factorisation was of an unsymmetric matrix
   std::vector<Mat6> s_;   // gathered per node
   std::vector<Vec6> g_;
+  std::vector<char> begun_;  // whether something is in s_ and g_ already
   std::vector<LinkWork> work_;
+  std::vector<GaugeSpring> gauge_;
   SupportChannels channels_;
   Vec6 root_step_ = Vec6::Zero();
   int negative_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rod/certificate.h"
+#include "rod/symmetry.h"
 
 namespace vasorod {
 namespace {
@@ -42,13 +43,12 @@ double RodIteration::search() {
 }
 
 bool RodIteration::newton() {
+  problem_.elimination().set_gauge(gauge_springs(problem_, state));
   for (int i = 0; i < options_.max_iterations; ++i) {
     count();
     const auto t = Clock::now();
     problem_.update_carried(state, false);
-    // where a symmetry leaves a direction free, round-off alone would decide the step along it
-    const double hold = i < 10 ? 0 : 1e-6 * problem_.weakest();
-    problem_.elimination().factor(state.poses, state.strain, state.stress, Purpose::newton, hold);
+    problem_.elimination().factor(state.poses, state.strain, state.stress);
     problem_.elimination().solve(step_.twist, step_.stress, step_.stretch);
     double size = step_.size(), fraction = 1;
     if (problem_.searchable() && size > 0.3) {
@@ -101,12 +101,12 @@ void RodIteration::step_down(double& shift) {
 
 bool RodIteration::descend(double cap, double tolerance) {
   problem_.soften(cap);
+  problem_.take_elastic_stress(state);
   bool calm = false;
   double shift = 0;
   int kicks = 0;
   for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
     count();
-    problem_.take_elastic_stress(state);
     problem_.update_carried(state, false);
     step_down(shift);
     const double size = step_.size();
@@ -127,13 +127,13 @@ bool RodIteration::descend(double cap, double tolerance) {
       accepted = e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy));
       if (accepted) {
         std::swap(state, trial_);
+        problem_.take_elastic_stress(state);
         calm = fraction == 1 && size < tolerance && shift == 0;
         shift = fraction == 1 ? (shift > 0.1 ? shift / 4 : 0) : std::max(1., 2 * shift);
       }
     }
     if (!accepted) break;
   }
-  problem_.take_elastic_stress(state);
   problem_.harden();
   return calm;
 }

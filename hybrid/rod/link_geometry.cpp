@@ -1,6 +1,7 @@
 #include "rod/link_geometry.h"
 
 #include "geometry/rigid_motion.h"
+#include "rod/small_products.h"
 
 namespace vasorod {
 
@@ -8,6 +9,7 @@ namespace vasorod {
 //   Jr^-T(u) n = n - u x n / 2 + c p(n), and its derivative by u
 //   X(n) = hat(n)/2 + c (u n^T + (u.n) 1 - 2 n u^T) + c2 p(n) u^T;
 // the moment's derivative is X(m) plus the derivative of X(n) in the direction v (twists are dual numbers).
+VASOROD_VECTORIZED
 LinkGeometry link_geometry(const Vec6& xi, const Vec6& stress) {
   const Vec3 v = xi.head<3>(), u = xi.tail<3>(), n = stress.head<3>(), m = stress.tail<3>();
   const double z = u.squaredNorm(), uv = u.dot(v), un = u.dot(n), um = u.dot(m), vn = v.dot(n);
@@ -44,9 +46,7 @@ LinkGeometry link_geometry(const Vec6& xi, const Vec6& stress) {
   y += hat(0.5 * m);
   y.diagonal().array() += l.c * (um + vn) + l.c2 * uv * un;
 
-  const Mat3 jx = g.j.transpose() * xn;
-  Mat3 by = g.b.transpose() * xn;
-  by.noalias() += g.j.transpose() * y;
+  const Mat3 jx = transposed_times(g.j, xn), by = transposed_times(g.b, xn, g.j, y);
   g.g12 = 0.5 * (jx + jx.transpose());
   g.g22 = 0.5 * (by + by.transpose());
   return g;

@@ -27,7 +27,8 @@ class Solver {
 
  private:
   void carry(const std::vector<Vec3>& turn);
-  bool jump(bool moved);
+  bool jump(const RodPoses* start, bool moved);
+  void begin_at(const RodPoses* start);
   bool follow_path(int steps);
   RodCertificate leave_saddle(RodCertificate at);
   void judge();
@@ -41,7 +42,7 @@ class Solver {
 void Solver::carry(const std::vector<Vec3>& turn) {
   RodState& state = iteration_.state;
   double largest = 0;
-  state.poses = carry_along(problem_.rod().links, problem_.conditions(), turn, state.poses, &largest);
+  state.poses = carry_along(problem_.links(), problem_.conditions(), turn, state.poses, &largest);
   if (largest >= std::numbers::pi)
     throw InputError("rod: the prescribed motions turn one element by " +
                      std::to_string(largest * 180 / std::numbers::pi) +
@@ -50,13 +51,21 @@ void Solver::carry(const std::vector<Vec3>& turn) {
 }
 
 /// Straight to the end of the path.
-bool Solver::jump(bool moved) {
+bool Solver::jump(const RodPoses* start, bool moved) {
   if (!moved) {
-    const RodState start = iteration_.state;
     if (iteration_.newton()) return true;
-    iteration_.state = start;
+    begin_at(start);
   }
   return iteration_.soft_start();
+}
+
+/// The given poses with a soft rod's stress, or the drawn ones without any.
+void Solver::begin_at(const RodPoses* start) {
+  iteration_.state = problem_.state_at(start ? *start : problem_.tree().rest);
+  if (!start) return;
+  problem_.soften(100);
+  problem_.take_elastic_stress(iteration_.state);
+  problem_.harden();
 }
 
 /// In steps along the path, halved where one fails.
@@ -152,7 +161,7 @@ void Solver::judge() {
 
 RodSolution Solver::solve(const RodPoses* start) {
   RodState& state = iteration_.state;
-  state = problem_.state_at(start ? *start : problem_.tree().rest);
+  begin_at(start);
   bool moved = false;
   const std::vector<NodeCondition>& conditions = problem_.conditions();
   std::vector<Vec3> turn(conditions.size(), Vec3::Zero());
@@ -166,12 +175,7 @@ RodSolution Solver::solve(const RodPoses* start) {
     bool found = false;
     if (options_.path_steps <= 1) {
       if (moved) carry(turn);
-      if (start) {
-        problem_.soften(100);
-        problem_.take_elastic_stress(state);
-        problem_.harden();
-      }
-      found = jump(moved);
+      found = jump(start, moved);
     }
     if (!found) {
       state = problem_.state_at(problem_.tree().rest);

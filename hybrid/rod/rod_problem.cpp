@@ -19,14 +19,17 @@ double RodStep::size() const {
 }
 
 RodProblem::RodProblem(const RodTree& tree, const RodConditions& conditions)
-    : tree_(tree), given_(conditions), rod_(scale(tree)), elimination_(rod_.links, node_conditions()) {
+    : tree_(tree),
+      given_(conditions),
+      rod_(scale(tree)),
+      elimination_(scaled_links(tree, rod_), node_conditions()) {
   const std::vector<NodeCondition>& all = elimination_.conditions();
-  std::vector<int> condition_of(rod_.links.size() + 1, -1);
+  std::vector<int> condition_of(links().size() + 1, -1);
   for (std::size_t c = 0; c < all.size(); ++c) condition_of[index(all[c].node)] = static_cast<int>(c);
   links_at_.resize(all.size());
-  follows_.assign(rod_.links.size() + 1, true);
-  for (std::size_t k = rod_.links.size(); k-- > 0;) {
-    const std::size_t parent = index(rod_.links[k].parent);
+  follows_.assign(links().size() + 1, true);
+  for (std::size_t k = links().size(); k-- > 0;) {
+    const std::size_t parent = index(links()[k].parent);
     for (const std::size_t node : {parent, k + 1})
       if (const int c = condition_of[node]; c >= 0) links_at_[index(c)].push_back(k);
     if (const int c = condition_of[k + 1]; c >= 0 && all[index(c)].supported()) follows_[k + 1] = false;
@@ -67,20 +70,19 @@ RodState RodProblem::state_at(const RodPoses& poses) const {
   state.poses.resize(poses.size());
   for (std::size_t k = 0; k < poses.size(); ++k) state.poses[k] = rod_.scaled(poses[index(rod_.node_of[k])]);
   measure_strains(state);
-  state.stress.assign(rod_.links.size(), Vec6::Zero());
+  state.stress.assign(links().size(), Vec6::Zero());
   return state;
 }
 
 void RodProblem::measure_strains(RodState& state) const {
-  state.strain.resize(rod_.links.size());
-  for (std::size_t k = 0; k < rod_.links.size(); ++k)
-    state.strain[k] = link_strain(rod_.links, state.poses, k);
+  state.strain.resize(links().size());
+  for (std::size_t k = 0; k < links().size(); ++k) state.strain[k] = link_strain(links(), state.poses, k);
 }
 
 void RodProblem::take_elastic_stress(RodState& state) const {
-  state.stress.resize(rod_.links.size());
-  for (std::size_t k = 0; k < rod_.links.size(); ++k)
-    state.stress[k].noalias() = elimination_.links()[k].stiffness * (state.strain[k] - rod_.links[k].natural);
+  state.stress.resize(links().size());
+  for (std::size_t k = 0; k < links().size(); ++k)
+    state.stress[k].noalias() = elimination_.links()[k].stiffness * (state.strain[k] - links()[k].natural);
 }
 
 void RodProblem::set_time(double t) {
@@ -95,8 +97,8 @@ void RodProblem::set_time(double t) {
 }
 
 void RodProblem::soften(double cap) {
-  for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-    const Mat6& c = rod_.links[k].stiffness;
+  for (std::size_t k = 0; k < links().size(); ++k) {
+    const Mat6 c = rod_.stiffness(tree_.elements[index(rod_.element_of[k])]);
     const double limit = cap * std::min(c(3, 3), c(4, 4));
     Vec6 d = Vec6::Ones();
     for (int i = 0; i < 3; ++i) d[i] = std::min(1., std::sqrt(limit / c(i, i)));
@@ -105,13 +107,13 @@ void RodProblem::soften(double cap) {
 }
 
 void RodProblem::harden() {
-  for (std::size_t k = 0; k < rod_.links.size(); ++k)
-    elimination_.links()[k].stiffness = rod_.links[k].stiffness;
+  for (std::size_t k = 0; k < links().size(); ++k)
+    elimination_.links()[k].stiffness = rod_.stiffness(tree_.elements[index(rod_.element_of[k])]);
 }
 
 double RodProblem::stiffness_ratio() const {
   double largest = 0;
-  for (const RodLink& link : rod_.links)
+  for (const RodLink& link : links())
     for (int i = 0; i < 3; ++i)
       largest =
           std::max(largest, link.stiffness(i, i) / std::min(link.stiffness(3, 3), link.stiffness(4, 4)));
@@ -120,15 +122,15 @@ double RodProblem::stiffness_ratio() const {
 
 double RodProblem::weakest() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const RodLink& link : rod_.links)
+  for (const RodLink& link : links())
     least = std::min(least, link.length * std::min(link.stiffness(3, 3), link.stiffness(4, 4)));
   return least;
 }
 
 double RodProblem::potential(const RodState& state, const RodState& present) const {
   double energy = 0;
-  for (std::size_t k = 0; k < rod_.links.size(); ++k) {
-    const Vec6 eps = state.strain[k] - rod_.links[k].natural;
+  for (std::size_t k = 0; k < links().size(); ++k) {
+    const Vec6 eps = state.strain[k] - links()[k].natural;
     energy += 0.5 * eps.dot(elimination_.links()[k].stiffness * eps);
   }
   for (const NodeCondition& c : elimination_.conditions()) {
@@ -167,18 +169,17 @@ void RodProblem::take(const RodState& from, const RodStep& step, double fraction
   };
   for (const NodeCondition& c : elimination_.conditions())
     if (c.node == 0) put_on_target(c);
-  for (std::size_t k = 0; k < rod_.links.size(); ++k) {
+  for (std::size_t k = 0; k < links().size(); ++k) {
     if (follows_[k + 1]) {
       to.strain[k] = from.strain[k] + fraction * step.stretch[k];
-      to.poses[k + 1] =
-          link_start(rod_.links[k], to.poses[index(rod_.links[k].parent)]) * exp_motion(to.strain[k]);
+      to.poses[k + 1] = link_start(links()[k], to.poses[index(links()[k].parent)]) * exp_motion(to.strain[k]);
     } else {
       move(k + 1);
     }
   }
   for (const NodeCondition& c : elimination_.conditions()) put_on_target(c);
-  for (std::size_t k = 0; k < rod_.links.size(); ++k)
-    if (!follows_[k + 1]) to.strain[k] = link_strain(rod_.links, to.poses, k);
+  for (std::size_t k = 0; k < links().size(); ++k)
+    if (!follows_[k + 1]) to.strain[k] = link_strain(links(), to.poses, k);
 }
 
 void RodProblem::update_carried(const RodState& state, bool all) {
@@ -188,7 +189,7 @@ void RodProblem::update_carried(const RodState& state, bool all) {
     Vec6 sum = Vec6::Zero();
     for (const std::size_t k : links_at_[c]) {
       const Vec6 w = wrench_on_second(state.poses[k + 1], state.strain[k], state.stress[k]);
-      sum += k + 1 == index(condition.node) ? w : wrench_on_first(rod_.links, state.poses, k, w);
+      sum += k + 1 == index(condition.node) ? w : wrench_on_first(links(), state.poses, k, w);
     }
     condition.carried = sum;
   }

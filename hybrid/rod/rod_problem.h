@@ -30,6 +30,7 @@ class RodProblem {
   const RodConditions& given() const { return given_; }
   const ScaledRod& rod() const { return rod_; }
   RodElimination& elimination() { return elimination_; }
+  const std::vector<RodLink>& links() const { return elimination_.links(); }
   const std::vector<NodeCondition>& conditions() const { return elimination_.conditions(); }
   /// All nodes but the root follow their links' strains, and the loads have an energy that can be searched.
   bool searchable() const { return searchable_; }

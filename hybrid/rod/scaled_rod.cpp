@@ -7,6 +7,7 @@
 #include "rod/index.h"
 
 namespace vasorod {
+
 Pose ScaledRod::original(const Pose& p) const {
   return {nearest_rotation(p.rotation), origin + length * p.position};
 }
@@ -40,30 +41,39 @@ ScaledRod scale(const RodTree& tree) {
       waiting.push_back(leaving[index(at)]);
   };
   rod.node_of.reserve(index(n));
-  rod.links.reserve(tree.elements.size());
   rod.element_of.reserve(tree.elements.size());
   number(0);
-  Vec6 unit;  // of a strain, over the root of the unit of energy per length
-  unit << Vec3::Constant(rod.length), Vec3::Ones();
-  unit /= std::sqrt(rod.moment * rod.length);
   while (!waiting.empty()) {
     const int e = waiting.back();
     waiting.pop_back();
+    rod.element_of.push_back(e);
+    number(tree.elements[index(e)].second);
+  }
+  return rod;
+}
+
+Mat6 ScaledRod::stiffness(const RodElement& element) const {
+  Vec6 unit;  // of a strain, over the root of the unit of energy
+  unit << Vec3::Constant(length), Vec3::Ones();
+  unit /= std::sqrt(moment * element.length);
+  return unit.asDiagonal() * element.stiffness * unit.asDiagonal();
+}
+
+std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod) {
+  std::vector<RodLink> links;
+  links.reserve(rod.element_of.size());
+  for (const int e : rod.element_of) {
     const RodElement& element = tree.elements[index(e)];
-    RodLink link;
+    RodLink& link = links.emplace_back();
     link.parent = rod.new_of[index(element.first)];
     link.length = element.length / rod.length;
     link.start = {element.start.rotation, element.start.position / rod.length};
     link.starts_at_node = element.start.rotation.isIdentity(0) && element.start.position.isZero(0);
     link.natural << link.length * element.natural_strain.head<3>(),
         element.length * element.natural_strain.tail<3>();
-    link.stiffness = unit.asDiagonal() * element.stiffness * unit.asDiagonal();
-    link.stiffness /= link.length;
-    rod.links.push_back(link);
-    rod.element_of.push_back(e);
-    number(element.second);
+    link.stiffness = rod.stiffness(element);
   }
-  return rod;
+  return links;
 }
 
 Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k) {

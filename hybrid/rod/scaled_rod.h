@@ -15,14 +15,17 @@ struct ScaledRod {
   std::vector<int> node_of,
       new_of;                   ///< tree's node of each of ours (parents first), ours of each of the tree's
   std::vector<int> element_of;  ///< tree's element of each link
-  std::vector<RodLink> links;
 
   double force() const { return moment / length; }
   Pose scaled(const Pose& p) const { return {p.rotation, (p.position - origin) / length}; }
   Pose original(const Pose& p) const;
+  /// C / length of an element.
+  Mat6 stiffness(const RodElement& element) const;
 };
 
 ScaledRod scale(const RodTree& tree);
+/// The elements between the new nodes: link k leads to node k + 1.
+std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod);
 
 /// length * strain of link k.
 Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k);

@@ -1,6 +1,6 @@
 #include "rod/symmetry.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +12,10 @@ namespace {
 using Vec7 = Eigen::Matrix<double, 7, 1>;
 
 /// Rolling every section by the same angle changes no link's energy.
-bool sections_are_isotropic(const ScaledRod& rod) {
+bool sections_are_isotropic(const std::vector<RodLink>& links) {
   Mat6 roll = Mat6::Zero();
   roll.topLeftCorner<3, 3>() = roll.bottomRightCorner<3, 3>() = exp_rotation({0, 0, 1});
-  return std::all_of(rod.links.begin(), rod.links.end(), [&](const RodLink& link) {
+  return std::all_of(links.begin(), links.end(), [&](const RodLink& link) {
     const Vec6 s = link.stiffness.diagonal().cwiseSqrt().cwiseInverse();
     const Mat6 change = roll * link.stiffness * roll.transpose() - link.stiffness;
     const Vec6 turned = roll * link.natural - link.natural;
@@ -64,9 +64,8 @@ bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& probl
   return true;
 }
 
-}  // namespace
-
-std::vector<RodSymmetry> symmetries(const RodProblem& problem, const RodState& state) {
+/// Motions (move, turn, roll) that to first order break no support and do no work, and that move the state.
+std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& state, bool with_roll) {
   std::vector<Vec7> rows;
   const auto add = [&](const Vec3& along, const Vec3& about, const Pose& pose) {
     // along . v + about . omega of velocity(), as a row for (move, turn, roll)
@@ -86,22 +85,44 @@ std::vector<RodSymmetry> symmetries(const RodProblem& problem, const RodState& s
     if (load.head<3>().norm() > 0) add(load.head<3>().normalized(), Vec3::Zero(), pose);
     if (load.tail<3>().norm() > 0) add(Vec3::Zero(), load.tail<3>().normalized(), pose);
   }
-  if (!sections_are_isotropic(problem.rod())) rows.push_back(Vec7::Unit(6));
-  Eigen::MatrixXd matrix =
-      Eigen::MatrixXd::Zero(std::max<Eigen::Index>(7, static_cast<Eigen::Index>(rows.size())), 7);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    matrix.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
+  if (!with_roll) rows.push_back(Vec7::Unit(6));
+  Eigen::Matrix<double, 7, 7> gram = Eigen::Matrix<double, 7, 7>::Zero();
+  for (const Vec7& row : rows) gram += row * row.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 7, 7>> eigen(gram);
   std::vector<RodSymmetry> found;
-  for (Eigen::Index i = 0; i < 7; ++i) {
-    if (svd.singularValues()[i] > 1e-9) continue;
-    const Vec7 p = svd.matrixV().col(i);
+  for (int i = 0; i < 7 && eigen.eigenvalues()[i] < 1e-14; ++i) {
+    const Vec7 p = eigen.eigenvectors().col(i);
     const RodSymmetry symmetry{p.head<3>(), p.segment<3>(3), p[6]};
     double largest = 0;
     for (const Pose& pose : state.poses) largest = std::max(largest, velocity(symmetry, pose).norm());
-    if (largest > 1e-6 && holds_at_finite_angles(symmetry, problem, state)) found.push_back(symmetry);
+    if (largest > 1e-6) found.push_back(symmetry);
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<RodSymmetry> symmetries(const RodProblem& problem, const RodState& state) {
+  std::vector<RodSymmetry> found = candidates(problem, state, true);
+  if (found.empty()) return found;
+  if (!sections_are_isotropic(problem.links())) found = candidates(problem, state, false);
+  std::erase_if(found, [&](const RodSymmetry& s) { return !holds_at_finite_angles(s, problem, state); });
+  return found;
+}
+
+std::vector<GaugeSpring> gauge_springs(const RodProblem& problem, const RodState& state) {
+  std::vector<GaugeSpring> springs;
+  for (const RodSymmetry& symmetry : symmetries(problem, state)) {
+    GaugeSpring spring;
+    for (std::size_t k = 0; k < state.poses.size(); ++k)
+      if (const Vec6 zeta = velocity(symmetry, state.poses[k]); zeta.norm() > spring.along.norm()) {
+        spring.along = zeta;
+        spring.node = static_cast<int>(k);
+      }
+    spring.along *= std::sqrt(problem.weakest()) / spring.along.norm();
+    springs.push_back(spring);
+  }
+  return springs;
 }
 
 std::string describe(const RodProblem& problem, const RodSymmetry& symmetry) {

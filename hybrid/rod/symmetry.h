@@ -21,6 +21,10 @@ struct RodSymmetry {
 /// angles.
 std::vector<RodSymmetry> symmetries(const RodProblem& problem, const RodState& state);
 
+/// Where a spring stops the motion along a symmetry and nothing else: the node that moves most, and its
+/// motion there. An equilibrium's step is then as definite as without the symmetry.
+std::vector<GaugeSpring> gauge_springs(const RodProblem& problem, const RodState& state);
+
 /// "turning the rod about the axis (0, 0, 1) through (0, 0, 0) while its sections turn back".
 std::string describe(const RodProblem& problem, const RodSymmetry& symmetry);
 

@@ -23,7 +23,7 @@ std::vector<Vec6> strains(const RodTree& tree, const RodPoses& poses) {
   std::vector<Vec6> strain;
   strain.reserve(tree.elements.size());
   for (const RodElement& e : tree.elements) {
-    const Pose& first = poses[static_cast<size_t>(e.first)];
+    const Pose first = poses[static_cast<size_t>(e.first)] * e.start;
     strain.push_back(log_motion(first.inverse() * poses[static_cast<size_t>(e.second)]) / e.length);
   }
   return strain;
@@ -33,7 +33,7 @@ std::vector<Vec6> strains(const RodTree& tree, const RodPoses& poses) {
 
 Pose frame_at(const RodTree& tree, const RodPoses& poses, int element, double s) {
   const RodElement& e = tree.elements[static_cast<size_t>(element)];
-  const Pose& first = poses[static_cast<size_t>(e.first)];
+  const Pose first = poses[static_cast<size_t>(e.first)] * e.start;
   const Vec6 strain = log_motion(first.inverse() * poses[static_cast<size_t>(e.second)]) / e.length;
   return first * exp_motion(s * strain);
 }
@@ -71,7 +71,8 @@ Points carried_points(const RodTree& tree, const RodPoses& poses, const Binding&
   Points carried(static_cast<Eigen::Index>(binding.size()), 3);
   for (size_t i = 0; i < binding.size(); ++i) {
     const auto element = static_cast<size_t>(binding[i].element);
-    const Pose& first = poses[static_cast<size_t>(tree.elements[element].first)];
+    const Pose first =
+        poses[static_cast<size_t>(tree.elements[element].first)] * tree.elements[element].start;
     carried.row(static_cast<Eigen::Index>(i)) =
         first * (exp_motion(binding[i].s * strain[element]) * binding[i].local);
   }
@@ -85,8 +86,9 @@ std::vector<Mat3> carried_rotations(const RodTree& tree, const RodPoses& poses, 
   for (const RodCoordinates& at : binding) {
     const auto element = static_cast<size_t>(at.element);
     const auto first = static_cast<size_t>(tree.elements[element].first);
-    const Mat3 current = poses[first].rotation * exp_rotation(at.s * now[element].tail<3>());
-    const Mat3 before = tree.rest[first].rotation * exp_rotation(at.s * rest[element].tail<3>());
+    const Mat3& start = tree.elements[element].start.rotation;
+    const Mat3 current = poses[first].rotation * start * exp_rotation(at.s * now[element].tail<3>());
+    const Mat3 before = tree.rest[first].rotation * start * exp_rotation(at.s * rest[element].tail<3>());
     rotation.push_back(current * before.transpose());
   }
   return rotation;

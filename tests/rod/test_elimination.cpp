@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 
 #include "rod/energy.h"
 #include "rod/strains.h"
@@ -120,6 +121,79 @@ TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
       EXPECT_GT(negative, 0);
     }
   }
+}
+
+// The reactions as unknowns: two branches held at their ends meet in a junction, one of them also halfway, so
+// that more than six reactions arrive at a node and some are eliminated there. Dense: held freedoms struck
+// out.
+TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
+  for (const double size : {1., 30., -60.})
+    for (const bool held_junction : {false, true}) {
+      Fixture f;
+      for (Vec6& s : f.stress) s *= size;
+      std::vector<NodeCondition> conditions(held_junction ? 5 : 4);
+      const int nodes[] = {0, 4, 6, 5, 2};
+      const std::array<bool, 6> fixed[] = {{true, true, true, true, true, true},
+                                           {true, true, true, true, true, true},
+                                           {true, true, true, true, true, true},
+                                           {true, false, true, false, false, false},
+                                           {false, true, false, false, false, false}};
+      const int n = static_cast<int>(f.poses.size());
+      std::vector<bool> held(index(6 * n), false);
+      for (std::size_t c = 0; c < conditions.size(); ++c) {
+        conditions[c].node = nodes[c];
+        conditions[c].fixed = fixed[c];
+        conditions[c].target = f.poses[index(nodes[c])];
+        for (int i = 0; i < 6; ++i) held[index(6 * nodes[c] + i)] = fixed[c][index(i)];
+      }
+      RodElimination elimination(f.links, conditions);
+      elimination.factor(f.poses, f.strain, f.stress);
+      std::vector<Vec6> step, stress, stretch;
+      elimination.solve(step, stress, stretch);
+      int negative = 0;
+      const Eigen::VectorXd expected =
+          dense_step(f, held, Eigen::VectorXd::Zero(6 * n), Eigen::MatrixXd::Zero(6 * n, 6 * n), &negative);
+      for (int i = 0; i < n; ++i)
+        EXPECT_LT((step[index(i)] - expected.segment<6>(6 * i)).norm(), 1e-10 * expected.norm())
+            << size << ' ' << held_junction << ' ' << i;
+      EXPECT_EQ(elimination.negative_directions(), negative) << size << ' ' << held_junction;
+    }
+}
+
+// A prescribed end that is still away from its target: the step takes it there, and is the dense one with
+// that motion given.
+TEST(Elimination, StepsOntoItsTargets) {
+  Fixture f;
+  NodeCondition root, tip;
+  root.node = 0;
+  root.fixed.fill(true);
+  root.target = f.poses[0];
+  tip.node = 4;
+  tip.fixed.fill(true);
+  const Vec6 way = vec6(0.01, -0.02, 0.03, 0.02, 0.01, -0.03);
+  tip.target = {exp_rotation(way.tail<3>()) * f.poses[4].rotation, f.poses[4].position + way.head<3>()};
+  RodElimination elimination(f.links, {root, tip});
+  elimination.factor(f.poses, f.strain, f.stress);
+  std::vector<Vec6> step, stress, stretch;
+  elimination.solve(step, stress, stretch);
+  EXPECT_LT((step[4] - way).norm(), 1e-13);
+  // the junction's forces balance: what the links pass to it adds up to nothing at the linearised state
+  const int n = static_cast<int>(f.poses.size());
+  std::vector<bool> held(index(6 * n), false);
+  for (int i = 0; i < 6; ++i) held[index(i)] = held[index(24 + i)] = true;
+  // dense: move the tip's given step to the right-hand side
+  int negative = 0;
+  Eigen::MatrixXd none = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+  std::vector<bool> only_root(index(6 * n), false);
+  for (int i = 0; i < 6; ++i) only_root[index(i)] = true;
+  // a very stiff spring to the target is the same to its own softness
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(6 * n);
+  const double spring = 1e9;
+  none.block<6, 6>(24, 24) = spring * Mat6::Identity();
+  pull.segment<6>(24) = spring * way;
+  const Eigen::VectorXd expected = dense_step(f, only_root, pull, none, &negative);
+  for (int i = 0; i < n; ++i)
+    EXPECT_LT((step[index(i)] - expected.segment<6>(6 * i)).norm(), 1e-5 * expected.norm()) << i;
 }
 
 TEST(Strains, AveragesKeepAConstantAndAJunctionKeepsItsParent) {

@@ -123,7 +123,9 @@ struct CenterlineResult {
   std::vector<double> abscissa, radius;  ///< arc length from the branch's root; radius may be empty
   std::vector<Mat3> directors;           ///< current, columns d1 d2 d3
   std::vector<Vec3> u, v, u0, v0;        ///< strains averaged to nodes
-  std::vector<std::vector<int>> lines;   ///< node indices per branch
+  std::vector<Vec3> force, moment;  ///< of the section, averaged to nodes, body axes: what v and u are worked
+                                    ///< by; may be empty
+  std::vector<std::vector<int>> lines;  ///< node indices per branch
 };
 
 /// One vessel as it is written. Per-vertex fields may be empty where they were not modelled (written as

@@ -156,6 +156,10 @@ std::string centerline_vtp(const CenterlineResult& centerline) {
   at_nodes->AddArray(doubles("v", rows_of(centerline.v)));
   at_nodes->AddArray(doubles("u0", rows_of(centerline.u0)));
   at_nodes->AddArray(doubles("v0", rows_of(centerline.v0)));
+  if (!centerline.force.empty()) {
+    at_nodes->AddArray(doubles("SectionForce", rows_of(centerline.force)));
+    at_nodes->AddArray(doubles("SectionMoment", rows_of(centerline.moment)));
+  }
   for (int k = 0; k < at_nodes->GetNumberOfArrays(); ++k)
     if (at_nodes->GetArray(k)->GetNumberOfTuples() != centerline.current.rows())
       throw std::logic_error(std::string("centerline: ") + at_nodes->GetArrayName(k) + " has " +

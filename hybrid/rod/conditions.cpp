@@ -201,7 +201,13 @@ void check_conditions(const RodTree& tree, const RodConditions& conditions, cons
   for (Eigen::Index k = 0; k < motions.cols(); ++k)
     if (std::abs(motions.col(k).dot(total)) > 1e-9 * size) {
       // of all free motions, the one the load drives
-      const Vec6 driven = motions * (motions.transpose() * total);
+      Vec6 driven = motions * (motions.transpose() * total);
+      // plainly a translation where one along the whole force is free
+      Vec6 translation = Vec6::Zero();
+      translation.head<3>() = total.head<3>();
+      if ((motions * (motions.transpose() * translation) - translation).norm() < 1e-9 * size &&
+          translation.norm() > 1e-9 * size)
+        driven = translation;
       fail("the loads drive a rigid motion that no support stops: " + describe_rigid_motion(driven, scale));
     }
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "geometry/error.h"
 #include "geometry/rigid_motion.h"
@@ -32,6 +33,7 @@ class Solver {
   bool follow_path(int steps);
   RodCertificate leave_saddle(RodCertificate at);
   void judge();
+  std::string sharpest_turn() const;
 
   RodProblem problem_;
   const RodOptions& options_;
@@ -95,7 +97,8 @@ bool Solver::follow_path(int steps) {
       dt /= 2;
       if (dt < 1e-3) {
         iteration_.state = reached;
-        summary_.message = "the path could be followed only to " + std::to_string(100 * t) + " % of it";
+        summary_.message =
+            "the path could be followed only to " + std::to_string(100 * t) + " % of it" + sharpest_turn();
         return false;
       }
       continue;
@@ -136,6 +139,16 @@ RodCertificate Solver::leave_saddle(RodCertificate at) {
   return at;
 }
 
+/// Where no minimum is found the mesh is often too coarse: an element's strain is one logarithm, below half a
+/// turn.
+std::string Solver::sharpest_turn() const {
+  double turn = 0;
+  for (const Vec6& strain : iteration_.state.strain) turn = std::max(turn, strain.tail<3>().norm());
+  if (turn < 1.2) return "";
+  return "; an element turns by " + std::to_string(static_cast<int>(turn * 180 / std::numbers::pi)) +
+         " degrees there, use more elements";
+}
+
 void Solver::judge() {
   RodCertificate at = certify(problem_, iteration_.state);
   const bool energy = problem_.has_energy();
@@ -148,7 +161,7 @@ void Solver::judge() {
   } else if (at.negative > 0) {
     summary_.status = RodStatus::unstable;
     summary_.message = "the equilibrium is not a minimum: its Hessian has " + std::to_string(at.negative) +
-                       " negative direction(s)";
+                       " negative direction(s)" + sharpest_turn();
   } else if (!at.minimum()) {
     summary_.status = RodStatus::equilibrium_only;
     summary_.message = "a direction costs nothing, so the minimum is not a strict one";

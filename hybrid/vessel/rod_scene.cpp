@@ -51,7 +51,8 @@ RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse, 
   return result;
 }
 
-CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const RodPoses& poses) {
+CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const RodSolution& solution) {
+  const RodPoses& poses = solution.poses;
   CenterlineResult line;
   const auto n = static_cast<Eigen::Index>(branch.nodes.size());
   line.rest.resize(n, 3);
@@ -62,6 +63,7 @@ CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const 
   for (const RodElement& e : tree.elements) rest.push_back(e.rest_strain);
   const std::vector<Vec6> now = branch_node_values(tree, branch, element_strains(tree, poses));
   const std::vector<Vec6> then = branch_node_values(tree, branch, rest);
+  const std::vector<Vec6> stress = branch_node_values(tree, branch, solution.stress);
   for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
     const std::size_t node = index(branch.nodes[i]);
     const auto row = static_cast<Eigen::Index>(i);
@@ -74,6 +76,8 @@ CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const 
     line.u.push_back(now[i].tail<3>());
     line.v0.push_back(then[i].head<3>());
     line.u0.push_back(then[i].tail<3>());
+    line.force.push_back(stress[i].head<3>());
+    line.moment.push_back(stress[i].tail<3>());
     line.lines.back().push_back(static_cast<int>(i));
   }
   return line;
@@ -100,7 +104,7 @@ VesselMetrics metrics(const std::string& name, const CenterlineResult& line) {
 }
 
 /// Forces on each branch: its supports, its loads, and what the branches it joins do to it. `residual` is
-/// filled with the largest single force.
+/// filled with the largest single force, or moment over the length.
 std::vector<Balance> forces_on_branches(const RodAssembly& assembly, const RodSolution& solution) {
   const RodTree& tree = assembly.tree;
   std::vector<Balance> balance(tree.branches.size());
@@ -119,6 +123,13 @@ std::vector<Balance> forces_on_branches(const RodAssembly& assembly, const RodSo
   for (const RodLoad& l : assembly.conditions.loads)
     add(balance[index(branch_of[index(l.node)])], &Balance::load, l.force);
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+    // where no force acts a moment over the branch's length says what round-off is
+    double length = 0, moment = 0;
+    for (const int e : tree.branches[b].elements) {
+      length += tree.elements[index(e)].length;
+      moment = std::max(moment, solution.stress[index(e)].tail<3>().norm());
+    }
+    balance[b].residual = std::max(balance[b].residual, moment / length);
     if (tree.branches[b].parent < 0) continue;
     const std::size_t e = index(tree.branches[b].elements.front());
     const Vec3 force = start_wrench(tree.elements[e], solution.poses, solution.stress[e]).head<3>();
@@ -135,7 +146,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution, const std::ve
   const Status status = status_of(summary.status);
   result.status = worse(result.status, status);
   result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
-  if (status != Status::iteration_limit && status != Status::interrupted)
+  if (status == Status::converged || status == Status::unstable)
     result.certificate.smallest_curvature_positive =
         result.certificate.smallest_curvature_positive.value_or(true) && summary.negative_directions == 0;
   if (!summary.message.empty())
@@ -161,7 +172,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution, const std::ve
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
     VesselResult vessel;
     vessel.name = assembly.vessels[b];
-    vessel.centerline = centerline(tree, tree.branches[b], solution.poses);
+    vessel.centerline = centerline(tree, tree.branches[b], solution);
     for (std::size_t i = 0; i < vessel.centerline->v.size(); ++i)
       result.validity.largest_strain = std::max(result.validity.largest_strain,
                                                 (vessel.centerline->v[i] - vessel.centerline->v0[i]).norm());

@@ -1,6 +1,8 @@
 // The scene files of benchmarks/cases/rod, read, solved and compared with the published or computed digits.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -152,6 +154,26 @@ TEST(RodScenes, SupportsInside) {
   const double force = 0.1, a = 0.6, b = 0.6, span = 1.2, first = 0.8;
   const double m1 = -force * a * b * (span + b) / span / (2 * (first + span) - first / 2);
   EXPECT_NEAR(end_of(r, "beam", "end").force.y(), -(force * a / span + m1 / span), 5e-3 * force);
+}
+
+TEST(RodScenes, SectionForcesAndMomentsAreWritten) {
+  const Result rollup = solve("b5-rollup-plane");
+  const CenterlineResult& circle = *rollup.vessels[0].centerline;
+  ASSERT_EQ(circle.moment.size(), 4U);
+  for (std::size_t i = 0; i < circle.moment.size(); ++i) {
+    EXPECT_LT((circle.moment[i] - Vec3(2 * pi, 0, 0)).norm(), 1e-10) << i;
+    EXPECT_LT(circle.force[i].norm(), 1e-10) << i;
+  }
+  const Result bend =
+      solve("b7-bend45-extrapolated");  // a dead end force: the same in every section, to second order
+  const CenterlineResult& line = *bend.vessels[0].centerline;
+  for (std::size_t i = 1; i + 1 < line.force.size(); ++i)
+    EXPECT_LT((line.directors[i] * line.force[i] - Vec3(0, 0, 600)).norm(), 2e-3 * 600) << i;
+  // and the moment at a section is that force times its lever
+  const std::size_t middle = line.force.size() / 2;
+  const Vec3 lever = last_point(bend) - Vec3(line.current.row(static_cast<Eigen::Index>(middle)));
+  EXPECT_LT((line.directors[middle] * line.moment[middle] - lever.cross(Vec3(0, 0, 600))).norm(),
+            2e-3 * 600 * 78);
 }
 
 TEST(RodScenes, CyclesAreRefused) {

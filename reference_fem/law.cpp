@@ -85,7 +85,7 @@ std::string to_string(LawKind kind) {
     case LawKind::neo_hookean:
       return "neo-hookean";
     case LawKind::split_neo_hookean:
-      return "split neo-hookean";
+      return "split-neo-hookean";
   }
   return {};
 }
@@ -121,9 +121,17 @@ Response MaterialLaw::evaluate(const Mat3& F) const {
     case LawKind::neo_hookean:
       return neo_hookean(C, F.determinant());
     case LawKind::split_neo_hookean:
-      return split_neo_hookean(C, F.determinant());
+      break;
   }
-  return {};
+  const double J = F.determinant();
+  const Volumetric u = volumetric(J);
+  Response out = isochoric(F);
+  const Response held = pressure_response(F, u.slope);
+  const Vec6 ci = stress_vector(C.inverse());
+  out.energy += u.energy;
+  out.stress += held.stress;
+  out.tangent += held.tangent + J * J * u.curvature * ci * ci.transpose();
+  return out;
 }
 
 // T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester equations with
@@ -179,17 +187,30 @@ Response MaterialLaw::neo_hookean(const Mat3& C, double J) const {
   return out;
 }
 
-Response MaterialLaw::split_neo_hookean(const Mat3& C, double J) const {
-  const Mat3 Ci = C.inverse();
+Response MaterialLaw::isochoric(const Mat3& F) const {
+  const Mat3 C = F.transpose() * F, Ci = C.inverse();
   const Vec6 ci = stress_vector(Ci), one = stress_vector(Mat3::Identity());
-  const Mat6 square = inverse_square(Ci);
-  const double I1 = C.trace(), scale = mu_ * std::pow(J, -2.0 / 3), pressure = kappa_ / 2 * (J * J - 1);
+  const double I1 = C.trace(), scale = mu_ * std::pow(F.determinant(), -2.0 / 3);
   Response out;
-  out.energy = 0.5 * (scale * I1 - 3 * mu_) + kappa_ / 4 * (J * J - 1 - 2 * std::log(J));
-  out.stress = scale * (one - I1 / 3 * ci) + pressure * ci;
+  out.energy = 0.5 * (scale * I1 - 3 * mu_);
+  out.stress = scale * (one - I1 / 3 * ci);
   out.tangent = scale * (-2.0 / 3 * (ci * one.transpose() + one * ci.transpose()) +
-                         2.0 / 9 * I1 * ci * ci.transpose() + 2.0 / 3 * I1 * square) +
-                kappa_ * J * J * ci * ci.transpose() - 2 * pressure * square;
+                         2.0 / 9 * I1 * ci * ci.transpose() + 2.0 / 3 * I1 * inverse_square(Ci));
+  return out;
+}
+
+Volumetric MaterialLaw::volumetric(double J) const {
+  return {kappa_ / 4 * (J * J - 1 - 2 * std::log(J)), kappa_ / 2 * (J - 1 / J),
+          kappa_ / 2 * (1 + 1 / (J * J))};
+}
+
+Response pressure_response(const Mat3& F, double pressure) {
+  const Mat3 Ci = (F.transpose() * F).inverse();
+  const Vec6 ci = stress_vector(Ci);
+  const double pJ = pressure * F.determinant();
+  Response out;
+  out.stress = pJ * ci;
+  out.tangent = pJ * (ci * ci.transpose() - 2 * inverse_square(Ci));
   return out;
 }
 

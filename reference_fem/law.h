@@ -45,6 +45,14 @@ struct Response {
   Mat6 tangent = Mat6::Zero();  ///< dS/dE
 };
 
+/// The part that a pressure p conjugate to J adds: S = p J C^-1, and its tangent at constant p.
+Response pressure_response(const Mat3& F, double pressure);
+
+/// The volumetric energy U(J) of a split law and its derivatives, stress.
+struct Volumetric {
+  double energy = 0, slope = 0, curvature = 0;
+};
+
 enum class LawKind { biot, svk, neo_hookean, split_neo_hookean };
 std::string to_string(LawKind kind);
 
@@ -60,12 +68,16 @@ class MaterialLaw {
   /// Needs det F > 0.
   Response evaluate(const Mat3& F) const;
 
+  /// Whether the energy is isochoric(F) + volumetric(det F).
+  bool splits() const { return kind_ == LawKind::split_neo_hookean; }
+  Response isochoric(const Mat3& F) const;
+  Volumetric volumetric(double J) const;
+
  private:
   MaterialLaw() = default;
   Response biot(const Mat3& C) const;
   Response svk(const Mat3& C) const;
   Response neo_hookean(const Mat3& C, double J) const;
-  Response split_neo_hookean(const Mat3& C, double J) const;
 
   LawKind kind_ = LawKind::svk;
   Mat6 stiffness_ = Mat6::Zero();

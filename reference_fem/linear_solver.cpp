@@ -4,18 +4,43 @@
 #include <Eigen/Dense>
 #include <Eigen/UmfPackSupport>
 
+#include "reference_fem/distributed_solver.h"
+
 namespace vasorod::fem {
+namespace {
 
-struct LinearSolver::Impl {
-  Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> cholesky;
-  std::unique_ptr<Eigen::UmfPackLU<Sparse>> lu;
-  Sparse matrix;  // UMFPACK solves refer to it
-  Sparse constraints;
-  Eigen::MatrixXd spread;  // K'^-1 B
-  Eigen::PartialPivLU<Eigen::MatrixXd> schur;
-  double gamma = 0;
-  bool analysed = false, definite = false;
+/// CHOLMOD and UMFPACK. A symmetric matrix with constraints is tried as K + gamma B B^T, which is positive
+/// definite where K is so on the constraints; the multipliers follow from their Schur complement.
+class OneProcess final : public LinearSolver::Method {
+ public:
+  OneProcess() { cholesky.cholmod().print = 0; }
 
+  bool factor(const Sparse& whole, bool symmetric, int multipliers,
+              LinearSolver::Fallback fallback) override {
+    definite = false;
+    constraints.resize(0, 0);
+    if (symmetric && multipliers > 0) {
+      definite = factor_constrained(whole, multipliers);
+    } else if (symmetric) {
+      if (!analysed) cholesky.analyzePattern(whole);
+      analysed = true;
+      cholesky.factorize(whole);
+      definite = cholesky.info() == Eigen::Success;
+    }
+    if (definite || fallback == LinearSolver::Fallback::none) return definite;
+    matrix = whole;
+    lu = std::make_unique<Eigen::UmfPackLU<Sparse>>(matrix);
+    return lu->info() == Eigen::Success;
+  }
+
+  bool positive_definite() const override { return definite; }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const override {
+    if (!definite) return lu->solve(right);
+    return constraints.cols() > 0 ? solve_constrained(right) : Eigen::VectorXd(cholesky.solve(right));
+  }
+
+ private:
   bool factor_constrained(const Sparse& whole, int multipliers) {
     const Eigen::Index n = whole.cols() - multipliers;
     const Sparse K = whole.topLeftCorner(n, n);
@@ -42,38 +67,33 @@ struct LinearSolver::Impl {
     out.head(n) = x - spread * out.tail(m);
     return out;
   }
+
+  Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> cholesky;
+  std::unique_ptr<Eigen::UmfPackLU<Sparse>> lu;
+  Sparse matrix;  // UMFPACK solves refer to it
+  Sparse constraints;
+  Eigen::MatrixXd spread;  // K'^-1 B
+  Eigen::PartialPivLU<Eigen::MatrixXd> schur;
+  double gamma = 0;
+  bool analysed = false, definite = false;
 };
 
-LinearSolver::LinearSolver() : impl_(std::make_unique<Impl>()) {
-  impl_->cholesky.cholmod().print = 0;
-}
+}  // namespace
+
+LinearSolver::LinearSolver(const Team& team)
+    : method_(team.size() > 1 ? distributed_method(team) : std::make_unique<OneProcess>()) {}
 LinearSolver::~LinearSolver() = default;
 
 bool LinearSolver::factor(const Sparse& matrix, bool symmetric, int multipliers, Fallback fallback) {
-  impl_->definite = false;
-  impl_->constraints.resize(0, 0);
-  if (symmetric && multipliers > 0) {
-    impl_->definite = impl_->factor_constrained(matrix, multipliers);
-  } else if (symmetric) {
-    if (!impl_->analysed) impl_->cholesky.analyzePattern(matrix);
-    impl_->analysed = true;
-    impl_->cholesky.factorize(matrix);
-    impl_->definite = impl_->cholesky.info() == Eigen::Success;
-  }
-  if (impl_->definite || fallback == Fallback::none) return impl_->definite;
-  impl_->matrix = matrix;
-  impl_->lu = std::make_unique<Eigen::UmfPackLU<Sparse>>(impl_->matrix);
-  return impl_->lu->info() == Eigen::Success;
+  return method_->factor(matrix, symmetric, multipliers, fallback);
 }
 
 bool LinearSolver::positive_definite() const {
-  return impl_->definite;
+  return method_->positive_definite();
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right) const {
-  if (!impl_->definite) return impl_->lu->solve(right);
-  return impl_->constraints.cols() > 0 ? impl_->solve_constrained(right)
-                                       : Eigen::VectorXd(impl_->cholesky.solve(right));
+  return method_->solve(right);
 }
 
 }  // namespace vasorod::fem

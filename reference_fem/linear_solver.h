@@ -1,9 +1,11 @@
-// Sparse direct solves: supernodal Cholesky (CHOLMOD) while the matrix is symmetric positive definite,
-// UMFPACK otherwise.
+// Sparse direct solves. One process: supernodal Cholesky (CHOLMOD) while the matrix is symmetric positive
+// definite, UMFPACK otherwise. Several: MUMPS through PETSc, L D L^T or LU (distributed_solver.h).
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <memory>
+
+#include "reference_fem/team.h"
 
 namespace vasorod::fem {
 
@@ -11,26 +13,35 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 class LinearSolver {
  public:
-  LinearSolver();
+  enum class Fallback { umfpack, none };
+
+  explicit LinearSolver(const Team& team = {});
   ~LinearSolver();
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
   /// Factorises; the pattern must stay the same from call to call. False when the matrix is singular. The
-  /// last `multipliers` unknowns are those of constraints (zero diagonal block): a symmetric matrix is then
-  /// tried as K + gamma B B^T, which is positive definite where K is so on the constraints, and the
-  /// multipliers follow from their Schur complement.
-  enum class Fallback { umfpack, none };
+  /// last `multipliers` unknowns are those of constraints (zero diagonal block). In a team the matrix is the
+  /// sum of what the processes give.
   bool factor(const Sparse& matrix, bool symmetric, int multipliers = 0,
               Fallback fallback = Fallback::umfpack);
   /// Whether the last factor() found the matrix positive definite on its constraints (only symmetric matrices
   /// are tried).
   bool positive_definite() const;
+  /// `right` and the solution are whole on every process.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
+  /// One way to do so.
+  class Method {
+   public:
+    virtual ~Method() = default;
+    virtual bool factor(const Sparse& matrix, bool symmetric, int multipliers, Fallback fallback) = 0;
+    virtual bool positive_definite() const = 0;
+    virtual Eigen::VectorXd solve(const Eigen::VectorXd& right) const = 0;
+  };
+
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<Method> method_;
 };
 
 }  // namespace vasorod::fem

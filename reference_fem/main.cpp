@@ -1,12 +1,16 @@
 // The command line of the finite-element reference: vasorod-fem solve SCENE -o DIR.
 #include <unistd.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "geometry/error.h"
 #include "output/folder_replacement.h"
@@ -35,14 +39,21 @@ struct Arguments {
   int threads = 1;
   double time_limit = 0;
   bool quiet = false, json = false;
-  std::string law;
 };
+
+/// Whether this process is one of several that mpirun (Open MPI, MPICH) started.
+bool launched_as_team() {
+  for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1) return true;
+  return false;
+}
 
 int solve(Arguments& arguments) {
   using namespace vasorod;
   const double start = now();
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(arguments.threads);
-  require_replaceable(arguments.output);
+  const fem::Team& team = arguments.options.team;
+  if (team.first()) require_replaceable(arguments.output);
   const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
   const double read = now() - start;
   fem::SolveOptions& options = arguments.options;
@@ -51,9 +62,9 @@ int solve(Arguments& arguments) {
     options.along = arguments.cells[1];
   }
   options.stepper.interrupted = [&] {
-    return stop_asked || (arguments.time_limit > 0 && now() - start > arguments.time_limit);
+    return team.any(stop_asked || (arguments.time_limit > 0 && now() - start > arguments.time_limit));
   };
-  const bool talk = !arguments.quiet && isatty(STDERR_FILENO) != 0;
+  const bool talk = team.first() && !arguments.quiet && isatty(STDERR_FILENO) != 0;
   if (talk) options.progress = [](const std::string& line) { std::cerr << line << std::endl; };
 
   Result result = fem::solve_scene(scene, options);
@@ -62,13 +73,17 @@ int solve(Arguments& arguments) {
   result.environment.threads = arguments.threads;
   result.seconds["read"] = read;
   result.seconds["total"] = now() - start;
+  if (team.size() > 1)
+    result.certificate.notes.push_back("solved by " + std::to_string(team.size()) + " processes");
+  const int code = result.status == Status::converged ? 0 : 1;
+  if (!team.first()) return code;
   write_result_folder(result, arguments.output);
   if (arguments.json)
     std::cout << to_json(result) << std::flush;
   else if (!arguments.quiet)
     std::cout << result.scene << ": " << to_string(result.status) << ", written to " << arguments.output
               << std::endl;
-  return result.status == Status::converged ? 0 : 1;
+  return code;
 }
 
 }  // namespace
@@ -86,12 +101,25 @@ int main(int argc, char** argv) {
   command->add_option("--model", arguments.options.model, "solid or shell")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ModelKind>{{"solid", ModelKind::solid}, {"shell", ModelKind::shell}}));
-  command->add_option("--law", arguments.law, "biot, svk or neo-hookean (default: the scene's)")
-      ->check(CLI::IsMember({"biot", "svk", "neo-hookean"}));
+  command
+      ->add_option(
+          "--law", arguments.options.law,
+          "biot, svk, neo-hookean or split-neo-hookean (quasi-incompressible at a Poisson's ratio near "
+          "0.5; solid only); default: the scene's")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, LawKind>{{"biot", LawKind::biot},
+                                         {"svk", LawKind::svk},
+                                         {"neo-hookean", LawKind::neo_hookean},
+                                         {"split-neo-hookean", LawKind::split_neo_hookean}}));
   command->add_option("--degree", arguments.options.degree, "polynomial degree, 1 to 4 (default 3)");
   command->add_option("--refine", arguments.options.refine,
-                      "refinements by 3/2 after the first mesh: 0, 1 (default) or 2");
+                      "refinements after the first mesh, by 3/2 (a --mesh by 2): 0, 1 (default) or 2");
   command->add_option("--cells", arguments.cells, "cells of the first mesh: AROUND ALONG")->expected(2);
+  command
+      ->add_option(
+          "--mesh", arguments.options.mesh,
+          "gmsh file of the tube's wall (hexahedra; quadrilaterals for the shell) in place of --cells")
+      ->excludes("--cells");
   command
       ->add_option("--first-step", arguments.options.stepper.first_step,
                    "first load step, fraction of the load (default 0.1)")
@@ -100,6 +128,10 @@ int main(int argc, char** argv) {
       ->add_option("--largest-step", arguments.options.stepper.largest_step,
                    "largest load step (default 0.25)")
       ->check(CLI::Range(1e-4, 1.0));
+  command
+      ->add_option("--arc-steps", arguments.options.stepper.arc_steps,
+                   "steps in arc length past a limit point (default 300; 0: the path ends there)")
+      ->check(CLI::Range(0, 100000));
   command->add_option("--threads", arguments.threads, "threads of the linear algebra (default 1)")
       ->check(CLI::Range(1, 256));
   command
@@ -112,19 +144,21 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (!arguments.law.empty())
-    arguments.options.law = arguments.law == "biot"  ? LawKind::biot
-                            : arguments.law == "svk" ? LawKind::svk
-                                                     : LawKind::neo_hookean;
+  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+  if (launched_as_team()) {
+    mpi.emplace(argc, argv, 1);
+    arguments.options.team = vasorod::fem::Team::world();
+  }
+  const bool speaks = arguments.options.team.first();
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   try {
     return solve(arguments);
   } catch (const vasorod::InputError& error) {
-    std::cerr << error.what() << std::endl;
+    if (speaks) std::cerr << error.what() << std::endl;
     return 2;
   } catch (const vasorod::FileError& error) {
-    std::cerr << error.what() << std::endl;
+    if (speaks) std::cerr << error.what() << std::endl;
     return 3;
   }
 }

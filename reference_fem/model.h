@@ -20,7 +20,8 @@ class Model {
   virtual ~Model() = default;
   virtual int node_count() const = 0;
   virtual int components() const = 0;
-  virtual int cell_count() const = 0;  ///< follower-load faces count as cells
+  virtual int cell_count() const = 0;     ///< follower-load faces count as cells
+  virtual int owner(int cell) const = 0;  ///< the process that may evaluate it
   virtual std::vector<int> dofs(int cell) const = 0;
   /// False where a deformation gradient has det F <= 0; `terms` is then meaningless. `load` scales follower
   /// loads.

@@ -34,7 +34,8 @@ Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth
     for (Eigen::Index a = 0; a < n; ++a)
       D.row(a) = directors_.row(mesh_.cell_nodes[c][static_cast<size_t>(a)]);
     std::vector<Point> points;
-    for (int q = 0; q < mesh_.point_count(); ++q) {
+    thickness_.emplace_back(mesh_.weights[c].size());
+    for (Eigen::Index q = 0; q < mesh_.weights[c].size(); ++q) {
       Vec3 normal = mesh_.normal[c].col(q);
       const Vec3 director = (mesh_.shape.row(q) * D).transpose();
       if (normal.dot(director) < 0) normal = -normal;
@@ -42,6 +43,7 @@ Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth
       const Mat3 slope = (mesh_.gradient[c].middleRows<3>(3 * q) * D).transpose();  // dD_i/dX_J
       const Vec3 parameter = mesh_.point_parameters[c].col(q);
       const double t = body.thickness(parameter);
+      thickness_[c][q] = t;
       const Mat3 axes = body.axes(parameter);
       for (size_t k = 0; k < rule.at.size(); ++k) {
         const double zeta = rule.at[k] * t;
@@ -65,7 +67,7 @@ std::vector<int> Shell::dofs(int cell) const {
 // Every variation of F (in local axes) is a (x) g: u_i: e_i (x) g_u, w_i: e_i (x) g_w, beta: (D + w) (x)
 // g_beta, with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n), g_beta = N zeta pull^T
 // n.
-bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double /*load*/, bool want_tangent,
+bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
   const std::vector<int>& nodes = mesh_.cell_nodes[c];
@@ -134,7 +136,10 @@ bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double /*load*/, bool w
     terms.residual.segment(i * n, n) = r.head(n);
     terms.residual.segment((3 + i) * n, n) = r.tail(n);
   }
-  if (!want_tangent) return true;
+  if (!want_tangent) {
+    if (pressure_ != 0) press(cell, u, load, want_tangent, terms);
+    return true;
+  }
 
   weighted.resize(3 * count, 2 * n);
   Eigen::MatrixXd block(2 * n, 2 * n);
@@ -153,6 +158,7 @@ bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double /*load*/, bool w
       }
     }
   terms.tangent.topRightCorner(6 * n, n) = terms.tangent.bottomLeftCorner(n, 6 * n).transpose();
+  if (pressure_ != 0) press(cell, u, load, want_tangent, terms);
   return true;
 }
 

@@ -35,11 +35,17 @@ class Shell final : public Model {
   int node_count() const override { return mesh_.node_count(); }
   int components() const override { return 7; }  ///< u, w (director difference), beta (1/length)
   int cell_count() const override { return mesh_.cell_count(); }
+  int owner(int cell) const override { return mesh_.owner[static_cast<std::size_t>(cell)]; }
+  /// Pressure (stress, scaled by the load) on the inner face, following it.
+  void add_pressure(double pressure) { pressure_ += pressure; }
+  bool symmetric() const override { return pressure_ == 0; }
   std::vector<int> dofs(int cell) const override;
   bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
 
  private:
+  void press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const;
+
   struct Point {
     double zeta = 0, weight = 0;  ///< weight: volume
     Mat3 pull;                    ///< G^-1 Q, Q the local axes
@@ -49,6 +55,8 @@ class Shell final : public Model {
   MaterialLaw law_;
   int depth_points_;
   Points directors_;
+  double pressure_ = 0;
+  std::vector<Eigen::VectorXd> thickness_;  ///< per cell and surface point, length
   std::vector<std::vector<Point>> points_;  ///< per cell: depth_points_ per surface point
 };
 

@@ -11,9 +11,10 @@ namespace vasorod::fem {
 using std::size_t;
 
 Solid::Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes) : mesh_(std::move(mesh)), law_(law) {
+  if (law_.splits()) projection_.emplace(mesh_);
   for (size_t c = 0; c < mesh_.gradient.size(); ++c) {
     std::vector<Mat3> local;
-    for (int q = 0; q < mesh_.point_count(); ++q) {
+    for (Eigen::Index q = 0; q < mesh_.weights[c].size(); ++q) {
       local.push_back(axes(mesh_.point_parameters[c].col(q)));
       auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
       gradient = (local.back().transpose() * gradient).eval();
@@ -39,6 +40,12 @@ const Solid::Pressure* Solid::face_cell(int cell, size_t& index) const {
     index -= p.face.nodes.size();
   }
   return nullptr;
+}
+
+int Solid::owner(int cell) const {
+  size_t index = 0;
+  if (cell >= mesh_.cell_count()) cell = face_cell(cell, index)->face.cell[index];
+  return mesh_.owner[static_cast<size_t>(cell)];
 }
 
 std::vector<int> Solid::dofs(int cell) const {
@@ -71,11 +78,26 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
   Eigen::MatrixX3d stress(3 * points, 3);  // row 3 q + J, column i: w P_iJ
   static thread_local std::vector<Mat9> tangents;
   tangents.resize(static_cast<size_t>(points));
-  terms.energy = 0;
+  static thread_local std::vector<Mat3> gradients;
+  gradients.resize(static_cast<size_t>(points));
+  Eigen::VectorXd volume(points);
   for (int q = 0; q < points; ++q) {
-    const Mat3 F = axes_[c][static_cast<size_t>(q)] + slope.middleRows<3>(3 * q).transpose();
-    if (!(F.determinant() > 0)) return false;
-    const Response response = law_.evaluate(F);
+    Mat3& F = gradients[static_cast<size_t>(q)];
+    F = axes_[c][static_cast<size_t>(q)] + slope.middleRows<3>(3 * q).transpose();
+    volume[q] = F.determinant();
+    if (!(volume[q] > 0)) return false;
+  }
+  VolumeProjection::Terms projected;
+  if (projection_) projected = projection_->evaluate(mesh_.weights[c], volume, law_);
+  terms.energy = projected.energy;
+  for (int q = 0; q < points; ++q) {
+    const Mat3& F = gradients[static_cast<size_t>(q)];
+    Response response = projection_ ? law_.isochoric(F) : law_.evaluate(F);
+    if (projection_) {
+      const Response held = pressure_response(F, projected.pressure[q]);
+      response.stress += held.stress;
+      response.tangent += held.tangent;
+    }
     const double w = mesh_.weights[c][q];
     terms.energy += w * response.energy;
     stress.middleRows<3>(3 * q) = w * (F * stress_tensor(response.stress)).transpose();
@@ -98,6 +120,16 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
       block.noalias() = gradient.transpose() * weighted;
       if (k > i) terms.tangent.block(k * n, i * n, n, n) = block.transpose();
     }
+  if (projection_) {  // J changes by cof F : dF
+    Eigen::MatrixXd change(points, 3 * n);
+    for (int q = 0; q < points; ++q) {
+      const Mat3 cofactor = volume[q] * gradients[static_cast<size_t>(q)].inverse().transpose();
+      for (int i = 0; i < 3; ++i)
+        change.block(q, i * n, 1, n) = mesh_.weights[c][q] * cofactor.row(i) * gradient.middleRows<3>(3 * q);
+    }
+    const Eigen::MatrixXd moments = projection_->basis().transpose() * change;
+    terms.tangent.noalias() += moments.transpose() * projected.curvature * moments;
+  }
   return true;
 }
 

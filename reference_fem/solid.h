@@ -1,12 +1,14 @@
-// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law; optional follower pressure on
-// block faces.
+// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law (a split one with its volume
+// ratio projected, volume_projection.h); optional follower pressure on the walls.
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "reference_fem/law.h"
 #include "reference_fem/mesh.h"
 #include "reference_fem/model.h"
+#include "reference_fem/volume_projection.h"
 
 namespace vasorod::fem {
 
@@ -16,13 +18,15 @@ using Axes = std::function<Mat3(const Vec3&)>;
 class Solid final : public Model {
  public:
   Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes);
-  /// Pressure (stress, scaled by the load) pushing on a face of the block, following its deformed normal.
+  /// Pressure (stress, scaled by the load) pushing where a parameter is 0 or 1, following its deformed
+  /// normal.
   void add_pressure(int direction, int side, double pressure);
 
   const Mesh& mesh() const { return mesh_; }
   int node_count() const override { return mesh_.node_count(); }
   int components() const override { return 3; }
   int cell_count() const override;
+  int owner(int cell) const override;
   std::vector<int> dofs(int cell) const override;
   bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
@@ -41,6 +45,7 @@ class Solid final : public Model {
   MaterialLaw law_;
   std::vector<std::vector<Mat3>> axes_;  ///< per cell and point; mesh_.gradient is kept in these axes
   std::vector<Pressure> pressures_;
+  std::optional<VolumeProjection> projection_;  ///< of split laws
 };
 
 }  // namespace vasorod::fem

@@ -7,13 +7,12 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "reference_fem/mesh_file.h"
 #include "reference_fem/refinement.h"
 #include "reference_fem/tube_result.h"
 
 namespace vasorod::fem {
 namespace {
-
-constexpr double ratio = 1.5;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -31,17 +30,36 @@ TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
     throw InputError("--degree: found " + std::to_string(options.degree) + ", expected 1 to 4");
   if (options.refine < 0 || options.refine > 2)
     throw InputError("--refine: found " + std::to_string(options.refine) + ", expected 0, 1 or 2");
+  if (!options.mesh.empty()) {
+    const MeshFile file{options.mesh, problem.length_unit, 0};
+    const Mesh cells = options.model == ModelKind::solid ? read_solid(file, problem.shape, 1)
+                                                         : read_surface(file, problem.shape, 1);
+    const CellCount count = count_cells(cells);
+    return {count.around, count.along, options.degree, options.mesh, 0};
+  }
   const int multiple = 1 << options.refine;  // so that each refinement by 3/2 is whole
   if (options.around < 4 || options.around % multiple != 0 || options.along < 0 ||
       options.along % multiple != 0)
     throw InputError("--cells: found " + std::to_string(options.around) + " x " +
                      std::to_string(options.along) + ", expected at least 4 around, and multiples of " +
                      std::to_string(multiple) + " for --refine " + std::to_string(options.refine));
-  TubeMesh mesh{options.around, options.along, options.degree};
+  TubeMesh mesh{options.around, options.along, options.degree, {}, 0};
   if (mesh.along == 0) {
     const double wanted = problem.shape.length / (2 * std::numbers::pi / mesh.around);
     mesh.along = 4 * std::max(1, static_cast<int>(std::lround(wanted / 4)));
   }
+  return mesh;
+}
+
+/// The next finer mesh: structured cells shrink by 3/2, a file's by 2.
+double refinement_ratio(const SolveOptions& options) {
+  return options.mesh.empty() ? 1.5 : 2;
+}
+
+TubeMesh refined(TubeMesh mesh, const SolveOptions& options) {
+  mesh.around = static_cast<int>(std::lround(refinement_ratio(options) * mesh.around));
+  mesh.along = static_cast<int>(std::lround(refinement_ratio(options) * mesh.along));
+  if (!options.mesh.empty()) ++mesh.halvings;
   return mesh;
 }
 
@@ -72,7 +90,7 @@ Change change(const TubeSolution& a, const TubeSolution& b) {
   return out;
 }
 
-void estimate_error(const std::vector<Level>& levels, int degree, Result& result) {
+void estimate_error(const std::vector<Level>& levels, int degree, double ratio, Result& result) {
   result.discretisation.emplace();
   result.discretisation->dofs = levels.back().solution.unknowns;
   result.discretisation->degree = degree;
@@ -93,8 +111,8 @@ void estimate_error(const std::vector<Level>& levels, int degree, Result& result
       std::max({displacement.uncertainty, reaction.uncertainty, energy.uncertainty});
   result.discretisation->observed_order = energy.observed_order;
   const auto note = [&](const char* what, const Convergence& c) {
-    std::string line = text("u_num of %s: %.2e (GCI, r = 1.5, order %.2f %s, Fs = %.2f)", what, c.uncertainty,
-                            c.order, c.observed_order ? "used" : "assumed", c.safety);
+    std::string line = text("u_num of %s: %.2e (GCI, r = %.1f, order %.2f %s, Fs = %.2f)", what,
+                            c.uncertainty, ratio, c.order, c.observed_order ? "used" : "assumed", c.safety);
     if (c.observed_order) line += text(", observed %.2f", *c.observed_order);
     result.certificate.notes.push_back(line);
   };
@@ -145,12 +163,9 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   const TubeProblem problem = read_problem(scene, options.model, options.law);
   TubeMesh mesh = first_mesh(problem, options);
   TubeMesh finest = mesh;
-  for (int k = 0; k < options.refine; ++k) {
-    finest.around = finest.around * 3 / 2;
-    finest.along = finest.along * 3 / 2;
-  }
-  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around then lie on lines of ours, where a
-  // comparison interpolates along the axis only
+  for (int k = 0; k < options.refine; ++k) finest = refined(finest, options);
+  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around then lie on
+  // lines of ours, where a comparison interpolates along the axis only
   const int points_around = 192 * (1 + (2 * mesh.degree * finest.around - 1) / 192),
             stations = 2 * mesh.degree * finest.along + 1;
 
@@ -164,7 +179,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   int iterations = 0;
   const double start = now();
   for (int k = 0; k <= options.refine; ++k) {
-    Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations, options.stepper)};
+    Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations, options.stepper,
+                                 options.team)};
     const StepperSummary& summary = level.solution.summary;
     assembly += summary.assembly_seconds;
     factor += summary.factor_seconds;
@@ -186,8 +202,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
                  summary.load));
       break;
     }
-    mesh.around = mesh.around * 3 / 2;
-    mesh.along = mesh.along * 3 / 2;
+    mesh = refined(mesh, options);
   }
   const Level& last = levels.back();
   const TubeSolution& solution = last.solution;
@@ -199,10 +214,13 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
     result.certificate.notes.push_back(
         text("the path ended at %.6f of the load; what is written is the last converged state",
              solution.summary.load));
+  for (const double load : solution.summary.limit_loads)
+    result.certificate.notes.push_back(
+        text("the load passed a maximum at %.6f and came down before it went on", load));
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(
         "a dead moment on a freely turning section, or a pressure, has no energy: no minimum to certify");
-  estimate_error(levels, last.mesh.degree, result);
+  estimate_error(levels, last.mesh.degree, refinement_ratio(options), result);
   result.energy.strain = problem.energy_unit() * solution.summary.energy;
   report_ends(problem, solution, result);
 

@@ -21,7 +21,8 @@ Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member&
 
 }  // namespace
 
-System::System(const Model& model, Supports supports) : model_(model), supports_(std::move(supports)) {
+System::System(const Model& model, Supports supports, const Team& team)
+    : model_(model), supports_(std::move(supports)), team_(team) {
   for (int c = 0; c < model_.cell_count(); ++c) cell_dofs_.push_back(model_.dofs(c));
   build_numbering();
   build_pattern();
@@ -89,12 +90,13 @@ void System::build_pattern() {
   };
   std::vector<int> dofs, columns, sections;
   for (int c = 0; c < model_.cell_count(); ++c) {
+    if (model_.owner(c) != team_.rank()) continue;
     reduced_columns(c, dofs, columns, sections);
     couple(columns);
     for (const int j : columns)
       if (j >= 0 && rows[static_cast<size_t>(j)].size() > 4000) tidy(rows[static_cast<size_t>(j)]);
   }
-  for (size_t s = 0; s < supports_.sections.size(); ++s) {
+  for (size_t s = 0; s < supports_.sections.size() && team_.first(); ++s) {
     std::vector<int> own;
     for (const auto* set : {&pose_index_[s], &multiplier_index_[s]})
       for (const int i : *set)
@@ -215,14 +217,17 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
   out.nodal = Eigen::VectorXd::Zero(model_.dof_count());
   out.section_force.assign(supports_.sections.size(), Vec6::Zero());
   if (want_tangent) {
-    if (out.tangent.nonZeros() != pattern_.nonZeros()) out.tangent = pattern_;
+    if (out.tangent.rows() != size_ || out.tangent.nonZeros() != pattern_.nonZeros()) out.tangent = pattern_;
     std::fill_n(out.tangent.valuePtr(), out.tangent.nonZeros(), 0.0);
   }
 
   CellTerms terms;
+  bool inside = true;
   std::vector<int> dofs, columns, sections, place(static_cast<size_t>(size_), -1);
   for (int cell = 0; cell < model_.cell_count(); ++cell) {
-    if (!model_.evaluate(cell, state.u, load, want_tangent, terms)) return;
+    if (model_.owner(cell) != team_.rank()) continue;
+    inside = model_.evaluate(cell, state.u, load, want_tangent, terms);
+    if (!inside) break;
     out.energy += terms.energy;
     out.scale += terms.residual.squaredNorm();
     reduced_columns(cell, dofs, columns, sections);
@@ -304,6 +309,12 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
               (*tangent)(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
     }
   }
+  if (team_.any(!inside)) return;
+  team_.sum(&out.energy, 1);
+  team_.sum(&out.scale, 1);
+  team_.sum(out.residual.data(), static_cast<size_t>(out.residual.size()));
+  team_.sum(out.nodal.data(), static_cast<size_t>(out.nodal.size()));
+  for (Vec6& force : out.section_force) team_.sum(force.data(), 6);
   out.scale = std::sqrt(out.scale);
   if (supports_.dead_load.size() > 0) {
     for (size_t d = 0; d < index_.size(); ++d) {
@@ -313,7 +324,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     }
     out.scale += std::abs(load) * supports_.dead_load.norm();
   }
-  add_sections(state, load, want_tangent, out);
+  add_sections(state, load, want_tangent && team_.first(), out);
   out.admissible = true;
 }
 

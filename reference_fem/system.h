@@ -30,8 +30,10 @@ struct Supports {
 
 class System {
  public:
-  System(const Model& model, Supports supports);
+  /// In a team each process assembles the cells it owns; the tangent is then its share, all else whole.
+  System(const Model& model, Supports supports, const Team& team = {});
 
+  const Team& team() const { return team_; }
   const Model& model() const { return model_; }
   const Supports& supports() const { return supports_; }
   int size() const { return size_; }
@@ -75,6 +77,7 @@ class System {
 
   const Model& model_;
   Supports supports_;
+  Team team_;
   std::vector<int> index_;                            // per dof: unknown, or -1
   std::vector<std::pair<int, int>> member_;           // per dof: (section, member) or (-1, -1)
   std::vector<std::array<int, 6>> pose_index_;        // per section: unknown or -1

@@ -25,6 +25,23 @@ Vec3 TubeShape::point(const Vec3& p) const {
   return section(p[1]) * Vec3(r * std::cos(angle), r * std::sin(angle), 0);
 }
 
+Vec3 TubeShape::parameters(const Vec3& point) const {
+  const Vec3 x = placement.inverse() * point;
+  double s = x[2] / length;
+  if (bend != 0) {
+    const double turn = length / bend, side = turn > 0 ? 1 : -1;  // signed radius of the axis
+    double angle = std::atan2(side * x[2], side * (turn - x[0])) / bend;
+    if (angle < -0.5 * (2 * std::numbers::pi / std::abs(bend) - 1))
+      angle += 2 * std::numbers::pi / std::abs(bend);
+    s = angle;
+  }
+  const Vec3 y = section(s).inverse() * point;
+  double angle = std::atan2(y[1], y[0]) / (2 * std::numbers::pi);
+  if (angle < 0) angle += 1;
+  if (angle >= 1 - 1e-14) angle = 0;
+  return {angle, s, (std::hypot(y[0], y[1]) - radius_at(s)) / thickness_at(s) + 0.5};
+}
+
 Mat3 TubeShape::axes(const Vec3& p) const {
   const double c = std::cos(2 * std::numbers::pi * p[0]), s = std::sin(2 * std::numbers::pi * p[0]);
   Mat3 local;

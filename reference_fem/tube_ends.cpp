@@ -1,8 +1,6 @@
 #include "reference_fem/tube_ends.h"
 
 #include <Eigen/Geometry>
-#include <array>
-#include <cmath>
 #include <map>
 
 namespace vasorod::fem {
@@ -40,24 +38,12 @@ Section end_section(const Solid& solid, const TubeShape& tube, int side, bool so
 }
 
 std::map<int, double> edge_shares(const Mesh& mesh, int direction, int side) {
-  // five Gauss points on each cell's edge: exact to degree 9
-  constexpr std::array<double, 5> at{0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415,
-                                     0.9530899229693320};
-  constexpr std::array<double, 5> weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                         0.23931433524968324, 0.11846344252809454};
-  const int other = 1 - direction, cells = mesh.block.cells[static_cast<std::size_t>(other)];
+  const FaceMesh edges = face_of(mesh, direction, side);
+  const Eigen::VectorXd share = edges.shape.transpose() * edges.weights;
   std::map<int, double> shares;
-  for (int c = 0; c < cells; ++c)
-    for (std::size_t q = 0; q < 5; ++q) {
-      Vec3 parameter = Vec3::Zero();
-      parameter[direction] = side;
-      parameter[other] = (c + at[q]) / cells;
-      const CellRow row = mesh.rows_at({parameter}).front();
-      const std::vector<int>& nodes = mesh.cell_nodes[static_cast<std::size_t>(row.cell)];
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        if (std::abs(mesh.parameters(nodes[a], direction) - side) < 1e-9)
-          shares[nodes[a]] += weight[q] / cells * row.shape[static_cast<Eigen::Index>(a)];
-    }
+  for (std::size_t e = 0; e < edges.nodes.size(); ++e)
+    for (std::size_t a = 0; a < edges.nodes[e].size(); ++a)
+      shares[edges.nodes[e][a]] += edges.extent[e] * share[static_cast<Eigen::Index>(a)];
   return shares;
 }
 

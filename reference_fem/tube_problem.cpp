@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "reference_fem/mesh_file.h"
 
 namespace vasorod::fem {
 namespace {
@@ -108,8 +109,8 @@ double graded_inverse(double s) {
   return p;
 }
 
-std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const Block& block,
-                             std::vector<Section>& sections, const Mesh*& mesh) {
+std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
+                             const Team& team, std::vector<Section>& sections, const Mesh*& mesh) {
   const TubeShape& shape = problem.shape;
   const MaterialLaw law(problem.law, problem.moduli);
   const auto finish = [&](auto model) -> std::unique_ptr<Model> {
@@ -126,18 +127,31 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const B
     mesh = &model->mesh();
     return model;
   };
-  const Axes axes = [shape](const Vec3& p) { return shape.axes(graded(p)); };
+  const MeshFile file{size.file, problem.length_unit, size.halvings};
+  const Block block{{size.around, size.along, 1}, true, size.degree};
+  // abscissae of a file's cells are its own
+  const auto place = [graded_cells = size.file.empty()](const Vec3& p) {
+    return graded_cells ? graded(p) : p;
+  };
+  const Axes axes = [=](const Vec3& p) { return shape.axes(place(p)); };
   if (kind == ModelKind::solid) {
-    auto solid = std::make_unique<Solid>(
-        make_solid(block, [&](const Vec3& p) { return shape.point(graded(p)); }), law, axes);
+    Mesh cells = size.file.empty() ? make_solid(
+                                         block, [&](const Vec3& p) { return shape.point(place(p)); }, team)
+                                   : read_solid(file, shape, size.degree, team);
+    auto solid = std::make_unique<Solid>(std::move(cells), law, axes);
     if (problem.pressure != 0) solid->add_pressure(2, 0, problem.pressure);
     return finish(std::move(solid));
   }
-  const ShellBody body{[shape](const Vec3& p) { return Vec3(shape.axes(graded(p)).col(0)); },
-                       [shape](const Vec3& p) { return shape.thickness_at(graded(p[1])); }, axes};
-  return finish(std::make_unique<Shell>(
-      make_surface(block, [&](const Vec3& p) { return shape.point(graded(Vec3(p[0], p[1], 0.5))); }), law,
-      body, problem.law == LawKind::svk ? 2 : 3));
+  const ShellBody body{[=](const Vec3& p) { return Vec3(shape.axes(place(p)).col(0)); },
+                       [=](const Vec3& p) { return shape.thickness_at(place(p)[1]); }, axes};
+  Mesh cells = size.file.empty() ? make_surface(block,
+                                                [&](const Vec3& p) {
+                                                  return shape.point(place({p[0], p[1], 0.5}));
+                                                })
+                                 : read_surface(file, shape, size.degree, team);
+  auto shell = std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
+  if (problem.pressure != 0) shell->add_pressure(problem.pressure);
+  return finish(std::move(shell));
 }
 
 }  // namespace
@@ -165,28 +179,27 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   problem.shape.bend = tube.bend_deg * std::numbers::pi / 180;
   problem.shape.placement = placement(tube, unit);
   problem.ends = ends_of(scene, problem);
-  if (vessel.pressure) {
-    if (kind == ModelKind::shell) refuse(scene, "a pressure", "it with `--model solid` only");
-    problem.pressure = *vessel.pressure / problem.stress_unit;
-  }
+  if (kind == ModelKind::shell && problem.law == LawKind::split_neo_hookean)
+    refuse(scene, "the law split-neo-hookean with `--model shell`", "it with `--model solid` only");
+  if (vessel.pressure) problem.pressure = *vessel.pressure / problem.stress_unit;
   return problem;
 }
 
 TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& size, int points_around,
-                        int stations, const StepperOptions& options) {
+                        int stations, const StepperOptions& options, const Team& team) {
   TubeSolution solution;
   const double start = now();
   const Mesh* mesh = nullptr;
   Supports supports;
-  const auto model =
-      build(problem, kind, {{size.around, size.along, 1}, true, size.degree}, supports.sections, mesh);
-  const System system(*model, std::move(supports));
+  const auto model = build(problem, kind, size, team, supports.sections, mesh);
+  const System system(*model, std::move(supports), team);
   solution.unknowns = system.size();
+  const auto abscissa = [&](double s) { return size.file.empty() ? graded_inverse(s) : s; };
   std::vector<Vec3> at;
   for (int j = 0; j < stations; ++j)
     for (int i = 0; i < points_around; ++i)
       at.emplace_back(static_cast<double>(i) / points_around,
-                      graded_inverse(static_cast<double>(j) / (stations - 1)), 0.5);
+                      abscissa(static_cast<double>(j) / (stations - 1)), 0.5);
   const std::vector<CellRow> rows = mesh->rows_at(at);
   solution.mesh_seconds = now() - start;
 

@@ -59,12 +59,15 @@ struct TubeSolution {
   double mesh_seconds = 0;
 };
 
+/// A structured mesh of cells that shrink towards the ends, or the cells of a gmsh file.
 struct TubeMesh {
   int around = 8, along = 12, degree = 3;
+  std::string file;  ///< empty: structured; else `around` and `along` are what the file amounts to
+  int halvings = 0;  ///< of the file's cells
 };
 
 /// Solves on one mesh; the mid-wall is sampled at `points_around` x `stations`.
 TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh, int points_around,
-                        int stations, const StepperOptions& options);
+                        int stations, const StepperOptions& options, const Team& team = {});
 
 }  // namespace vasorod::fem

@@ -1,5 +1,5 @@
-// The geometries, supports and loads of Sze, Liu and Lo (2004) for the shell; results at given fractions of
-// the full load.
+// The geometries, supports and loads of Sze, Liu and Lo (2004) for the shell and, of 3.1, 3.2 and 3.7, the
+// solid; results at given fractions of the full load.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference_fem/shell.h"
+#include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
 #include "reference_fem/tube_ends.h"
 
@@ -25,10 +26,10 @@ inline Shell make_shell(const Block& block, const Chart& chart,
                law == LawKind::svk ? 2 : 3);
 }
 
-inline Rows follow(const Shell& shell, const Supports& supports, const std::vector<double>& loads,
+inline Rows follow(const Model& model, const Supports& supports, const std::vector<double>& loads,
                    double first, double largest,
                    const std::function<std::array<double, 2>(const Eigen::VectorXd&)>& measure) {
-  const System system(shell, supports);
+  const System system(model, supports);
   State state;
   System::Assembly assembly;
   StepperOptions options;
@@ -49,9 +50,10 @@ inline Rows follow(const Shell& shell, const Supports& supports, const std::vect
   return rows;
 }
 
-inline void hold(Supports& supports, const std::vector<int>& nodes, std::initializer_list<int> components) {
+inline void hold(Supports& supports, const std::vector<int>& nodes, std::initializer_list<int> components,
+                 int per_node = 7) {
   for (const int node : nodes)
-    for (const int c : components) supports.prescribed.emplace_back(7 * node + c, 0);
+    for (const int c : components) supports.prescribed.emplace_back(per_node * node + c, 0);
 }
 
 inline Shell cantilever(double length, const std::array<int, 3>& cells, int degree, LawKind law) {
@@ -156,6 +158,96 @@ inline Rows semi_cylinder(const std::vector<double>& loads, const std::array<int
   supports.dead_load[7 * crown + 2] = -1000;
   return follow(shell, supports, loads, 0.025, 0.05, [=](const Eigen::VectorXd& u) {
     return std::array<double, 2>{-u[7 * crown + 2], 0};
+  });
+}
+
+/// The solids: one layer of cells through the thickness, the third parameter.
+inline Solid make_body(const Block& block, const Chart& chart, double young, double nu, LawKind law) {
+  return Solid(make_solid(block, chart), MaterialLaw(law, Moduli::isotropic(young, nu)),
+               [](const Vec3&) { return Mat3(Mat3::Identity()); });
+}
+
+inline Solid solid_cantilever(double length, const std::array<int, 3>& cells, int degree, LawKind law) {
+  return make_body(
+      {cells, false, degree},
+      [length](const Vec3& p) { return Vec3(length * p[0], p[1], 0.1 * (p[2] - 0.5)); }, 1.2e6, 0, law);
+}
+
+/// -u and w of the tip, mean of its upper and lower corner (p = 3 has no node between).
+inline std::function<std::array<double, 2>(const Eigen::VectorXd&)> middle_of_tip(const Solid& solid) {
+  const int low = solid.mesh().nearest_node({1, 0, 0}), high = solid.mesh().nearest_node({1, 0, 1});
+  return [=](const Eigen::VectorXd& u) {
+    return std::array<double, 2>{-(u[3 * low] + u[3 * high]) / 2, (u[3 * low + 2] + u[3 * high + 2]) / 2};
+  };
+}
+
+/// 3.1
+inline Rows solid_cantilever_shear(const std::vector<double>& loads, const std::array<int, 3>& cells,
+                                   int degree) {
+  const Solid solid = solid_cantilever(10, cells, degree, LawKind::svk);
+  Supports supports;
+  hold(supports, solid.mesh().nodes_on(0, 0), {0, 1, 2}, 3);
+  supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
+  const FaceMesh face = face_of(solid.mesh(), 0, 1);
+  const Eigen::VectorXd share = face.shape.transpose() * face.weights;
+  for (std::size_t f = 0; f < face.nodes.size(); ++f)
+    for (std::size_t a = 0; a < face.nodes[f].size(); ++a)
+      supports.dead_load[3 * face.nodes[f][a] + 2] +=
+          4 * face.extent[f] * share[static_cast<Eigen::Index>(a)];
+  return follow(solid, supports, loads, 0.05, 0.2, middle_of_tip(solid));
+}
+
+/// 3.2: the tip's face is a rigid section (nu = 0: bending leaves it undeformed), Biot law as for the shell.
+inline Rows solid_cantilever_moment(const std::vector<double>& loads, const std::array<int, 3>& cells,
+                                    int degree) {
+  const Solid solid = solid_cantilever(12, cells, degree, LawKind::biot);
+  Supports supports;
+  hold(supports, solid.mesh().nodes_on(0, 0), {0, 1, 2}, 3);
+  Section tip;
+  tip.name = "tip";
+  tip.center = Vec3(12, 0.5, 0);
+  tip.moment = Vec3(0, -50 * std::numbers::pi / 3, 0);
+  for (const int node : solid.mesh().nodes_on(0, 1))
+    tip.members.push_back({3 * node, solid.mesh().nodes.row(node).transpose() - tip.center, true, 0});
+  supports.sections.push_back(tip);
+  return follow(solid, supports, loads, 0.05, 0.1, middle_of_tip(solid));
+}
+
+/// 3.7: the load shared by the crown's nodes through the thickness, by their shares of it; their mean
+/// deflection, weighted likewise (what the load does work on).
+inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::array<int, 3>& cells,
+                                int degree) {
+  const Solid solid = make_body(
+      {cells, false, degree},
+      [](const Vec3& p) {
+        const double r = 101.6 + 3 * (p[2] - 0.5), a = std::numbers::pi / 2 * p[0];
+        return Vec3(r * std::cos(a), -304.8 * p[1], r * std::sin(a));
+      },
+      2068.5, 0.3, LawKind::svk);
+  const Mesh& mesh = solid.mesh();
+  Supports supports;
+  hold(supports, mesh.nodes_on(1, 0), {0, 1, 2}, 3);
+  hold(supports, mesh.nodes_on(0, 0), {2}, 3);
+  hold(supports, mesh.nodes_on(0, 1), {0}, 3);
+  // shares of the nodes on the line through the thickness: the integrals of their shape functions
+  const FaceMesh face = face_of(mesh, 0, 1);
+  std::vector<std::pair<int, double>> line;
+  for (const int node : mesh.nodes_on(1, 1))
+    if (mesh.parameters(node, 0) > 1 - 1e-9) line.emplace_back(node, 0);
+  double sum = 0;
+  for (auto& [node, share] : line) {
+    for (std::size_t f = 0; f < face.nodes.size(); ++f)
+      for (std::size_t a = 0; a < face.nodes[f].size(); ++a)
+        if (face.nodes[f][a] == node)
+          share += face.extent[f] * face.weights.dot(face.shape.col(static_cast<Eigen::Index>(a)));
+    sum += share;
+  }
+  supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
+  for (const auto& [node, share] : line) supports.dead_load[3 * node + 2] = -1000 * share / sum;
+  return follow(solid, supports, loads, 0.025, 0.05, [=](const Eigen::VectorXd& u) {
+    double mean = 0;
+    for (const auto& [node, share] : line) mean -= share / sum * u[3 * node + 2];
+    return std::array<double, 2>{mean, 0};
   });
 }
 

@@ -27,6 +27,8 @@ Shell bent_tube(LawKind kind) {
 TEST(Shell, ResidualAndTangentAreDerivatives) {
   for (const LawKind kind : {LawKind::biot, LawKind::svk}) {
     const Shell shell = bent_tube(kind);
+    Shell pressed = bent_tube(kind);
+    pressed.add_pressure(0.3);
     Eigen::VectorXd u(shell.dof_count());
     for (int i = 0; i < u.size(); ++i) u[i] = 0.04 * std::sin(3.0 * i);
     CellTerms at, plus, minus;
@@ -47,6 +49,20 @@ TEST(Shell, ResidualAndTangentAreDerivatives) {
     }
     EXPECT_LT(worst, 1e-7 * at.tangent.norm());
     EXPECT_LT(worst_energy, 1e-7 * at.residual.norm());
+
+    ASSERT_TRUE(pressed.evaluate(2, u, 0.7, true, at));
+    worst = 0;
+    for (std::size_t b = 0; b < dofs.size(); ++b) {
+      const double h = 1e-6;
+      Eigen::VectorXd v = u;
+      v[dofs[b]] += h;
+      pressed.evaluate(2, v, 0.7, false, plus);
+      v[dofs[b]] -= 2 * h;
+      pressed.evaluate(2, v, 0.7, false, minus);
+      const auto column = static_cast<Eigen::Index>(b);
+      worst = std::max(worst, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
+    }
+    EXPECT_LT(worst, 1e-7 * at.tangent.norm());
   }
 }
 

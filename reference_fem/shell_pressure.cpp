@@ -1,0 +1,50 @@
+// Follower pressure on the shell's inner face x = R + u - t/2 (D + w): its force on that face is p n da, with
+// n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent to the mid-surface.
+#include <Eigen/Geometry>
+
+#include "geometry/rigid_motion.h"
+#include "reference_fem/shell.h"
+
+namespace vasorod::fem {
+
+using std::size_t;
+
+void Shell::press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+                  CellTerms& terms) const {
+  const auto c = static_cast<size_t>(cell);
+  const std::vector<int>& nodes = mesh_.cell_nodes[c];
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixX3d ue(n, 3), de(n, 3);  // displacements and current directors
+  for (Eigen::Index a = 0; a < n; ++a) {
+    const int node = nodes[static_cast<size_t>(a)];
+    ue.row(a) = u.segment<3>(7 * node);
+    de.row(a) = directors_.row(node) + u.segment<3>(7 * node + 3).transpose();
+  }
+  for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
+    const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
+    const Vec3 normal = mesh_.normal[c].col(q), e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+    const double half = thickness_[c][q] / 2;
+    const Mat3 A = Mat3::Identity() + (gradient * (ue - half * de)).transpose();
+    const Vec3 along = A * e1, across = A * e2, area = along.cross(across);
+    const double p = load * pressure_ * mesh_.weights[c][q];
+    const Eigen::VectorXd N = mesh_.shape.row(q);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      terms.residual.segment(i * n, n) -= p * area[i] * N;
+      terms.residual.segment((3 + i) * n, n) += half * p * area[i] * N;
+    }
+    if (!want_tangent) continue;
+    const Eigen::VectorXd g1 = gradient.transpose() * e1, g2 = gradient.transpose() * e2;
+    const Mat3 turn_along = hat(along), turn_across = hat(across);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        if (i == k) continue;
+        const Eigen::MatrixXd block = -p * N * (turn_along(i, k) * g2 - turn_across(i, k) * g1).transpose();
+        terms.tangent.block(i * n, k * n, n, n) += block;
+        terms.tangent.block(i * n, (3 + k) * n, n, n) -= half * block;
+        terms.tangent.block((3 + i) * n, k * n, n, n) -= half * block;
+        terms.tangent.block((3 + i) * n, (3 + k) * n, n, n) += half * half * block;
+      }
+  }
+}
+
+}  // namespace vasorod::fem

@@ -5,6 +5,7 @@
 
 #include "app/solve_surfaces.h"
 #include "surface/binding.h"
+#include "surface/joined_skin.h"
 #include "vessel/section_means.h"
 #include "vessel/validity.h"
 #include "vessel/vessel_wall.h"
@@ -14,7 +15,8 @@ namespace {
 
 // From this share of a limit (Brazier's, a wrinkle's) on a smooth and a kinked minimum coexist: follow the
 // path.
-constexpr double follow_from = 0.7, first_share = 0.6, share_step = 0.05;
+// At half the limit one minimum is left; from there in small steps, each extrapolated from the two before.
+constexpr double follow_from = 0.7, first_shares[] = {0.25, 0.5}, share_step = 0.05;
 constexpr int most_steps = 40;
 
 size_t index(int i) {
@@ -27,26 +29,32 @@ int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {
   return joined ? prediction.glenn->mouth_node : -1;
 }
 
-// How near the rods come to the walls' limits: where the smooth branch may end.
+// How near the rods come to the walls' limits, where the smooth branch may end: of Brazier's curvature
+// (whatever the vessel's length: k R^2 / (0.605 t) in its terms) and of the twist that wrinkles.
 double share_of_limit(const Prediction& prediction) {
-  Validity validity;
+  double share = 0;
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (!vessel.rod_solved) continue;
     std::vector<int> held;
     for (const RodSupport& support : vessel.conditions.rod.supports) held.push_back(support.node);
+    Validity validity;
     add_validity(vessel.prepared, vessel.rod.poses, held, validity);
+    const double nu = vessel.prepared.spec.wall->poisson;
+    share = std::max(
+        {share, validity.twist_ratio, validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu)});
   }
-  return std::max(validity.brazier_ratio, validity.twist_ratio);
+  return share;
 }
 
 std::vector<double> path_times(const Prediction& prediction) {
   if (prediction.glenn) return {1};  // the pose is no more than a start: no path leads from rest to it
   const double share = share_of_limit(prediction);
   if (share < follow_from) return {1};
-  const int steps = std::min(most_steps, static_cast<int>(std::ceil((share - first_share) / share_step)));
   std::vector<double> times;
-  const double first = first_share / share;
-  for (int k = 0; k <= steps; ++k) times.push_back(first + (1 - first) * k / steps);
+  for (const double early : first_shares) times.push_back(early / share);
+  const double first = times.back();
+  const int steps = std::min(most_steps, static_cast<int>(std::ceil((share - first_shares[1]) / share_step)));
+  for (int k = 1; k <= steps; ++k) times.push_back(first + (1 - first) * k / steps);
   times.back() = 1;
   return times;
 }
@@ -73,20 +81,35 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
     problem.vessels.back() =
         std::make_unique<CoupledVessel>(CoupledVessel{wall_of(vessel.prepared), sections.back().sections});
   }
-  problem.carried = [&prediction, &sections](double t) {
+  // A seam starts closed: sections carried rigidly give way as little as the paper's quadratic energies ask.
+  std::vector<Points> joined;
+  if (prediction.glenn) joined = joined_skin(problem.surfaces);
+  problem.carried = [&prediction, &sections, joined](double t) {
     std::vector<CarriedBody> bodies;
     for (size_t v = 0; v < prediction.vessels.size(); ++v) {
       const PredictedVessel& vessel = prediction.vessels[v];
       bodies.emplace_back();
-      if (!vessel.rod_solved) continue;
+      if (!vessel.rod_solved) {
+        if (!joined.empty() && !vessel.prepared.obstacle()) bodies.back().points = joined[v];
+        continue;
+      }
       const RodPoses poses =
-          t == 1 ? vessel.rod.poses
-                 : solve_rod(vessel.prepared.vessel.rod, conditions_at(vessel.conditions.rod, t)).poses;
+          t == 1 ? vessel.rod.poses : share_of_strain(vessel.prepared.vessel.rod, vessel.rod.poses, t);
       bodies.back() = carried_by(vessel, poses, sections[v]);
+      if (!joined.empty()) bodies.back().points = joined[v];
     }
     return bodies;
   };
   return problem;
+}
+
+// Nodes within a radius of a mouth: its section is a seam's, no tube's.
+std::vector<char> nodes_beside(const RodTree& rod, int mouth) {
+  std::vector<char> beside(rod.rest.size(), 0);
+  if (mouth < 0) return beside;
+  for (size_t n = 0; n < beside.size(); ++n)
+    beside[n] = (rod.rest[n].position - rod.rest[index(mouth)].position).norm() <= rod.radius[index(mouth)];
+  return beside;
 }
 
 // What is reported of a vessel along its axis is its wall's: the mean poses of its sections.
@@ -101,7 +124,8 @@ void give_rods_the_walls_means(Prediction& prediction, const std::vector<VesselS
       const auto node = index(sections[v].nodes[k]);
       known[node] = Pose{solved.rotation * mine.rod.rest[node].rotation, solved.center};
     }
-    vessel.rod.poses = section_means(mine, vessel.positions, vessel.rod.poses, known);
+    vessel.rod.poses = section_means(mine, vessel.positions, vessel.rod.poses, known,
+                                     nodes_beside(mine.rod, mouth_of(prediction, vessel)));
   }
 }
 

@@ -89,36 +89,44 @@ Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
-void Cholesky::analyse(const Matrix& matrix, int block) {
-  std::vector<int> groups;
-  if (block > 1)
-    for (int first = 0; first < matrix.cols(); first += block) groups.push_back(first);
-  analyse(matrix, groups);
+std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>& groups, Ordering ordering) {
+  const OneCholmodThread one_thread;
+  Matrix graph = group_graph(matrix, groups);
+  cholmod_sparse view = view_of(graph);
+  std::vector<int> order(static_cast<size_t>(graph.cols())), unknowns;
+  Cholesky::Data scratch;
+  const int good = ordering == Ordering::minimum_degree
+                       ? cholmod_amd(&view, nullptr, 0, order.data(), &scratch.common)
+                       : cholmod_metis(&view, nullptr, 0, 1, order.data(), &scratch.common);
+  if (!good) throw std::runtime_error("the sparse matrix could not be ordered (out of memory)");
+  unknowns.reserve(static_cast<size_t>(matrix.cols()));
+  for (const int g : order) {
+    const auto next = static_cast<size_t>(g) + 1;
+    const int last = next < groups.size() ? groups[next] : static_cast<int>(matrix.cols());
+    for (int u = groups[static_cast<size_t>(g)]; u < last; ++u) unknowns.push_back(u);
+  }
+  return unknowns;
 }
 
-void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& groups) {
+void Cholesky::analyse(const Matrix& matrix, int block) {
+  std::vector<int> order;
+  if (block > 1) {
+    std::vector<int> groups;
+    for (int first = 0; first < matrix.cols(); first += block) groups.push_back(first);
+    order = elimination_order(matrix, groups, Ordering::minimum_degree);
+  }
+  analyse(matrix, order);
+}
+
+void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   const OneCholmodThread one_thread;
   Data& d = *data_;
   cholmod_free_factor(&d.factor, &d.common);
   d.factorised = false;
   cholmod_sparse view = view_of(matrix);
-  if (groups.empty()) {
-    d.common.method[0].ordering = CHOLMOD_AMD;
-    d.factor = cholmod_analyze(&view, &d.common);
-  } else {
-    Matrix graph = group_graph(matrix, groups);
-    cholmod_sparse graph_view = view_of(graph);
-    std::vector<int> order(static_cast<size_t>(graph.cols())), unknowns;
-    if (!cholmod_amd(&graph_view, nullptr, 0, order.data(), &d.common))
-      throw std::runtime_error("AMD failed");
-    for (const int g : order) {
-      const auto next = static_cast<size_t>(g) + 1;
-      const int last = next < groups.size() ? groups[next] : static_cast<int>(matrix.cols());
-      for (int u = groups[static_cast<size_t>(g)]; u < last; ++u) unknowns.push_back(u);
-    }
-    d.common.method[0].ordering = CHOLMOD_GIVEN;
-    d.factor = cholmod_analyze_p(&view, unknowns.data(), nullptr, 0, &d.common);
-  }
+  d.common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+  d.factor = order.empty() ? cholmod_analyze(&view, &d.common)
+                           : cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &d.common);
   if (!d.factor) throw std::runtime_error("the sparse factorisation could not be analysed (out of memory)");
 }
 

@@ -84,6 +84,11 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
     }
     if (!(slope < 0)) return finish(LbfgsStatus::stalled);
 
+    if (const double longest = direction.cwiseAbs().maxCoeff();
+        options.largest_step > 0 && longest > options.largest_step) {
+      direction *= options.largest_step / longest;
+      slope *= options.largest_step / longest;
+    }
     // Near the minimum the decrease drowns in the sum's last digits: there a smaller residual at the same
     // energy counts.
     const double rounding = 1e-14 * std::abs(energy);

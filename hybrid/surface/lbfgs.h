@@ -17,6 +17,7 @@ struct LbfgsOptions {
   double tolerance = 1e-8;  ///< on the residual that the evaluation returns
   int patience =
       0;  ///< stop as `slow` when the residual has not fallen tenfold within so many iterations; 0: never
+  double largest_step = 0;  ///< of any unknown in one iteration; 0: no bound. Keeps to the nearest minimum
   std::function<bool(int iteration, double energy, double residual)>
       keep_going;  ///< false interrupts; may be empty
 };

@@ -46,7 +46,7 @@ class Sections {
                 [](const OnBranch& a, const OnBranch& b) { return a.s < b.s; });
   }
 
-  RodPoses fit(const Points& current, const RodPoses& near) const {
+  RodPoses fit(const Points& current, const RodPoses& near, const std::vector<char>& unseen) const {
     const RodTree& rod = vessel_.rod;
     const Points local = in_frames(current, near);
     RodPoses fitted = near;
@@ -61,7 +61,8 @@ class Sections {
         if (k > 0) width = std::max(width, rod.elements[index(branch.elements[k - 1])].length);
         if (k < branch.elements.size())
           width = std::max(width, rod.elements[index(branch.elements[k])].length);
-        change.push_back(mean_change(b, s, width, local));
+        const bool seen = unseen.empty() || !unseen[index(branch.nodes[k])];
+        change.push_back(seen ? mean_change(b, s, width, local) : std::nullopt);
         if (k < branch.elements.size()) s += rod.elements[index(branch.elements[k])].length;
       }
       for (size_t k = 1; k < change.size(); ++k)
@@ -132,11 +133,11 @@ class Sections {
 }  // namespace
 
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
-                       const std::vector<std::optional<Pose>>& known) {
+                       const std::vector<std::optional<Pose>>& known, const std::vector<char>& unseen) {
   const Sections sections(vessel);
   RodPoses poses = near;
   for (int pass = 0; pass < passes; ++pass) {
-    poses = sections.fit(current, poses);
+    poses = sections.fit(current, poses, unseen);
     for (size_t n = 0; n < known.size(); ++n)
       if (known[n]) poses[n] = *known[n];
   }

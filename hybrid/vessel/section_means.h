@@ -15,6 +15,6 @@ namespace vasorod {
 /// rotation R: r the weighted mean, R from sum A_i (R rho_i) x (x_i - r) = 0. What the band averages is only
 /// the difference to `near`, so the strains between nodes are second-order accurate in its width.
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
-                       const std::vector<std::optional<Pose>>& known);
+                       const std::vector<std::optional<Pose>>& known, const std::vector<char>& unseen = {});
 
 }  // namespace vasorod

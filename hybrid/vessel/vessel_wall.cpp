@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/rigid_motion.h"
+
 namespace vasorod {
 namespace {
 
@@ -84,17 +86,18 @@ VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditi
   return all;
 }
 
-RodConditions conditions_at(const RodConditions& conditions, double t) {
-  RodConditions now = conditions;
-  for (RodSupport& support : now.supports) {
-    support.motion.rotate *= t;
-    support.motion.move *= t;
-  }
-  for (RodLoad& load : now.loads) {
-    load.force *= t;
-    load.moment *= t;
-  }
-  return now;
+RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share) {
+  RodPoses partly = rod.rest;
+  partly[0] = interpolate(rod.rest[0], poses[0], share);
+  for (const RodBranch& branch : rod.branches)
+    for (const int e : branch.elements) {
+      const RodElement& element = rod.elements[index(e)];
+      const auto first = index(element.first), second = index(element.second);
+      const Vec6 rest = log_motion(rod.rest[first].inverse() * rod.rest[second]),
+                 now = log_motion(poses[first].inverse() * poses[second]);
+      partly[second] = partly[first] * exp_motion(rest + share * (now - rest));
+    }
+  return partly;
 }
 
 }  // namespace vasorod

@@ -20,7 +20,8 @@ struct VesselSections {
 };
 VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditions, int left_out);
 
-/// The rod's conditions at time t of their motions and loads.
-RodConditions conditions_at(const RodConditions& conditions, double t);
+/// The shape a rod has when its strains have gone a share of the way from rest to those of `poses`: a path on
+/// which a bend neither stretches nor shortens the rod, as moving its ends in proportion would.
+RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share);
 
 }  // namespace vasorod

@@ -11,7 +11,10 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e4;
 // A factorisation made this near the minimum speaks for the minimum.
-constexpr double near_enough = 1e-5;
+constexpr double near_enough = 1e-4;
+constexpr double worn_order = 1.3;
+// After so many points of negative curvature the branch that short steps were to keep to is lost.
+constexpr int patience_on_branch = 3;
 constexpr int inverse_iterations = 12;
 // Forces this small against stiffness times coordinates are what cancellation leaves.
 constexpr double rounding = 1e-14;
@@ -42,8 +45,19 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
   turns_ = std::move(turns);
 }
 
+// Contacts come and go: the order found once serves until it costs too much fill.
+void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix) {
+  if (!order_.empty()) {
+    factor.analyse(matrix, order_);
+    if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
+  }
+  order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection);
+  factor.analyse(matrix, order_);
+  order_nonzeros_ = factor.factor_nonzeros();
+}
+
 void CoupledMinimiser::factorise_rest() {
-  if (!rest_factor_.analysed()) rest_factor_.analyse(rest_, system_.groups());
+  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_);
   Matrix shifted = rest_;
   double shift = 0;
   // Mechanisms that only a motion or a load would excite leave K0 singular to rounding.
@@ -86,7 +100,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
       inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
   if (!std::equal(outer.begin(), outer.end(), analysed_outer_.begin(), analysed_outer_.end()) ||
       !std::equal(inner.begin(), inner.end(), analysed_inner_.begin(), analysed_inner_.end())) {
-    factor_.analyse(hessian_, system_.groups());
+    analyse(factor_, hessian_);
     analysed_outer_.assign(outer.begin(), outer.end());
     analysed_inner_.assign(inner.begin(), inner.end());
   }
@@ -144,6 +158,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
     return evaluate(at, g, r);
   };
   LbfgsOptions inner;
+  inner.largest_step = options.largest_step;
   if (options.keep_going)
     inner.keep_going = [&](int iteration, double energy, double residual) {
       return options.keep_going(summary.iterations + iteration, energy, residual);
@@ -171,7 +186,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
   inner.patience = 0;
   inner.tolerance = options.tolerance;
   double shift = 0, factored_at = 1;
-  int stalls = 0;
+  int stalls = 0, indefinite = 0;
   bool fresh = false;  // factor_ belongs to a point near z, unshifted
   if (options.reuse_hessian && factor_.factorised()) {
     inner.max_iterations = options.per_hessian;
@@ -182,6 +197,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
     factored_at = residual(z);
     if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) break;
     fresh = shift == 0;
+    if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     const bool at_rest = factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest && !fresh) {
       if (!leave_saddle(z)) {

@@ -20,6 +20,8 @@ struct CoupledMinimiserOptions {
   double rough = 1e-4;     ///< residual at which the true Hessian takes over from K0: where it converges fast
   int rest_patience = 12;  ///< iterations for a tenfold smaller residual with K0
   int per_hessian = 6;     ///< iterations with one true Hessian: a step costs a tenth of a factorisation
+  double largest_step = 0;    ///< LbfgsOptions::largest_step
+  bool release_step = false;  ///< where negative curvature persists the bound is lifted
   int max_iterations = 3000;
   int max_factorisations = 60;
   bool use_rest = true;  ///< false: no K0 stage (free bodies, seams, contacts: K0 knows nothing of them)
@@ -57,6 +59,7 @@ class CoupledMinimiser {
  private:
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual) const;
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
+  void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most);
   bool leave_saddle(Eigen::VectorXd& z);
 
@@ -64,6 +67,8 @@ class CoupledMinimiser {
   Eigen::SparseMatrix<double> rest_, hessian_;
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
+  std::vector<int> order_;                            // of elimination
+  double order_nonzeros_ = 0;                         // of the factor it was found for
   std::vector<int> analysed_outer_, analysed_inner_;  // the pattern factor_ knows
   double mean_stiffness_ = 1;
   Eigen::VectorXd work_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "geometry/error.h"
 #include "geometry/triangle_surface.h"
@@ -23,6 +24,16 @@ constexpr double tolerance_step = 1e-2;
 constexpr double finest_tolerance = 1e-13;
 // After so many updates a contact that still opens and closes is accepted at ten times its tolerance.
 constexpr int patience_with_contact = 40;
+// So many minimisations in a row without a minimum end the solve.
+constexpr int most_failures = 3;
+// A step of the path moves the wall against its rod by a few percent of the radius; a kink by much more.
+constexpr double jump = 0.2;
+// On the path Newton's steps are bounded by this share of the radius: a soft direction would else carry over
+// the low ridge between a smooth minimum and a kinked one.
+constexpr double path_step = 0.02;
+// Where a seam opens a slit, steps of part of an edge keep triangles from turning over, which the energy
+// would not undo.
+constexpr double seam_step = 0.3;
 
 size_t index(Eigen::Index i) {
   return static_cast<size_t>(i);
@@ -198,42 +209,79 @@ class CoupledSolver::Data {
     return all;
   }
 
-  // The walls' state at the next time: what they had against their rods before, carried on.
-  void advance(double t) {
-    Carried next = carried_at(t);
+  // The walls' state at a time, in the rods' frames: what the next time's start is extrapolated from.
+  struct Local {
+    double time = 0;
+    std::vector<Points> deviation;  // per body: of the vertices, turned back
+    std::vector<std::vector<Pose>> sections;
+    VectorXd z;
+  };
+
+  Local local_state() {
+    Local local;
+    local.time = time_;
+    local.z = z_;
+    const CoupledState s = system_->state(z_);
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b) {
+      local.deviation.emplace_back();
+      local.sections.emplace_back();
+      if (first_wall_[b] < 0) continue;
+      Points& d = local.deviation.back();
+      d = body(b).now - carried_.points[b];
+      for (Eigen::Index i = 0; i < d.rows(); ++i)
+        d.row(i) = (d.row(i) * carried_.rotations[b][index(i)]).eval();
+      for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
+        const Pose& rod = carried_.sections[b][k];
+        const SectionPlacement& at = s.placements[index(first_wall_[b])][k];
+        local.sections.back().push_back({rod.rotation.transpose() * at.rotation,
+                                         rod.rotation.transpose() * (at.position - rod.position)});
+      }
+    }
+    return local;
+  }
+
+  // The walls' start at a time of the path: where the rods carry what the walls had against them at the last
+  // times, extrapolated. False at the first time, where there is none.
+  bool advance(double t) {
     const bool first = carried_.points.empty();
-    const CoupledState before = first ? CoupledState{} : system_->state(z_);
+    const std::optional<Local> before = std::move(last_);
+    if (first)
+      last_.reset();
+    else
+      last_ = local_state();
+    const bool line = before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
+    const double along = line ? (t - last_->time) / (last_->time - before->time) : 0;
+    time_ = t;
+    carried_ = carried_at(t);
     system_->set_time(t);
+    if (line) z_ = last_->z + along * (last_->z - before->z);
     std::vector<Mat3> frames(index(system_->vertex_count()));
     std::vector<std::vector<Mat3>> section_frames;
     for (size_t b = 0; b < scaled_.bodies.size(); ++b) {
       const int w = first_wall_[b];
       if (w < 0) continue;
-      Points x = next.points[b];
+      Points x = carried_.points[b];
       for (Eigen::Index i = 0; i < x.rows(); ++i) {
-        const Mat3& r = next.rotations[b][index(i)];
+        const Mat3& r = carried_.rotations[b][index(i)];
         frames[index(first_[b] + i)] = r;
         if (first) continue;
-        const Vec3 deviation = (body(b).now.row(i) - carried_.points[b].row(i)).transpose();
-        x.row(i) += (r * carried_.rotations[b][index(i)].transpose() * deviation).transpose();
+        Vec3 deviation = last_->deviation[b].row(i);
+        if (line) deviation += along * (last_->deviation[b].row(i) - before->deviation[b].row(i)).transpose();
+        x.row(i) += (r * deviation).transpose();
       }
       system_->put(w, x, !first, z_);
       section_frames.emplace_back();
-      for (size_t k = 0; k < next.sections[b].size(); ++k) {
-        Pose pose = next.sections[b][k];
+      for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
+        Pose pose = carried_.sections[b][k];
         section_frames.back().push_back(pose.rotation);
-        if (!first) {
-          const Mat3 turn = pose.rotation * carried_.sections[b][k].rotation.transpose();
-          const SectionPlacement& was = before.placements[index(w)][k];
-          pose.position += turn * (was.position - carried_.sections[b][k].position);
-          pose.rotation = turn * was.rotation;
-        }
+        if (t < 1) system_->set_target(w, static_cast<int>(k), pose);
+        if (!first) pose = pose * last_->sections[b][k];
         system_->put_pose(w, static_cast<int>(k), pose.rotation, pose.position, z_);
       }
     }
     minimiser_->set_turns(system_->turns(frames, section_frames));
-    carried_ = std::move(next);
     unstack();
+    return !first;
   }
 
   void stack_contacts() {
@@ -298,12 +346,16 @@ class CoupledSolver::Data {
   void follow_path() {
     if (!system_) build();
     carried_ = {};
+    last_.reset();
     bool buckled = false;
     for (const double t : options_.times) {
-      time_ = t;
-      advance(t);
-      const CoupledStatus status = settle();
+      const bool stepped = advance(t);
+      const Points predicted = system_->state(z_).positions;
+      const CoupledStatus status = settle(stepped);
       buckled |= left_saddle_;
+      if (stepped && predicted.rows() == system_->vertex_count() &&
+          (system_->state(z_).positions - predicted).rowwise().norm().maxCoeff() > jump * ring_radius())
+        buckled = true;
       solution_.status = status;
       if (status != CoupledStatus::converged && status != CoupledStatus::equilibrium_only) return;
       solution_.reached = t;
@@ -315,8 +367,24 @@ class CoupledSolver::Data {
     }
   }
 
-  // The minimum at the present time.
-  CoupledStatus settle() {
+  // Smallest RMS radius of the sections' rings.
+  double ring_radius() const {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const CoupledWall& wall : system_->walls())
+      for (const SectionPose& pose : wall.sections) {
+        const std::vector<int>& ring = pose.section().ring;
+        Points points(static_cast<Eigen::Index>(ring.size()), 3);
+        for (size_t i = 0; i < ring.size(); ++i)
+          points.row(static_cast<Eigen::Index>(i)) = wall.rest.row(ring[i]);
+        smallest = std::min(
+            smallest, std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean()));
+      }
+    return smallest;
+  }
+
+  // The minimum at the present time. `stepped`: from a start extrapolated along the path; the true Hessian
+  // keeps to its branch where K0's longer steps may leave it.
+  CoupledStatus settle(bool stepped) {
     left_saddle_ = false;
     const auto& surfaces = problem_.surfaces;
     const bool meets = !surfaces.seams.empty() || !surfaces.contacts.empty();
@@ -326,13 +394,21 @@ class CoupledSolver::Data {
     inner.keep_going = [this](int iteration, double, double residual) {
       return keep_going(iteration, residual);
     };
+    if (stepped) {
+      inner.per_hessian = 3;
+      inner.largest_step = path_step * ring_radius();
+      inner.release_step = true;
+    } else if (!surfaces.seams.empty())
+      inner.largest_step = seam_step;
     const bool alone = surfaces.seams.empty() && !system_->has_ties();
     const bool steps = meets || system_->has_ties();
     double tolerance = steps ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
+    int failures = 0;
+    VectorXd best;  // the last minimum found, with the unknowns of now
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
-      inner.use_rest = alone && outer == 1 && system_->contacts.empty();
+      inner.use_rest = !stepped && alone && outer == 1 && system_->contacts.empty();
       inner.reuse_hessian = outer > 1 && !contacts_->pressing();
       inner.certify = options_.certify && tolerance <= options_.tolerance;
       const CoupledMinimiserSummary summary = minimiser_->minimise(z_, inner);
@@ -342,6 +418,10 @@ class CoupledSolver::Data {
       solution_.surface.residual = summary.residual;
       solution_.smallest_curvature_positive = summary.positive;
       left_saddle_ |= summary.left_saddle;
+      const bool minimum = summary.status == LbfgsStatus::converged;
+      failures = minimum ? 0 : failures + 1;
+      if (minimum || best.size() != z_.size()) best = z_;
+      if (failures > most_failures) z_ = best;
       unstack();
       if (summary.status == LbfgsStatus::interrupted) return CoupledStatus::interrupted;
       const double moment_change = system_->recentre(z_);
@@ -366,7 +446,7 @@ class CoupledSolver::Data {
         }
         return system_->has_potential() ? CoupledStatus::converged : CoupledStatus::equilibrium_only;
       }
-      if (outer >= options_.max_outer ||
+      if (outer >= options_.max_outer || failures > most_failures ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options_.tolerance && !steps))
         return CoupledStatus::iteration_limit;
       if (!seam_closed) {
@@ -400,6 +480,7 @@ class CoupledSolver::Data {
   StackedContacts stacked_;
   std::vector<int> first_, first_wall_;  // of each body, -1: not among the unknowns
   Carried carried_;                      // at the present time
+  std::optional<Local> last_;            // at the time before
   VectorXd z_;
   CoupledSolution solution_;
 };

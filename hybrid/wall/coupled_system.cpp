@@ -135,6 +135,10 @@ void CoupledSystem::set_time(double t) {
     for (SectionPose& pose : wall.sections) pose.set_time(t);
 }
 
+void CoupledSystem::set_target(int w, int section, const Pose& pose) {
+  walls_[index(w)].sections[index(section)].set_target(pose);
+}
+
 double CoupledSystem::recentre(VectorXd& z) {
   double change = 0;
   for (CoupledWall& wall : walls_)

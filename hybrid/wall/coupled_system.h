@@ -83,6 +83,8 @@ class CoupledSystem {
 
   /// Motions and loads at time t.
   void set_time(double t);
+  /// A section that is fixed altogether stands there (rotation from rest), until the next set_time.
+  void set_target(int wall, int section, const Pose& pose);
   /// SectionPose::recentre for all sections; the largest change.
   double recentre(Eigen::VectorXd& z);
   /// Soft sections' multipliers.

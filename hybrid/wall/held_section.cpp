@@ -25,6 +25,12 @@ void SectionPose::set_time(double t) {
   effective_moment_ = moment_at(reference_);
 }
 
+void SectionPose::set_target(const Pose& pose) {
+  if (!free_.empty()) return;
+  reference_ = pose.rotation;
+  fixed_position_ = pose.position;
+}
+
 SectionPlacement SectionPose::place(const double* z) const {
   SectionPlacement at;
   at.position = fixed_position_;

@@ -43,6 +43,10 @@ class SectionPose {
   int unknowns() const { return static_cast<int>(free_.size()); }
   /// Fixed freedoms follow the motion to time t in 0..1; free unknowns keep their values.
   void set_time(double t);
+  /// Another way to the same end: where all six freedoms are fixed the pose is this one (rotation from rest)
+  /// until the next set_time. A motion's own path, rotation and displacement in proportion, shortens a tube
+  /// that is bent.
+  void set_target(const Pose& pose);
   double time() const { return time_; }
   SectionPlacement place(const double* z) const;
   SectionPlacement at_rest() const;

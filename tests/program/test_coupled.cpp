@@ -1,6 +1,7 @@
 // Fidelity coupled as a user runs it: one minimum of the walls, its result folder.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,66 @@ TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
   EXPECT_EQ(result.at("status"), "converged");
   const double exact = 0.1 * 2 * M_PI * 1000 * (1 + 0.0025) * (M_PI / 180) / 100;
   EXPECT_NEAR(result.at("ends")[1].at("moment")[2].get<double>(), exact, 0.01 * exact);
+}
+
+// Bent to 0.9 of the Brazier curvature this tube between rigid ends kinks on the way, near 0.75 (design.md,
+// section 1).
+TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml")
+      << "scene: kink\nunits: {length: mm, stress: MPa}\nvessels:\n"
+         "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n    wall: " +
+             isotropic +
+             "\nends:\n  - {vessel: tube, end: start, hold: true}\n"
+             "  - {vessel: tube, end: end, rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]}\n"
+             "fidelity: coupled\n";
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  EXPECT_EQ(run.exit_code, 1);
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result.at("status"), "buckled");
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
+  EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.3);
+}
+
+// Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both vessels
+// balance.
+TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << R"(scene: small-glenn
+units: {length: mm, stress: MPa}
+vessels:
+  - name: svc
+    tube: {length: 40, radius: 3.3, around: 24, along: 50, position: [0, 0, 5]}
+    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
+  - name: rpa
+    tube: {length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0], tangent: [1, 0, 0], normal: [0, 0, 1]}
+    wall: {thickness: 0.45, young: 0.45, poisson: 0.45}
+ends:
+  - {vessel: svc, end: end, hold: true}
+  - {vessel: rpa, end: start, hold: true}
+  - {vessel: rpa, end: end, hold: true}
+surgery:
+  glenn: {svc: svc, rpa: rpa, cut: [3.3, 0, 10], incision: [0, 0, 4], keep: {near: [0, 0, 45]}}
+fidelity: coupled
+)";
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result.at("status"), "converged");
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_LT(result.at("glenn").at("join").at("largest_gap").get<double>(), 0.01 * 3.3);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double largest = 0;
+  for (const auto& vessel : result.at("balance")) {
+    EXPECT_LT(vessel.at("residual").get<double>(), 1e-6) << vessel;
+    for (int k = 0; k < 3; ++k) sum[k] += vessel.at("join")[static_cast<size_t>(k)].get<double>();
+    largest = std::max(largest, std::abs(vessel.at("join")[2].get<double>()));
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(sum.norm(), 1e-9 * largest) << "the seam pulls on both alike";
 }
 
 }  // namespace

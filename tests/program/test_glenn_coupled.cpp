@@ -1,0 +1,35 @@
+// The bundled anatomy at fidelity coupled: half a minute each, so apart from the default tests (label long).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "program/glenn_scene.h"
+
+namespace vasorod::testing {
+namespace {
+
+void expect_one_minimum(const nlohmann::json& result) {
+  EXPECT_EQ(result.at("status"), "converged") << result.at("certificate").dump();
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  const auto& glenn = result.at("glenn");
+  const double mouth_radius = glenn.at("cut").at("perimeter").get<double>() / (2 * M_PI);
+  EXPECT_LT(glenn.at("join").at("largest_gap").get<double>(), 0.01 * mouth_radius);
+  for (const auto& vessel : result.at("balance"))
+    EXPECT_LT(vessel.at("residual").get<double>(), 1e-6) << vessel;
+  double largest_pressure = 0;
+  for (const auto& pair : result.at("contact"))
+    largest_pressure = std::max(largest_pressure, pair.at("largest_pressure").get<double>());
+  EXPECT_GT(largest_pressure, 0) << "the vein leans on the aorta";
+}
+
+TEST(GlennCoupled, InfantConvergesWithAClosedSeamAContactAndABalance) {
+  expect_one_minimum(solve_case("infant.yaml", "--fidelity coupled"));
+}
+
+TEST(GlennCoupled, AShorterVeinToo) {
+  expect_one_minimum(solve_case("infant_short.yaml", "--fidelity coupled"));
+}
+
+}  // namespace
+}  // namespace vasorod::testing

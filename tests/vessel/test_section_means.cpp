@@ -1,0 +1,78 @@
+#include "vessel/section_means.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/rigid_motion.h"
+#include "geometry/tube.h"
+
+namespace vasorod {
+namespace {
+
+Vessel fitted_tube() {
+  TubeSpec spec;
+  spec.length = 60;
+  spec.radius = 6;
+  spec.around = 32;
+  spec.along = 48;
+  return fit_vessel("tube", tube_surface(spec));
+}
+
+// Poses of a rod whose strain changes by a smooth field along the axis.
+RodPoses deformed(const RodTree& rod, double size) {
+  RodPoses poses = rod.rest;
+  double s = 0;
+  for (const RodElement& e : rod.elements) {
+    Vec6 strain = e.rest_strain;
+    strain[2] += 0.3 * size;
+    strain[4] += size * 0.05 * std::sin(M_PI * (s + e.length / 2) / 60);
+    strain[5] += size * 0.03;
+    poses[static_cast<size_t>(e.second)] =
+        poses[static_cast<size_t>(e.first)] * exp_motion(e.length * strain);
+    s += e.length;
+  }
+  return poses;
+}
+
+TEST(SectionMeans, ARodIsFoundAgainInTheSurfaceItCarries) {
+  const Vessel vessel = fitted_tube();
+  const RodPoses exact = deformed(vessel.rod, 0.2);
+  const Points carried = carried_points(vessel.rod, exact, vessel.binding);
+  // From itself exactly, from a neighbour to second order in the difference's change along a band.
+  for (const double other : {0.2, 0.19}) {
+    const RodPoses found = section_means(vessel, carried, deformed(vessel.rod, other), {});
+    for (size_t n = 0; n < exact.size(); ++n) {
+      const double tolerance = other == 0.2 ? 1e-9 : 2e-3;
+      EXPECT_LT((found[n].position - exact[n].position).norm(), tolerance * 6) << n;
+      EXPECT_LT((found[n].rotation - exact[n].rotation).norm(), tolerance) << n;
+    }
+  }
+}
+
+TEST(SectionMeans, AFlatteningLeavesTheAxisWhereItIs) {
+  const Vessel vessel = fitted_tube();
+  Points flat = vessel.surface.points;
+  flat.col(0) *= 0.8;
+  flat.col(1) *= 1.15;
+  const RodPoses found = section_means(vessel, flat, vessel.rod.rest, {});
+  for (size_t n = 0; n < found.size(); ++n) {
+    EXPECT_LT((found[n].position - vessel.rod.rest[n].position).norm(), 1e-3 * 6);
+    EXPECT_LT((found[n].rotation - vessel.rod.rest[n].rotation).norm(), 2e-3);
+  }
+}
+
+TEST(SectionMeans, WhatIsKnownIsTakenAndWhatIsUnseenFollowsItsNeighbour) {
+  const Vessel vessel = fitted_tube();
+  const size_t n = vessel.rod.rest.size();
+  std::vector<std::optional<Pose>> known(n);
+  known[0] = Pose{exp_rotation(Vec3(0.1, 0, 0)), Vec3(1, 2, 3)};
+  std::vector<char> unseen(n, 0);
+  unseen[n - 1] = 1;
+  const Vec3 shift(3, -1, 2);
+  const Points moved = vessel.surface.points.rowwise() + shift.transpose();
+  const RodPoses found = section_means(vessel, moved, vessel.rod.rest, known, unseen);
+  EXPECT_EQ(found[0].position, known[0]->position);
+  EXPECT_LT((found[n - 1].position - vessel.rod.rest[n - 1].position - shift).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,8 +1,11 @@
 #include "wall/triangle_stiffness.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+
+#include "wall/ring_softness.h"
 
 namespace vasorod {
 
@@ -52,6 +55,26 @@ struct CurvedPiece {
   }
 };
 
+// The section's stiffness with what mode n = 2 of a ring needs: the wall's shear, less the triangle's
+// softness.
+Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
+  Mat6 stiffness = wall_section_stiffness(section);
+  const Mat3 bending = stiffness.bottomRightCorner<3, 3>();
+  Mat2 b;
+  b << section.curvature[0], section.curvature[2], section.curvature[2], section.curvature[1];
+  const Eigen::SelfAdjointEigenSolver<Mat2> principal(b);
+  for (int i = 0; i < 2; ++i) {
+    const Vec2 d = principal.eigenvectors().col(i);
+    const double k = principal.eigenvalues()[i];
+    const Vec3 unit(d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1]);
+    const double softness = ring_softness(gradients, bending, d, k);
+    // stiffer by 1 + softness
+    const double stiffer = -softness / ((1 + softness) * unit.dot(bending * unit));
+    add_bending_compliance(stiffness, d, shear_compliance(section, d, k) + stiffer);
+  }
+  return stiffness;
+}
+
 }  // namespace
 
 Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
@@ -65,7 +88,7 @@ Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const Wall
   }
   const CurvedPiece piece(edge, section.curvature);
   const Mat6 map = piece.map * bending;
-  return area * piece.area_ratio * map.transpose() * wall_section_stiffness(section) * map;
+  return area * piece.area_ratio * map.transpose() * ring_corrected(gradients, section) * map;
 }
 
 }  // namespace vasorod

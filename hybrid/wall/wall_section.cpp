@@ -1,6 +1,5 @@
 #include "wall/wall_section.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 
@@ -20,7 +19,11 @@ Vec3 voigt(const Mat2& m) {
   return {m(0, 0), m(1, 1), m(0, 1) + m(1, 0)};
 }
 
-Mat6 kirchhoff_love(const WallSection& s, const Mat2& b) {
+}  // namespace
+
+Mat6 wall_section_stiffness(const WallSection& s) {
+  Mat2 b;
+  b << s.curvature[0], s.curvature[2], s.curvature[2], s.curvature[1];
   std::array<Mat2, 3> unit;
   unit[0] << 1, 0, 0, 0;
   unit[1] << 0, 0, 0, 1;
@@ -42,26 +45,16 @@ Mat6 kirchhoff_love(const WallSection& s, const Mat2& b) {
   return stiffness;
 }
 
-}  // namespace
+double shear_compliance(const WallSection& s, const Vec2& d, double curvature) {
+  return 4 * curvature * curvature / (5.0 / 6 * d.cwiseAbs2().dot(s.shear_modulus) * (s.outer - s.inner));
+}
 
-Mat6 wall_section_stiffness(const WallSection& s) {
-  Mat2 b;
-  b << s.curvature[0], s.curvature[2], s.curvature[2], s.curvature[1];
-  Mat6 stiffness = kirchhoff_love(s, b);
-  if (s.shear_modulus.isZero(0)) return stiffness;
-  const Eigen::SelfAdjointEigenSolver<Mat2> principal(b);
-  for (int i = 0; i < 2; ++i) {
-    const Vec2 d = principal.eigenvectors().col(i);
-    const double k = principal.eigenvalues()[i];
-    const double g = d.cwiseAbs2().dot(s.shear_modulus);
-    const double compliance = 4 * k * k / (5.0 / 6 * g * (s.outer - s.inner));
-    Vec6 bend = Vec6::Zero();
-    bend.tail<3>() << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
-    // (K^-1 + compliance bend bend^T)^-1 by Sherman and Morrison
-    const Vec6 moment = stiffness * bend;
-    stiffness -= compliance / (1 + compliance * bend.dot(moment)) * moment * moment.transpose();
-  }
-  return stiffness;
+void add_bending_compliance(Mat6& stiffness, const Vec2& d, double compliance) {
+  Vec6 bend = Vec6::Zero();
+  bend.tail<3>() << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+  // (K^-1 + compliance bend bend^T)^-1 by Sherman and Morrison
+  const Vec6 moment = stiffness * bend;
+  stiffness -= compliance / (1 + compliance * bend.dot(moment)) * moment * moment.transpose();
 }
 
 }  // namespace vasorod

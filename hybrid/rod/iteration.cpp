@@ -99,21 +99,20 @@ void RodIteration::step_down(double& shift) {
   elimination.solve(step_.twist, step_.stress, step_.stretch);
 }
 
-bool RodIteration::descend(double cap, double tolerance) {
+bool RodIteration::descend(double cap, double tolerance, int kicks) {
   problem_.soften(cap);
   problem_.take_elastic_stress(state);
   bool calm = false;
   double shift = 0;
-  int kicks = 0;
   for (int i = 0; i < 3 * options_.max_iterations && !calm; ++i) {
     count();
     problem_.update_carried(state, false);
     step_down(shift);
     const double size = step_.size();
     if (!std::isfinite(size)) break;
-    if (shift > 0 && size < tolerance && kicks < 5) {
+    if (shift > 0 && size < tolerance && kicks > 0) {
       // no slope, yet not a minimum: down the lowest mode
-      ++kicks;
+      --kicks;
       if (!kick()) break;
       continue;
     }
@@ -128,7 +127,7 @@ bool RodIteration::descend(double cap, double tolerance) {
       if (accepted) {
         std::swap(state, trial_);
         problem_.take_elastic_stress(state);
-        calm = fraction == 1 && size < tolerance && shift == 0;
+        calm = fraction == 1 && size < tolerance;
         shift = fraction == 1 ? (shift > 0.1 ? shift / 4 : 0) : std::max(1., 2 * shift);
       }
     }
@@ -181,7 +180,7 @@ bool RodIteration::soft_start() {
 bool RodIteration::minimize() {
   const double stiffest = problem_.stiffness_ratio();
   for (double cap = 1e4; cap < 1e7; cap *= 100) {
-    descend(cap, 1e-3);
+    descend(cap, 1e-3, 5);
     if (cap > stiffest) break;
   }
   return newton();

@@ -24,7 +24,7 @@ class RodIteration {
   bool newton();
   /// Goes down the energy with stretch and shear softened to `cap`; true when a full step was below
   /// `tolerance`. Leaves the true stiffness, and the soft one's stress in the state.
-  bool descend(double cap, double tolerance);
+  bool descend(double cap, double tolerance, int kicks = 0);
   /// Soft rod first, then the true one with the soft one's forces as stress; where that is too wide a jump,
   /// tenfold steps.
   bool soft_start();

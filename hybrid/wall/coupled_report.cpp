@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "surface/paper_report.h"
+#include "wall/fold.h"
 
 namespace vasorod {
 namespace {
 
 using Eigen::VectorXd;
+
+// Cosine between neighbours' normals: 154 degrees.
+constexpr double folded_flat = -0.9;
 
 size_t index(Eigen::Index i) {
   return static_cast<size_t>(i);
@@ -38,6 +43,19 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w, 
     if (!c.normal) mine.force += force;
   }
   return sections;
+}
+
+// Where a wall is folded over, two triangles' normals have no mean and the energy a corner: descent stops
+// there.
+void name_fold(const std::string& name, const TriangleSurface& surface, CoupledSolution& solution) {
+  const Fold fold = sharpest_fold(surface);
+  if (fold.cosine > folded_flat) return;
+  std::ostringstream note;
+  note.precision(4);
+  note << "the wall of " << name << " is folded flat over an edge at (" << fold.place.x() << ", "
+       << fold.place.y() << ", " << fold.place.z()
+       << "): its mesh is too coarse for what happens there, and no minimum was found";
+  solution.notes.push_back(note.str());
 }
 
 struct Sums {
@@ -131,6 +149,9 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled, c
     const WallReport energies = system->walls()[index(w)].energy->report(s.q[index(w)]);
     solution.membrane_energy += energies.membrane * scaled.energy();
     solution.bending_energy += (energies.bending + energies.coupling) * scaled.energy();
+    if (solution.status != CoupledStatus::converged)
+      name_fold(problem.surfaces.bodies[b].name, {mine.positions, problem.surfaces.bodies[b].rest.triangles},
+                solution);
   }
   surface.stretching_energy = solution.membrane_energy;
   surface.bending_energy = solution.bending_energy;

@@ -102,7 +102,7 @@ def sensitivity_picture(rows, path):
             axis.set_ylabel("variation, RMS over R" if quantity == "variation" else "reaction, max(|F|, |M|/R)")
             if line == 0:
                 axis.set_title(load)
-    axes[0][0].legend(fontsize=7)
+    axes[0][-1].legend(fontsize=7)
     save(figure, path)
     plt.close(figure)
 
@@ -114,7 +114,7 @@ def trade_picture(rows, path, front):
         mine = [row for row in rows if row["model"] == model]
         axis.scatter([row["seconds"] for row in mine], [100 * row["rms"] for row in mine], color=COLOURS.get(model, "#7a4fa3"), label=model, s=30)
         for row in mine:
-            axis.annotate(row["settings"], (row["seconds"], 100 * row["rms"]), fontsize=6, xytext=(3, 3), textcoords="offset points")
+            axis.annotate(f"{row['settings']:g}" if isinstance(row["settings"], float) else row["settings"], (row["seconds"], 100 * row["rms"]), fontsize=6, xytext=(3, 3), textcoords="offset points")
     axis.plot([row["seconds"] for row in front], [100 * row["rms"] for row in front], color="#222222", linewidth=0.8, label="Pareto front")
     axis.set_xscale("log")
     axis.set_yscale("log")

@@ -7,7 +7,7 @@ from tables import read_table
 
 FIDELITIES = ("skin", "paper", "coupled")
 KINDS = ("stretch", "twist", "bend")
-SAFETY = 1.25  # on what was measured: a tapered tube exceeded the bare table by 8 %
+SAFETY = 1.5  # on what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %
 HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
 // clang-format off
 #include "vessel/accuracy_table.h"

@@ -165,14 +165,32 @@ def front_of(rows):
     return front
 
 
+def settings_text(value):
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def time_ratios(rows):
+    """Per resolution of `coupled`: the cheapest shell that is at least as near to the reference, over its processor time."""
+    lines = []
+    for row in sorted((row for row in rows if row["model"] == "coupled"), key=lambda r: r["seconds"]):
+        shells = [other for other in rows if other["model"] == "shell" and other["rms"] <= row["rms"]]
+        if shells:
+            best = min(shells, key=lambda r: r["seconds"])
+            ratio = best["seconds"] / row["seconds"]
+            lines.append([settings_text(row["settings"]), best["settings"], f"{ratio:.1f}", "held" if ratio >= 30 else "missed"])
+    return "### Time ratio of the shell at equal error (aim: 30)\n\n" + markdown(("coupled, points around", "cheapest shell at least as near", "its time over coupled's", ""),
+                                                                               lines) if lines else ""
+
+
 def trade_section(rows, notes):
     rows = [row for row in rows if row["rms"] is not None]
     front = front_of(rows)
-    lines = [[row["model"], row["settings"], f"{row['seconds']:.2f}", f"{row['peak_bytes'] / 2**20:.0f}", percent(row["rms"], 3), percent(row["reaction"], 2),
+    lines = [[row["model"], settings_text(row["settings"]), f"{row['seconds']:.2f}", f"{row['peak_bytes'] / 2**20:.0f}", percent(row["rms"], 3), percent(row["reaction"], 2),
               "front" if row in front else ""] for row in sorted(rows, key=lambda r: r["seconds"])]
-    return "\n".join(["## Time against error\n", f"Case `{rows[0]['case']}`. Processor time and peak memory of the whole program, reading and writing included, one thread; "
+    return "\n".join(["## Time against error\n", f"Case `{rows[0]['case']}`. Processor time and peak memory of the whole program, reading and writing included, one thread, one run each on a shared machine; "
                       f"error against {rows[0]['reference']}.\n", f"![Trade]({IMAGES}/trade.png)\n",
-                      markdown(("model", "settings", "processor time, s", "peak memory, MiB", "RMS, % R", "reaction, %", ""), lines), provenance_text(notes)])
+                      markdown(("model", "settings", "processor time, s", "peak memory, MiB", "RMS, % R", "reaction, %", ""), lines),
+                      time_ratios(rows), provenance_text(notes)])
 
 
 def write_report(baselines, docs):

@@ -7,7 +7,7 @@ from runs import hybrid, reference
 
 FACTORS = tuple(10 ** (k / 5 - 2) for k in range(21))
 FEW = tuple(FACTORS[k] for k in (0, 5, 10, 15, 20))  # what a quick check runs
-REFERENCE_FACTORS = tuple(10 ** (2 * k / 3 - 2) for k in range(7))
+REFERENCE_FACTORS = tuple(FACTORS[k] for k in (0, 3, 7, 10, 13, 17, 20))
 MODULI = ("E", "G")
 FIDELITIES = ("skin", "paper", "coupled")
 AROUND = 48

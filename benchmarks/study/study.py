@@ -16,9 +16,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import accuracy  # noqa: E402
+import calculix  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
+import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
 from store import REPOSITORY, Store  # noqa: E402
@@ -29,12 +31,16 @@ PLANS = {  # per case
     "accuracy": accuracy.hybrid_runs,
     "shell": lambda case: [accuracy_shell(case)],
     "solid": lambda case: [accuracy_reference(case)],
+    "trade": trade.all_runs,
 }
 SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
 
 
 def open_store(arguments):
-    return Store(arguments.results, {"vasorod": arguments.build / "bin" / "vasorod", "vasorod-fem": arguments.build / "bin" / "vasorod-fem"})
+    programs = {"vasorod": arguments.build / "bin" / "vasorod", "vasorod-fem": arguments.build / "bin" / "vasorod-fem"}
+    if calculix.PROGRAM:
+        programs["ccx"] = calculix.PROGRAM
+    return Store(arguments.results, programs)
 
 
 def chosen_cases(arguments):
@@ -72,6 +78,7 @@ def run(arguments):
 def tables(arguments):
     store = open_store(arguments)
     accuracy.make_table(store, all_cases(), arguments.baselines / "accuracy.csv")
+    trade.make_table(store, arguments.baselines / "trade.csv")
     if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
         regression.accept(store, arguments.baselines, "first")
 

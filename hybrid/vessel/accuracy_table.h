@@ -16,7 +16,7 @@ namespace vasorod {
 enum class LoadKind { stretch, twist, bend };
 
 /// Up to `demand`, on meshes whose mean edge over R is at most `edge`, material points were within `error`
-/// (RMS over R) of the reference on every case measured, its own error counted in and a margin of 1.25.
+/// (RMS over R) of the reference on every case measured, its own error counted in and a margin of 1.5.
 struct AccuracyRow {
   Fidelity fidelity;
   LoadKind kind;

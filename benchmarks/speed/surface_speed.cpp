@@ -1,7 +1,8 @@
 // The surface solves side by side: a tube (R 8, t 1.6, L 160) bent along the inextensible arc to half its
-// Brazier limit, by `paper`, by CGAL's Surface_mesh_deformation (SR_ARAP, both rims as position handles),
-// each to a relative residual of 1e-4 of its own energy, and the floor of `paper`: analyse, factorise and
-// solve once with its constant matrix. Counters: vertices, iterations, residual.
+// Brazier limit, by `paper`, by `coupled`, by CGAL's Surface_mesh_deformation (SR_ARAP, both rims as position
+// handles), each to a relative residual of 1e-4 of its own energy, and the floors: analyse, factorise and
+// solve once with the constant matrix of `paper`, and with the rest Hessian K0 of `coupled`. Counters:
+// vertices, iterations, residual.
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -13,6 +14,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/rigid_motion.h"
 #include "geometry/tube.h"
 #include "surface/binding.h"
 #include "surface/blas.h"
@@ -20,6 +22,7 @@
 #include "surface/paper_energy.h"
 #include "surface/paper_solver.h"
 #include "surface/scaled_bodies.h"
+#include "wall/coupled_problem.h"
 
 namespace {
 
@@ -131,6 +134,107 @@ void paper_floor(benchmark::State& state) {
   state.counters["vertices"] = static_cast<double>(body.rest.points.rows());
 }
 BENCHMARK(paper_floor)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+CarriedBody carried_wall(const TubeSpec& tube, double angle) {
+  const SurfaceBody body = carried_body(tube, angle);
+  TubeSpec arc = tube;
+  arc.bend_deg = angle * 180 / std::numbers::pi;
+  const Mat3 turn = tube_axis(arc, length).rotation * tube_axis(tube, length).rotation.transpose();
+  return {body.carried, body.rotations, {Pose{}, Pose{turn, tube_axis(arc, length).position}}};
+}
+
+HeldSection rim(const TubeSpec& tube, int row) {
+  HeldSection section;
+  section.label = row == 0 ? "start" : "end";
+  for (int k = 0; k < tube.around; ++k) section.ring.push_back(row * tube.around + k);
+  section.rest.position = tube_axis(tube, row == 0 ? 0 : length).position;
+  return section;
+}
+
+HeldSection moved_rim(const TubeSpec& tube, double angle) {
+  HeldSection section = rim(tube, tube.along);
+  const Pose target = carried_wall(tube, angle).sections[1];
+  section.motion.rotate = log_rotation(target.rotation);
+  section.motion.move = target.position - section.rest.position;
+  return section;
+}
+
+CoupledProblem coupled_problem(const TubeSpec& tube, double angle) {
+  CoupledProblem problem;
+  problem.surfaces.bodies = {carried_body(tube, angle)};
+  CoupledVessel vessel;
+  vessel.wall.rest = problem.surfaces.bodies[0].rest;
+  vessel.wall.thickness.setConstant(vessel.wall.rest.points.rows(), thickness);
+  vessel.wall.axis.assign(static_cast<std::size_t>(vessel.wall.rest.triangles.rows()), Vec3::UnitZ());
+  vessel.wall.material = WallMaterial::isotropic(1, poisson);
+  vessel.sections = {rim(tube, 0), moved_rim(tube, angle)};
+  problem.vessels.push_back(std::make_unique<CoupledVessel>(std::move(vessel)));
+  problem.carried = [=](double t) { return std::vector<CarriedBody>{carried_wall(tube, t * angle)}; };
+  return problem;
+}
+
+CoupledOptions coupled_options() {
+  CoupledOptions options;
+  options.tolerance = residual_asked;
+  options.balance_tolerance = 1;
+  options.certify = false;
+  return options;
+}
+
+void report(benchmark::State& state, const CoupledSolution& last) {
+  state.counters["vertices"] = static_cast<double>(last.surface.bodies[0].positions.rows());
+  state.counters["iterations"] = last.surface.iterations;
+  state.counters["residual"] = last.surface.residual;
+  state.SetLabel(to_string(last.status));
+}
+
+void coupled(benchmark::State& state) {
+  const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
+  CoupledSolution last;
+  for (auto _ : state) last = CoupledSolver(coupled_problem(tube, bend_angle()), coupled_options()).solve();
+  report(state, last);
+}
+BENCHMARK(coupled)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+void coupled_again(benchmark::State& state) {  // another bend, factors kept
+  const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
+  CoupledSolver solver(coupled_problem(tube, bend_angle()), coupled_options());
+  solver.solve();
+  const double other = 0.9 * bend_angle();
+  CoupledSolution last;
+  for (auto _ : state) {
+    solver.set_sections(0, {rim(tube, 0), moved_rim(tube, other)});
+    solver.set_carried([=](double t) { return std::vector<CarriedBody>{carried_wall(tube, t * other)}; });
+    last = solver.solve();
+  }
+  report(state, last);
+}
+BENCHMARK(coupled_again)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+
+void coupled_floor(benchmark::State& state) {
+  const CoupledProblem problem = coupled_problem(tube_of(static_cast<int>(state.range(0))), bend_angle());
+  const WallInput& input = problem.vessels[0]->wall;
+  WallEnergy wall(input);
+  Eigen::SparseMatrix<double> k0 = wall.hessian(wall.rest());
+  const auto& fixed = problem.surfaces.bodies[0].fixed;
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    for (Eigen::Index k = 0; fixed[i] && k < 3; ++k) {  // both rims held, as stiff springs
+      const Eigen::Index row = 3 * static_cast<Eigen::Index>(i) + k;
+      k0.coeffRef(row, row) *= 1e6;
+    }
+  Eigen::VectorXd b = wall.rest(), x = b;
+  bool factorised = false;
+  for (auto _ : state) {
+    Cholesky factor;
+    factor.analyse(k0);
+    factorised = factor.factorise(k0);
+    if (factorised) factor.solve(b.data(), x.data(), 1);
+    benchmark::DoNotOptimize(x.data());
+  }
+  if (!factorised) state.SkipWithError("K0 is not positive definite");
+  state.counters["vertices"] = static_cast<double>(input.rest.points.rows());
+}
+BENCHMARK(coupled_floor)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;

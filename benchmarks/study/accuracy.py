@@ -1,6 +1,6 @@
 """The accuracy table: every fidelity at three resolutions, and the shell, against the solid on every case."""
 
-from measure import compared, converged, result_of
+from measure import compared, converged, failure_of, result_of
 from runs import AROUND, FIDELITIES, accuracy_reference, accuracy_shell, hybrid
 from tables import provenance, write_table
 
@@ -57,7 +57,7 @@ def rows_of(store, case, records):
             numbers = compared(store, case, run, reference)
             row.update({name: numbers[name] for name in COLUMNS}, failure=None)
         else:
-            row.update({name: None for name in COLUMNS}, failure=record["sentence"] or f"exit {record['exit']}")
+            row.update({name: None for name in COLUMNS}, failure=failure_of(store, record))
         rows.append(row)
     return rows
 

@@ -15,6 +15,13 @@ def converged(store, record):
     return record is not None and record["exit"] == 0
 
 
+def failure_of(store, record):
+    """Why a run does not count: its status where it wrote a result (exit 1), else its sentence."""
+    if record["exit"] == 1:
+        return "status " + result_of(store, record["identity"])["status"]
+    return record["sentence"] or f"exit {record['exit']}"
+
+
 def norm(vector):
     return math.sqrt(sum(x * x for x in vector))
 

@@ -57,14 +57,13 @@ constexpr AccuracyRow rows[] = {
     {coupled, stretch, 0.2645, 0.2, 0.0015},
     {coupled, twist, 0.1323, 0.4808, 2.2e-05},
     {coupled, twist, 0.2645, 0.4808, 1.8e-05},
-    {coupled, bend, 0.1323, 0.08161, 0.00013},
-    {coupled, bend, 0.1323, 0.204, 0.00036},
-    {coupled, bend, 0.1323, 0.4081, 0.00098},
-    {coupled, bend, 0.1323, 0.5713, 0.0034},
-    {coupled, bend, 0.2645, 0.08161, 0.00027},
-    {coupled, bend, 0.2645, 0.204, 0.00094},
-    {coupled, bend, 0.2645, 0.4081, 0.0035},
-    {coupled, bend, 0.2645, 0.5713, 0.088},
+    {coupled, bend, 0.1323, 0.08161, 0.00012},
+    {coupled, bend, 0.1323, 0.204, 0.00029},
+    {coupled, bend, 0.1323, 0.4081, 0.00064},
+    {coupled, bend, 0.1323, 0.5713, 0.0018},
+    {coupled, bend, 0.2645, 0.08161, 0.00025},
+    {coupled, bend, 0.2645, 0.204, 0.0006},
+    {coupled, bend, 0.2645, 0.4081, 0.0012},
 };
 
 }  // namespace

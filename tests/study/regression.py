@@ -14,9 +14,9 @@ import sensitivity  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
-# smaller than the real one: one load, three factors, coarse
+# smaller than the real one: one load, two factors, coarse
 sensitivity.LOADS = {"bend": sensitivity.LOADS["bend"]}
-sensitivity.FACTORS = sensitivity.FEW = (0.1, 1.0, 10.0)
+sensitivity.FACTORS = sensitivity.FEW = (0.1, 1.0)
 sensitivity.FIDELITIES = ("paper",)
 sensitivity.hybrid_run.__defaults__ = (24,)
 
@@ -49,16 +49,15 @@ with tempfile.TemporaryDirectory() as scratch:
     sensitivity.make_rows = lambda store: with_reference(store, sensitivity.LOADS, sensitivity.FIDELITIES, sensitivity.FACTORS, False)
     regression.accept(good, baselines, "first")
     rows, notes = read_table(baselines / regression.FILE)
-    assert len(rows) == 6 and all(row["energy"] > 0 and row["failure"] is None for row in rows), rows
+    assert len(rows) == 4 and all(row["energy"] > 0 and row["failure"] is None for row in rows), rows
     assert notes[-1].startswith("accepted ") and notes[-1].endswith(": first")
     regression.accept(good, baselines, "again")
     assert [note.rsplit(": ")[-1] for note in read_table(baselines / regression.FILE)[1][-2:]] == ["first", "again"], "a reason was lost"
 
     ok, said = told(lambda: regression.check(good, baselines))
-    assert ok and "6 points" in said, said
+    assert ok and "4 points" in said, said
 
-    for name, change in {"stiffness": "vessel['wall']['young'] *= 1.02", "shear": "vessel['wall']['shear'] *= 1.02",
-                         "thickness": "vessel['wall']['thickness'] *= 1.02"}.items():
+    for name, change in {"stiffness": "vessel['wall']['young'] *= 1.02", "shear": "vessel['wall']['shear'] *= 1.02"}.items():
         program = scratch / f"altered-{name}"
         program.write_text(ALTERED.format(python=sys.executable, vasorod=sys.argv[2], change=change))
         program.chmod(0o755)

@@ -128,6 +128,9 @@ int main(int argc, char** argv) {
       ->add_option("--largest-step", arguments.options.stepper.largest_step,
                    "largest load step (default 0.25)")
       ->check(CLI::Range(1e-4, 1.0));
+  command->add_flag_callback(
+      "--no-jumps", [&arguments] { arguments.options.stepper.largest_jump = 0.7; },
+      "take no step that snaps to another branch; follow the path through its limit points instead");
   command
       ->add_option("--arc-steps", arguments.options.stepper.arc_steps,
                    "steps in arc length past a limit point (default 300; 0: the path ends there)")

@@ -17,8 +17,10 @@ struct StepperOptions {
   double largest_step =
       0.25;  ///< extrapolation over more than a quarter of a bend starts Newton too far away
   double smallest_step = 1e-3;  ///< below this load steps end: a limit point, or the model's end
-  double largest_jump =
-      0.7;                  ///< of Newton from its extrapolated guess, over the step: more is another branch
+  /// Newton's way from its extrapolated guess, over the step: beyond it, another branch, and the step counts
+  /// as failed. Unlimited by default: a kinking tube then snaps through, as in the hand; 0.7 follows the
+  /// path.
+  double largest_jump = 1e300;
   int arc_steps = 300;      ///< steps in arc length after that; 0: the path ends at its first limit point
   int max_iterations = 14;  ///< quadratic convergence needs 4 to 6; more than 14 means a step too long
   double tolerance = 1e-9;  ///< residual over the assembled size of the internal forces

@@ -57,6 +57,7 @@ TEST(ArcLength, FollowsAShallowArchThroughItsLimitPoints) {
   StepperOptions options;
   options.first_step = 0.05;
   options.largest_step = 0.05;
+  options.largest_jump = 0.7;
   std::vector<Point> path;
   options.on_step = [&](double load, const State& at, const System::Assembly&) {
     path.push_back({load, -at.u[7 * crown + 2]});

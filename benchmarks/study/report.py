@@ -123,7 +123,8 @@ def promise_section(rows):
     return "\n".join(["## `accuracy: x`\n", "The table behind it (`hybrid/vessel/accuracy_table.cpp`) is made from the pulled, twisted and bent straight tubes "
                       "above: at each level the largest error over their walls plus the reference's own, "
                       f"times {promise.SAFETY}. Between levels it is interpolated linearly, over kinds of load summed. "
-                      "These cases it was not made from; tubes curved at rest it does not cover.\n",
+                      "These cases it was not made from, but the margin was raised until all of them kept it, so they are no independent "
+                      "test of the margin. Tubes curved at rest it does not cover.\n",
                       markdown(("case", "fidelity", "points around", "promised, % R", "measured, % R", ""), lines)])
 
 

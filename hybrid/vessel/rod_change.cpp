@@ -24,12 +24,18 @@ std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& p
 std::vector<ElementChange> node_changes(const RodTree& rod, const std::vector<ElementChange>& elements) {
   std::vector<ElementChange> nodes(rod.rest.size());
   std::vector<int> count(rod.rest.size(), 0);
+  const auto add = [&](size_t node, const ElementChange& element) {
+    nodes[node].strain += element.strain;
+    nodes[node].change += element.change;
+    ++count[node];
+  };
   for (size_t e = 0; e < elements.size(); ++e)
-    for (const int node : {rod.elements[e].first, rod.elements[e].second}) {
-      nodes[static_cast<size_t>(node)].strain += elements[e].strain;
-      nodes[static_cast<size_t>(node)].change += elements[e].change;
-      ++count[static_cast<size_t>(node)];
-    }
+    if (!elements[e].at_fork)
+      for (const int node : {rod.elements[e].first, rod.elements[e].second})
+        add(static_cast<size_t>(node), elements[e]);
+  for (size_t e = 0; e < elements.size(); ++e)  // a branch of one element has nothing else
+    for (const int node : {rod.elements[e].first, rod.elements[e].second})
+      if (count[static_cast<size_t>(node)] == 0) add(static_cast<size_t>(node), elements[e]);
   for (size_t i = 0; i < nodes.size(); ++i) {
     nodes[i].strain /= count[i];
     nodes[i].change /= count[i];

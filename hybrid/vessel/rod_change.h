@@ -22,7 +22,8 @@ struct ElementChange {
 
 std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& poses);
 
-/// The mean of the element changes at each node: strain and change.
+/// The mean of the element changes at each node: strain and change. The first element of a side branch counts
+/// only where a node has no other.
 std::vector<ElementChange> node_changes(const RodTree& rod, const std::vector<ElementChange>& elements);
 
 }  // namespace vasorod

@@ -130,4 +130,19 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   }
 }
 
+void StagedSummary::add(const LbfgsSummary& stage) {
+  status = stage.status;
+  iterations += stage.iterations;
+  energy = stage.energy;
+  residual = stage.residual;
+}
+
+std::function<bool(int, double, double)> StagedSummary::counting(
+    const std::function<bool(int, double, double)>& keep_going) const {
+  if (!keep_going) return {};
+  return [this, keep_going](int iteration, double at, double left) {
+    return keep_going(iterations + iteration, at, left);
+  };
+}
+
 }  // namespace vasorod

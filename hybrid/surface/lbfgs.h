@@ -37,6 +37,19 @@ struct LbfgsSummary {
   double energy = 0, residual = 0;
 };
 
+/// What several runs one after another come to: the last one's end, all their iterations.
+struct StagedSummary {
+  LbfgsStatus status = LbfgsStatus::iteration_limit;
+  int iterations = 0;
+  double energy = 0, residual = 0;
+
+  void add(const LbfgsSummary& stage);
+  /// LbfgsOptions::keep_going of the next stage, which counts iterations from the first one on. May be empty;
+  /// this must outlive it.
+  std::function<bool(int, double, double)> counting(
+      const std::function<bool(int, double, double)>& keep_going) const;
+};
+
 /// Returns the energy at x, writes its gradient, and a residual that says how small that is.
 using Evaluation =
     std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual)>;

@@ -74,15 +74,9 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   };
   LbfgsOptions inner;
   inner.tolerance = options.tolerance;
-  if (options.keep_going)
-    inner.keep_going = [&](int iteration, double energy, double residual) {
-      return options.keep_going(summary.iterations + iteration, energy, residual);
-    };
-  const auto take = [&](const LbfgsSummary& s) {
-    summary.status = s.status;
-    summary.iterations += s.iterations;
-    summary.energy = s.energy;
-    summary.residual = s.residual;
+  inner.keep_going = summary.counting(options.keep_going);
+  const auto take = [&](const LbfgsSummary& stage) {
+    summary.add(stage);
     p = points_of(x);
   };
   const Preconditioner by_bound = [this](const VectorXd& gradient, VectorXd& direction) {

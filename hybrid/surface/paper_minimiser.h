@@ -20,11 +20,9 @@ struct PaperMinimiserOptions {
       keep_going;  ///< false interrupts; may be empty
 };
 
-struct PaperMinimiserSummary {
-  LbfgsStatus status = LbfgsStatus::iteration_limit;
-  int iterations = 0;      ///< both kinds
+/// Iterations of both kinds.
+struct PaperMinimiserSummary : StagedSummary {
   int factorisations = 0;  ///< of the true Hessian
-  double energy = 0, residual = 0;
 };
 
 class PaperMinimiser {

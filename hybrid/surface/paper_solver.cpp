@@ -12,6 +12,7 @@
 #include "surface/paper_report.h"
 #include "surface/paper_solver.h"
 #include "surface/scaled_bodies.h"
+#include "surface/seam.h"
 
 namespace vasorod {
 namespace {
@@ -30,7 +31,7 @@ class PaperRun {
         start_(std::chrono::steady_clock::now()),
         scaled_(scale_bodies(problem)),
         contacts_(problem, scaled_, options.contact_stiffness) {
-    for (const SeamPair& seam : problem.seams) check(seam);
+    check_seams(problem.seams, scaled_);
     for (const auto& [a, b] : problem.contacts)
       if (std::min(a, b) < 0 || std::max(a, b) >= static_cast<int>(problem.bodies.size()))
         throw InputError("contact: found bodies " + std::to_string(a) + " and " + std::to_string(b) +
@@ -39,7 +40,7 @@ class PaperRun {
     for (ScaledBody& body : scaled_.bodies) body.modelled = body.moved;
     for (const SeamPair& seam : problem.seams)
       for (const int b : {seam.body_a, seam.body_b}) this->body(b).modelled = !this->body(b).obstacle;
-    seam_radius_ = seam_radius();
+    seam_radius_ = mouth_radius(problem.seams, scaled_);
   }
 
   PaperSolution run() {
@@ -56,24 +57,6 @@ class PaperRun {
 
  private:
   ScaledBody& body(int index) { return scaled_.bodies[static_cast<size_t>(index)]; }
-  const ScaledBody& body(int index) const { return scaled_.bodies[static_cast<size_t>(index)]; }
-
-  void check(const SeamPair& seam) const {
-    for (const auto& [b, v] : {std::pair{seam.body_a, seam.vertex_a}, std::pair{seam.body_b, seam.vertex_b}})
-      if (b < 0 || b >= static_cast<int>(problem_.bodies.size()) || v < 0 || v >= body(b).rest.points.rows())
-        throw InputError("seam: found vertex " + std::to_string(v) + " of body " + std::to_string(b) +
-                         ", expected one that exists");
-  }
-
-  // Of the mouth: RMS distance of its rest vertices from their mean.
-  double seam_radius() const {
-    if (problem_.seams.empty()) return 0;
-    Points mouth(static_cast<Eigen::Index>(problem_.seams.size()), 3);
-    for (size_t i = 0; i < problem_.seams.size(); ++i)
-      mouth.row(static_cast<Eigen::Index>(i)) =
-          body(problem_.seams[i].body_a).rest.points.row(problem_.seams[i].vertex_a);
-    return std::sqrt((mouth.rowwise() - mouth.colwise().mean()).rowwise().squaredNorm().mean());
-  }
 
   void build() {
     system_ = {};
@@ -84,15 +67,8 @@ class PaperRun {
       first_[b] = system_.vertex_count();
       append_body(system_, mine.rest, mine.carried, mine.rotations, mine.k, mine.fixed);
     }
-    for (size_t i = 0; i < problem_.seams.size(); ++i) {
-      const SeamPair& seam = problem_.seams[i];
-      for (const int b : {seam.body_a, seam.body_b})
-        system_.k_j = std::max(system_.k_j,
-                               options_.seam_stiffness * std::max(body(b).k.bending, body(b).k.stretching));
-      system_.joins.push_back({first_[static_cast<size_t>(seam.body_a)] + seam.vertex_a,
-                               first_[static_cast<size_t>(seam.body_b)] + seam.vertex_b,
-                               seam_multipliers_[i]});
-    }
+    system_.k_j = joining_stiffness(problem_.seams, scaled_, options_.seam_stiffness);
+    system_.joins = stacked_joins(problem_.seams, first_, seam_multipliers_);
     stack_contacts();
     minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_);
     positions_.resize(system_.vertex_count(), 3);
@@ -119,13 +95,6 @@ class PaperRun {
       return false;
     return !options_.keep_going ||
            options_.keep_going({solution_.outer_iterations, solution_.iterations + iteration, residual});
-  }
-
-  double largest_seam_gap() const {
-    double largest = 0;
-    for (const Join& join : system_.joins)
-      largest = std::max(largest, (positions_.row(join.a) - positions_.row(join.b)).norm());
-    return largest;
   }
 
   void iterate() {
@@ -159,7 +128,8 @@ class PaperRun {
         return;
       }
       const bool at_rest = summary.residual <= options_.tolerance;
-      const bool seam_closed = largest_seam_gap() <= options_.seam_tolerance * seam_radius_;
+      const bool seam_closed =
+          largest_gap(system_.joins, positions_) <= options_.seam_tolerance * seam_radius_;
       const ContactState contact = contacts_.refresh(scaled_);
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= options_.contact_tolerance &&

@@ -159,16 +159,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
   };
   LbfgsOptions inner;
   inner.largest_step = options.largest_step;
-  if (options.keep_going)
-    inner.keep_going = [&](int iteration, double energy, double residual) {
-      return options.keep_going(summary.iterations + iteration, energy, residual);
-    };
-  const auto take = [&](const LbfgsSummary& s) {
-    summary.status = s.status;
-    summary.iterations += s.iterations;
-    summary.energy = s.energy;
-    summary.residual = s.residual;
-  };
+  inner.keep_going = summary.counting(options.keep_going);
   const Preconditioner rest = [this](const VectorXd& g, VectorXd& d) { by_rest(g, d); };
   const Preconditioner hessian = [this](const VectorXd& g, VectorXd& d) {
     factor_.solve(g.data(), d.data(), 1);
@@ -179,7 +170,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
     inner.tolerance = std::max(options.rough, options.tolerance);
     inner.patience = options.rest_patience;
     inner.max_iterations = options.max_iterations;
-    take(lbfgs(evaluation, rest, z, inner));
+    summary.add(lbfgs(evaluation, rest, z, inner));
     summary.rest_iterations = summary.iterations;
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return summary;
   }
@@ -190,7 +181,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
   bool fresh = false;  // factor_ belongs to a point near z, unshifted
   if (options.reuse_hessian && factor_.factorised()) {
     inner.max_iterations = options.per_hessian;
-    take(lbfgs(evaluation, hessian, z, inner));
+    summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return summary;
   }
   while (summary.factorisations < options.max_factorisations && summary.iterations < options.max_iterations) {
@@ -209,7 +200,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
       continue;
     }
     inner.max_iterations = std::min(options.per_hessian, options.max_iterations - summary.iterations);
-    take(lbfgs(evaluation, hessian, z, inner));
+    summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted()) return summary;
     if (summary.status == LbfgsStatus::converged || (summary.status == LbfgsStatus::stalled && at_rest)) {
       if (fresh && (factored_at <= near_enough || !options.certify)) {

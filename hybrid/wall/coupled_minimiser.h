@@ -30,10 +30,9 @@ struct CoupledMinimiserOptions {
   std::function<bool(int iteration, double energy, double residual)> keep_going;  ///< false interrupts
 };
 
-struct CoupledMinimiserSummary {
-  LbfgsStatus status = LbfgsStatus::iteration_limit;
-  int iterations = 0, rest_iterations = 0, factorisations = 0;
-  double energy = 0, residual = 0;
+/// Iterations of all stages.
+struct CoupledMinimiserSummary : StagedSummary {
+  int rest_iterations = 0, factorisations = 0;
   bool positive = false;     ///< the Hessian at the result is positive definite
   bool left_saddle = false;  ///< an equilibrium on the way was none to stay at
 };

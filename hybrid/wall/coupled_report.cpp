@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "surface/paper_report.h"
@@ -11,9 +12,6 @@ namespace vasorod {
 namespace {
 
 using Eigen::VectorXd;
-
-// Cosine between neighbours' normals: 154 degrees.
-constexpr double folded_flat = -0.9;
 
 size_t index(Eigen::Index i) {
   return static_cast<size_t>(i);
@@ -45,16 +43,16 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w, 
   return sections;
 }
 
-// Where a wall is folded over, two triangles' normals have no mean and the energy a corner: descent stops
-// there.
-void name_fold(const std::string& name, const TriangleSurface& surface, CoupledSolution& solution) {
-  const Fold fold = sharpest_fold(surface);
-  if (fold.cosine > folded_flat) return;
+// Where a wall folds sharper than a right angle over one edge its mesh cannot follow it (stops.h).
+void name_fold(const SurfaceBody& body, const Points& positions, CoupledSolution& solution) {
+  const Fold fold = sharpest_fold({positions, body.rest.triangles});
+  if (fold.cosine > 0 || sharpest_fold(body.rest).cosine < 0) return;
   std::ostringstream note;
   note.precision(4);
-  note << "the wall of " << name << " is folded flat over an edge at (" << fold.place.x() << ", "
-       << fold.place.y() << ", " << fold.place.z()
-       << "): its mesh is too coarse for what happens there, and no minimum was found";
+  note << "the wall of " << body.name << " is folded by "
+       << std::lround(std::acos(std::max(-1.0, fold.cosine)) * 180 / std::numbers::pi)
+       << " degrees over one edge at (" << fold.place.x() << ", " << fold.place.y() << ", " << fold.place.z()
+       << "): its mesh is too coarse for what happens there";
   solution.notes.push_back(note.str());
 }
 
@@ -149,9 +147,7 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled, c
     const WallReport energies = system->walls()[index(w)].energy->report(s.q[index(w)]);
     solution.membrane_energy += energies.membrane * scaled.energy();
     solution.bending_energy += (energies.bending + energies.coupling) * scaled.energy();
-    if (solution.status != CoupledStatus::converged)
-      name_fold(problem.surfaces.bodies[b].name, {mine.positions, problem.surfaces.bodies[b].rest.triangles},
-                solution);
+    name_fold(problem.surfaces.bodies[b], mine.positions, solution);
   }
   surface.stretching_energy = solution.membrane_energy;
   surface.bending_energy = solution.bending_energy;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wall/membrane_strain.h"
+#include "wall/stops.h"
 
 namespace vasorod {
 
@@ -34,8 +35,18 @@ struct Height {
   }
 };
 
+// What the stop against collapse is multiplied by: about E t A.
+double collapse_stiffness(const TriangleRest& rest) {
+  return (rest.stiffness(0, 0) + rest.stiffness(1, 1)) / 2;
+}
+
+double relieved(const TriangleRest& rest, const TriangleState& state, const Vec6& y) {
+  const double apart = y[2] - state.partner_shear;
+  return rest.relief / 4 * apart * apart;
+}
+
 double slope(const TriangleState& s, int k) {
-  return s.half_sine[k] + s.xi[k] * s.half_cosine[k];
+  return s.half_sine[k] + FoldStop(s.half_sine[k], s.half_cosine[k]).value + s.xi[k] * s.half_cosine[k];
 }
 
 }  // namespace
@@ -51,6 +62,12 @@ Vec6 triangle_strains(StrainLaw law, const TriangleRest& rest, const TriangleSta
   return y;
 }
 
+double triangle_value(StrainLaw law, const TriangleRest& rest, const TriangleState& state) {
+  const Vec6 y = triangle_strains(law, rest, state);
+  return y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
+         collapse_stiffness(rest) * CollapseStop(state.metric).value;
+}
+
 TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const TriangleState& state,
                                bool with_hessian) {
   TriangleEnergy e;
@@ -58,15 +75,23 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
   e.strains = triangle_strains(law, rest, state);
   e.stress.noalias() = rest.stiffness * e.strains;
   e.value = e.stress.dot(e.strains) / 2;
+  if (rest.relief > 0) {
+    e.value -= relieved(rest, state, e.strains);
+    e.stress[2] -= rest.relief * (e.strains[2] - state.partner_shear);
+  }
+  const CollapseStop stop(state.metric);
+  e.value += collapse_stiffness(rest) * stop.value;
   e.gradient.setZero();
-  e.gradient.head<3>().noalias() = membrane.derivative.transpose() * e.stress.head<3>();
+  e.gradient.head<3>() =
+      membrane.derivative.transpose() * e.stress.head<3>() + collapse_stiffness(rest) * stop.gradient;
 
   Eigen::Matrix<double, 6, 9> d;  // of y by the nine scalars
   if (with_hessian) {
     d.setZero();
     d.topLeftCorner<3, 3>() = membrane.derivative;
     e.hessian.setZero();
-    e.hessian.topLeftCorner<3, 3>() = membrane_strain_hessian(law, state.metric, e.stress.head<3>());
+    e.hessian.topLeftCorner<3, 3>() = membrane_strain_hessian(law, state.metric, e.stress.head<3>()) +
+                                      collapse_stiffness(rest) * stop.hessian;
   }
   for (int k = 0; k < 3; ++k) {
     const double moment = e.stress[3 + k];
@@ -76,8 +101,10 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
       continue;
     }
     const Height h(rest.gradients.col(k), state.metric);
-    const double b = 2 * h.value * slope(state, k);
-    const double by_angle = h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k]);
+    const FoldStop fold(state.half_sine[k], state.half_cosine[k]);
+    const double over = state.half_sine[k] + state.xi[k] * state.half_cosine[k];
+    const double b = 2 * h.value * (over + fold.value);
+    const double by_angle = h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k] + fold.first);
     const double by_xi = 2 * h.value * state.half_cosine[k];
     const Vec3 log_gradient = h.log_gradient();
     e.gradient.head<3>() += moment * b * log_gradient;
@@ -94,11 +121,12 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
     e.hessian.block<1, 3>(3 + k, 0) = metric_angle.transpose();
     e.hessian.block<3, 1>(0, 6 + k) = metric_xi;
     e.hessian.block<1, 3>(6 + k, 0) = metric_xi.transpose();
-    e.hessian(3 + k, 3 + k) = -moment * b / 4;
+    e.hessian(3 + k, 3 + k) = moment * h.value * (fold.second - over) / 2;
     e.hessian(3 + k, 6 + k) = e.hessian(6 + k, 3 + k) = -moment * h.value * state.half_sine[k];
   }
   if (with_hessian) {
-    const Eigen::Matrix<double, 6, 9> kd = rest.stiffness * d;
+    Eigen::Matrix<double, 6, 9> kd = rest.stiffness * d;
+    kd.row(2) -= rest.relief * d.row(2);
     e.hessian.noalias() += d.transpose() * kd;
   }
   return e;

@@ -3,7 +3,16 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "wall/membrane_strain.h"
+
 namespace vasorod {
+namespace {
+
+Vec3 metric(const Eigen::Matrix<double, 3, 2>& f) {
+  return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
+}
+
+}  // namespace
 
 WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
   Geometry g;
@@ -43,7 +52,11 @@ WallEnergy::Deformation WallEnergy::deformation(const Eigen::VectorXd& q, int tr
 TriangleState WallEnergy::state(const Eigen::VectorXd& q, const Geometry& g, int triangle,
                                 const Deformation& f) const {
   TriangleState s;
-  s.metric << f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1));
+  s.metric = metric(f);
+  if (triangle_rest_[static_cast<size_t>(triangle)].relief > 0) {
+    const int partner = partner_[static_cast<size_t>(triangle)];
+    s.partner_shear = membrane_strain(law_, metric(deformation(q, partner))).strain[2];
+  }
   const Sides& sides = sides_[static_cast<size_t>(triangle)];
   for (int k = 0; k < 3; ++k) {
     const auto e = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
@@ -79,8 +92,7 @@ double WallEnergy::value(const Eigen::VectorXd& q) const {
   double energy = 0;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
-    const Vec6 y = triangle_strains(law_, rest, state(q, g, t, deformation(q, t)));
-    energy += y.dot(rest.stiffness * y) / 2;
+    energy += triangle_value(law_, rest, state(q, g, t, deformation(q, t)));
   }
   return energy;
 }
@@ -137,11 +149,11 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), false);
     const Vec3 strain = e.strains.head<3>(), bending = e.strains.tail<3>();
-    const double membrane = strain.dot(rest.stiffness.topLeftCorner<3, 3>() * strain) / 2;
     const double bend = bending.dot(rest.stiffness.bottomRightCorner<3, 3>() * bending) / 2;
-    report.membrane += membrane;
+    const double coupling = strain.dot(rest.stiffness.topRightCorner<3, 3>() * bending);
+    report.membrane += e.value - bend - coupling;
     report.bending += bend;
-    report.coupling += e.value - membrane - bend;
+    report.coupling += coupling;
     // c = sum_k b_k g_k g_k^T; its conjugate M solves (g_k g_k^T) : M = stress_k / area.
     Mat3 dyads;
     for (int k = 0; k < 3; ++k) {

@@ -96,6 +96,8 @@ class WallEnergy {
   void set_rest(const WallInput& input);
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
+  void set_relief(double share);
+  void add_partners(const Eigen::VectorXd& q, double* values) const;
 
   std::string name_;
   StrainLaw law_;
@@ -106,6 +108,7 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
+  std::vector<int> partner_;           // per triangle, shear_pairs.h
   std::vector<WallSection> sections_;  // geometry alone; the material is put in by set_material
   Eigen::VectorXd rest_;
   Eigen::SparseMatrix<double> hessian_;

@@ -1,8 +1,10 @@
 // The wall's Hessian: blocks of nine nodes per triangle (three vertices, what stands across each edge, the
 // edges' xi) added into a fixed pattern.
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "wall/block_pattern.h"
+#include "wall/membrane_strain.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod {
@@ -222,7 +224,42 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
                             block);
         }
     }
+  add_partners(q, values);
   return hessian_;
+}
+
+// Partners' shears times each other.
+void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
+  Adder adder{values, node_stride_};
+  const auto by_vertices = [&](size_t t) -> Row9 {
+    const Deformation f = deformation(q, static_cast<int>(t));
+    const Vec3 c(f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1)));
+    const Vec3 d = membrane_strain(law_, c).derivative.row(2);
+    Row9 row;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 g = triangle_rest_[t].gradients.col(i);
+      row.segment<3>(3 * i) = (2 * d[0] * g[0] + d[2] * g[1]) * f.col(0).transpose() +
+                              (2 * d[1] * g[1] + d[2] * g[0]) * f.col(1).transpose();
+    }
+    return row;
+  };
+  for (size_t t = 0; t < triangle_rest_.size(); ++t) {
+    const auto other = static_cast<size_t>(std::max(partner_[t], 0));
+    if (!(triangle_rest_[t].relief > 0) || t > other) continue;
+    const Row9 mine = by_vertices(t), its = by_vertices(other);
+    const Places& at = places_[t];
+    for (int j = 0; j < 3; ++j) {
+      // All of the partner's vertices are the triangle's own or across its edges.
+      const int node = triangles_(static_cast<int>(other), j);
+      const auto local = static_cast<int>(std::find(at.node.begin(), at.node.end(), node) - at.node.begin());
+      for (int i = 0; i < 3; ++i) {
+        const Mat3 block =
+            triangle_rest_[t].relief * mine.segment<3>(3 * i).transpose() * its.segment<3>(3 * j);
+        adder.add<3, 3>(at.node[static_cast<size_t>(i)], node,
+                        at.place[static_cast<size_t>(pair(std::max(i, local), std::min(i, local)))], block);
+      }
+    }
+  }
 }
 
 }  // namespace vasorod

@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "geometry/triangle_surface.h"
+#include "wall/shear_pairs.h"
 #include "wall/triangle_stiffness.h"
 #include "wall/wall_energy.h"
 
@@ -47,6 +48,15 @@ Vec3 limited(const Vec3& b, double limit) {
 // the thickness integral stops growing: at creases of a coarse mesh, where that curvature means nothing.
 constexpr double largest_thickness_ratio = 0.8;
 
+// The shear modulus of a wall as isotropic as its Young's moduli allow: what parasitic shear does at or below
+// it was measured to be small (docs/wall.md).
+double ordinary_shear(const WallMaterial& m) {
+  const double poisson = m.poisson_lt * std::sqrt(m.young_transverse / m.young_axial);
+  return std::sqrt(m.young_axial * m.young_transverse) / (2 * (1 + poisson));
+}
+
+constexpr double least_share = 1e-9;  // rounding's
+
 }  // namespace
 
 WallEnergy::WallEnergy(const WallInput& input)
@@ -72,6 +82,7 @@ void WallEnergy::number_edges(const WallInput& input) {
   const auto forward = [&](int triangle, int apex, int a) {
     return triangles_(triangle, (corner(triangle, apex) + 1) % 3) == a;
   };
+  std::vector<InnerEdge> inner;
   for (const Edge& edge : edges_of(triangles_)) {
     std::array<int, 2> triangle = edge.triangle, apex = edge.opposite;
     if (!edge.boundary()) {
@@ -99,8 +110,10 @@ void WallEnergy::number_edges(const WallInput& input) {
     edges_.push_back(e);
     edge_triangle_.push_back(triangle);
     edge_apex_.push_back(apex);
+    if (!e.rim) inner.push_back({triangle, apex, e.a, e.b});
     ++(e.glued ? glued_edges_ : free_edges_);
   }
+  partner_ = shear_pairs(input.rest.points, static_cast<int>(triangles_.rows()), inner);
   int xi = 3 * vertices_, normal = xi + free_edges_;
   for (WallEdge& e : edges_) {
     e.unknown = e.glued ? normal : xi;
@@ -173,6 +186,22 @@ void WallEnergy::set_material(const WallMaterial& material) {
     section.stiffness = stiffness;
     section.shear_modulus = shear;
     triangle_rest_[t].stiffness = triangle_stiffness(triangle_rest_[t].gradients, section);
+  }
+  set_relief(1 - ordinary_shear(material) / material.shear_axial);
+}
+
+// Partners keep `share` less of their shear stiffness against each other; in one another's mean they keep all
+// of it.
+void WallEnergy::set_relief(double share) {
+  // y_2's stiffness where all other strains follow freely.
+  const auto softest = [](const Mat6& k) { return 1 / k.ldlt().solve(Vec6::Unit(2))[2]; };
+  for (size_t t = 0; t < triangle_rest_.size(); ++t) {
+    double& relief = triangle_rest_[t].relief;
+    relief = 0;
+    if (partner_[t] < 0 || share < least_share) continue;
+    const double mine = softest(triangle_rest_[t].stiffness);
+    const double its = softest(triangle_rest_[static_cast<size_t>(partner_[t])].stiffness);
+    relief = share * mine * its / (mine + its);
   }
 }
 

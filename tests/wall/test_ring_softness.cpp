@@ -18,8 +18,9 @@ Eigen::Matrix<double, 2, 3> gradients_of(const Vec2& x1, const Vec2& x2) {
   return gradients;
 }
 
-// Triangles far longer along the axis (length H) than around: the two long edges' slopes s alternate a twist d = 2
-// delta s / H against a bending lower by delta; with w = 8 (1 - nu) / (H k)^2 the best delta leaves w / (1 + w).
+// Triangles far longer along the axis (length H) than around: the two long edges' slopes s alternate a twist
+// d = 2 delta s / H against a bending lower by delta; with w = 8 (1 - nu) / (H k)^2 the best delta leaves w /
+// (1 + w).
 TEST(RingSoftness, LongTrianglesByHand) {
   const double nu = 0.3, height = 5, base = 0.01, radius = 10;
   const Mat3 d = plane_stress(WallMaterial::isotropic(1, nu));

@@ -12,6 +12,8 @@ namespace {
 const WallMaterial isotropic = WallMaterial::isotropic(1, 0.3);
 const WallMaterial fibred{StrainLaw::biot, 2, 1, 0.1, 0.4, 0.2};
 
+const WallMaterial stiff_in_shear{StrainLaw::biot, 2, 1, 30, 0.4, 0.2};
+
 struct Case {
   const char* name;
   WallInput input;
@@ -44,6 +46,7 @@ std::vector<Case> cases() {
     all.push_back({glued ? "svk glued" : "svk", tube_wall(tube(3, 1, 7, 4), 0.3, svk, glued)});
   }
   all.push_back({"slit", slit_wall(fibred)});
+  all.push_back({"stiff in shear", slit_wall(stiff_in_shear)});
   all.push_back({"three around", tube_wall(tube(3, 1, 3, 2), 0.3, fibred, true)});
   Case outer{"outer face", tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true)};
   outer.input.mid_offset = -0.15;
@@ -95,6 +98,57 @@ TEST(WallEnergy, HessianAgainstDifferencesOfTheGradient) {
       EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-6) << c.name << " " << i;
     }
   }
+}
+
+// Two triangles of a flat strip folded over their edge, to beyond a right angle.
+struct Folded {
+  WallInput input;
+  explicit Folded() {
+    input.rest.points.resize(4, 3);
+    input.rest.points << 0, 0, 0, 0, 1, 0, -1, 0.4, 0, 1, 0.6, 0;
+    input.rest.triangles.resize(2, 3);
+    input.rest.triangles << 0, 1, 2, 1, 0, 3;
+    input.thickness.setConstant(4, 0.1);
+    input.axis = {Vec3::UnitY(), Vec3::UnitY()};
+    input.material = fibred;
+  }
+  Eigen::VectorXd at(const WallEnergy& wall, double angle) const {
+    Eigen::VectorXd q = wall.rest();
+    q.segment<3>(9) << std::cos(angle), 0.6, std::sin(angle);
+    return q + 0.02 * noise(q.size(), 8);
+  }
+};
+
+TEST(WallEnergy, SharpFoldsAgainstDifferences) {
+  const Folded folded;
+  WallEnergy wall(folded.input);
+  for (const double angle : {-2.9, -2.0, -1.5, 1.5, 2.0, 2.9}) {
+    const Eigen::VectorXd q = folded.at(wall, angle);
+    Eigen::VectorXd g, up, down;
+    wall.gradient(q, g);
+    const Eigen::MatrixXd hessian =
+        Eigen::MatrixXd(Eigen::SparseMatrix<double>(wall.hessian(q).selfadjointView<Eigen::Lower>()));
+    const double h = 1e-6;
+    for (int i = 0; i < wall.unknowns(); ++i) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(wall.unknowns(), i);
+      const double slope = (wall.gradient(q + step, up) - wall.gradient(q - step, down)) / (2 * h);
+      EXPECT_NEAR(slope, g[i], 1e-7 * g.norm()) << angle << " " << i;
+      EXPECT_LT(((up - down) / (2 * h) - hessian.col(i)).norm(), 1e-6 * hessian.norm()) << angle << " " << i;
+    }
+  }
+}
+
+// Through a right angle the energy goes on smoothly; towards 180 degrees it grows without bound.
+TEST(WallEnergy, AFoldNeverLiesFlat) {
+  const Folded folded;
+  const WallEnergy wall(folded.input);
+  const auto energy = [&](double angle) {
+    Eigen::VectorXd q = wall.rest();
+    q.segment<3>(9) << std::cos(angle), 0.6, std::sin(angle);
+    return wall.value(q);
+  };
+  EXPECT_GT(energy(3.1) / energy(2.9), 10);
+  EXPECT_GT(energy(-3.14) / energy(-3.1), 100);
 }
 
 TEST(WallEnergy, RigidMotionCostsNothingAndTurnsTheForces) {

@@ -10,42 +10,9 @@
 #include "geometry/triangle_surface.h"
 #include "rod/conditions.h"
 #include "surface/blas.h"
-#include "vessel/rod_status.h"
 
 namespace vasorod {
 namespace {
-
-Status status_of(PaperStatus status) {
-  switch (status) {
-    case PaperStatus::converged:
-      return Status::converged;
-    case PaperStatus::unstable:
-      return Status::unstable;
-    case PaperStatus::iteration_limit:
-      return Status::iteration_limit;
-    case PaperStatus::interrupted:
-      return Status::interrupted;
-  }
-  return Status::iteration_limit;
-}
-
-Status status_of(CoupledStatus status) {
-  switch (status) {
-    case CoupledStatus::converged:
-      return Status::converged;
-    case CoupledStatus::equilibrium_only:
-      return Status::equilibrium_only;
-    case CoupledStatus::unstable:
-      return Status::unstable;
-    case CoupledStatus::buckled:
-      return Status::buckled;
-    case CoupledStatus::iteration_limit:
-      return Status::iteration_limit;
-    case CoupledStatus::interrupted:
-      return Status::interrupted;
-  }
-  return Status::iteration_limit;
-}
 
 void add_rods(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
@@ -82,7 +49,7 @@ void add_surface(const PaperSolution& surface, bool certified, Result& result) {
 
 void add_walls(const Prediction& prediction, Result& result) {
   const CoupledSolution& coupled = *prediction.coupled;
-  add_surface(coupled.surface, false, result);
+  add_surface(*prediction.surface, false, result);
   result.status = status_of(coupled.status);
   result.certificate.smallest_curvature_positive = coupled.smallest_curvature_positive;
   for (const std::string& note : coupled.notes) result.certificate.notes.push_back(note);
@@ -114,12 +81,11 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   Balance balance;
   balance.vessel = vessel.prepared.spec.name;
   double largest = 0;
-  const bool joined = prediction.glenn && prediction.glenn->report.svc == balance.vessel;
+  const int mouth = mouth_of(prediction, vessel);
   Vec3 rod_gap = Vec3::Zero();
   for (const RodReaction& reaction : vessel.rod.reactions) {
     // What keeps the vein's mouth in its pose is the join, not a support.
-    (joined && reaction.node == prediction.glenn->mouth_node ? balance.join : balance.support) +=
-        reaction.force;
+    (reaction.node == mouth ? balance.join : balance.support) += reaction.force;
     rod_gap += reaction.force;
     largest = std::max(largest, reaction.force.norm());
   }
@@ -147,9 +113,7 @@ Balance balance_of(const Prediction& prediction, size_t v) {
 void measure_seam(const Prediction& prediction, GlennReport& report) {
   const auto& glenn = *prediction.glenn;
   const auto of = [&](const std::string& name) -> const Points& {
-    for (const PredictedVessel& vessel : prediction.vessels)
-      if (vessel.prepared.spec.name == name) return vessel.positions;
-    throw std::logic_error("no vessel " + name);
+    return prediction.vessels[vessel_named(prediction, name)].positions;
   };
   const Points& svc = of(glenn.report.svc);
   const Points& rpa = of(glenn.report.rpa);

@@ -36,16 +36,6 @@ CenterlineResult centerline_of(const RodTree& rod, const RodPoses& poses) {
   return line;
 }
 
-// Nodes whose sections a support keeps rigid. What poses the vein's mouth is the join: its section is not
-// rigid.
-std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel) {
-  const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
-  std::vector<int> nodes;
-  for (const RodSupport& support : vessel.conditions.rod.supports)
-    if (!(joined && support.node == prediction.glenn->mouth_node)) nodes.push_back(support.node);
-  return nodes;
-}
-
 VesselResult written(const Prediction& prediction, const PredictedVessel& vessel) {
   const PreparedVessel& prepared = vessel.prepared;
   VesselResult out;

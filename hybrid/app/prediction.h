@@ -32,10 +32,20 @@ struct Prediction {
   std::vector<PredictedVessel> vessels;  ///< in the scene's order
   std::optional<GlennOperation> glenn;
   std::optional<PaperProblem> problem;   ///< bodies in the vessels' order
-  std::optional<PaperSolution> surface;  ///< fidelities paper and coupled
+  std::optional<PaperSolution> surface;  ///< fidelities paper and coupled: the one of `coupled` is moved here
   std::optional<CoupledSolution> coupled;
   std::vector<Stage> stages;
   std::map<std::string, std::string> left_out;
 };
+
+/// Where the vessel of that name is in `vessels`.
+size_t vessel_named(const Prediction& prediction, const std::string& name);
+
+/// The node of the vessel's rod that the join poses: the vein's mouth; -1 for every other vessel.
+int mouth_of(const Prediction& prediction, const PredictedVessel& vessel);
+
+/// Nodes whose sections a support keeps rigid. What poses the vein's mouth is the join: its section is not
+/// rigid.
+std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel);
 
 }  // namespace vasorod

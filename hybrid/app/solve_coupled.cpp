@@ -23,22 +23,14 @@ size_t index(int i) {
   return static_cast<size_t>(i);
 }
 
-// The rod's node that the seam poses, -1.
-int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {
-  const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
-  return joined ? prediction.glenn->mouth_node : -1;
-}
-
 // How near the rods come to the walls' limits, where the smooth branch may end: of Brazier's curvature
 // (whatever the vessel's length: k R^2 / (0.605 t) in its terms) and of the twist that wrinkles.
 double share_of_limit(const Prediction& prediction) {
   double share = 0;
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (!vessel.rod_solved) continue;
-    std::vector<int> held;
-    for (const RodSupport& support : vessel.conditions.rod.supports) held.push_back(support.node);
     Validity validity;
-    add_validity(vessel.prepared, vessel.rod.poses, held, validity);
+    add_validity(vessel.prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), validity);
     const double nu = vessel.prepared.spec.wall->poisson;
     share = std::max(
         {share, validity.twist_ratio, validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu)});
@@ -143,17 +135,7 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   };
   CoupledSolver solver(problem_of(prediction, sections), coupled);
   prediction.coupled = solver.solve();
-  prediction.surface = prediction.coupled->surface;
-  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
-    prediction.vessels[v].positions = prediction.surface->bodies[v].positions;
-    prediction.vessels[v].pressure = prediction.surface->bodies[v].pressure;
-    if (!prediction.surface->bodies[v].modelled && !prediction.vessels[v].prepared.obstacle())
-      prediction.left_out["wall of " + prediction.vessels[v].prepared.spec.name] =
-          "nothing moves, joins or touches it: it stays as it is";
-  }
-  const bool touching = std::any_of(prediction.surface->contacts.begin(), prediction.surface->contacts.end(),
-                                    [](const ContactSolution& pair) { return pair.within_reach; });
-  if (!touching) prediction.left_out["contact"] = "no vessel within reach";
+  take_surfaces(std::move(prediction.coupled->surface), "wall", prediction);
   prediction.left_out["energy of the rods"] =
       "fidelity coupled: the walls carry all of it; the rods are start, frames and report";
   give_rods_the_walls_means(prediction, sections);

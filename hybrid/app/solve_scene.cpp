@@ -39,12 +39,6 @@ Fidelity checked_fidelity(const Scene& scene, const SolveOptions& options) {
   return fidelity;
 }
 
-PredictedVessel& vessel_named(Prediction& prediction, const std::string& name) {
-  for (PredictedVessel& vessel : prediction.vessels)
-    if (vessel.prepared.spec.name == name) return vessel;
-  throw InputError("no vessel " + name);
-}
-
 void solve_rods(Prediction& prediction, const SolveOptions& options) {
   RodOptions rod_options;
   rod_options.stop = options.stop;
@@ -67,9 +61,7 @@ FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
   std::vector<RodOfVessel> rods;
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
-    RodOfVessel rod{&vessel.prepared, &vessel.rod.poses, {}};
-    for (const RodSupport& support : vessel.conditions.rod.supports) rod.rigid_nodes.push_back(support.node);
-    rods.push_back(std::move(rod));
+    rods.push_back({&vessel.prepared, &vessel.rod.poses, rigid_nodes(prediction, vessel)});
   }
   return choose_fidelity(scene, rods);
 }
@@ -114,8 +106,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   prediction.stages.push_back(std::move(rest));
 
   if (scene.glenn) {
-    PredictedVessel& svc = vessel_named(prediction, scene.glenn->svc);
-    PredictedVessel& rpa = vessel_named(prediction, scene.glenn->rpa);
+    PredictedVessel& svc = prediction.vessels[vessel_named(prediction, scene.glenn->svc)];
+    PredictedVessel& rpa = prediction.vessels[vessel_named(prediction, scene.glenn->rpa)];
     GlennOptions glenn;
     glenn.rod.stop = options.stop;
     glenn.progress = options.progress;

@@ -47,25 +47,21 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
   return body;
 }
 
-int vessel_named(const Prediction& prediction, const std::string& name) {
-  for (size_t v = 0; v < prediction.vessels.size(); ++v)
-    if (prediction.vessels[v].prepared.spec.name == name) return static_cast<int>(v);
-  return -1;
-}
-
 }  // namespace
 
 PaperProblem surface_problem(const Prediction& prediction) {
+  const auto body_named = [&](const std::string& name) {
+    return static_cast<int>(vessel_named(prediction, name));
+  };
   PaperProblem problem;
   for (const PredictedVessel& vessel : prediction.vessels) problem.bodies.push_back(body_of(vessel));
   if (prediction.glenn) {
-    const int svc = vessel_named(prediction, prediction.glenn->report.svc);
-    const int rpa = vessel_named(prediction, prediction.glenn->report.rpa);
+    const int svc = body_named(prediction.glenn->report.svc), rpa = body_named(prediction.glenn->report.rpa);
     for (const auto& [a, b] : prediction.glenn->pairs) problem.seams.push_back({svc, a, rpa, b});
   }
   if (prediction.scene->contact)
     for (const auto& [a, b] : *prediction.scene->contact)
-      problem.contacts.emplace_back(vessel_named(prediction, a), vessel_named(prediction, b));
+      problem.contacts.emplace_back(body_named(a), body_named(b));
   else
     problem.contacts = all_contacts(problem.bodies);
   return problem;
@@ -89,17 +85,24 @@ void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
                        std::to_string(at.iterations));
     return !options.stop();
   };
-  prediction.surface = solve_paper(*prediction.problem, paper);
+  take_surfaces(solve_paper(*prediction.problem, paper), "surface", prediction);
+}
+
+void take_surfaces(PaperSolution&& solution, const std::string& what, Prediction& prediction) {
+  prediction.surface = std::move(solution);
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {
-    prediction.vessels[v].positions = prediction.surface->bodies[v].positions;
-    prediction.vessels[v].pressure = prediction.surface->bodies[v].pressure;
-    if (!prediction.surface->bodies[v].modelled && !prediction.vessels[v].prepared.obstacle())
-      prediction.left_out["surface of " + prediction.vessels[v].prepared.spec.name] =
+    PredictedVessel& vessel = prediction.vessels[v];
+    const BodySolution& body = prediction.surface->bodies[v];
+    vessel.positions = body.positions;
+    vessel.pressure = body.pressure;
+    if (!body.modelled && !vessel.prepared.obstacle())
+      prediction.left_out[what + " of " + vessel.prepared.spec.name] =
           "nothing moves, joins or touches it: it stays as it is";
   }
-  bool touching = false;
-  for (const ContactSolution& pair : prediction.surface->contacts) touching |= pair.within_reach;
-  if (!touching) prediction.left_out["contact"] = "no vessel within reach";
+  const auto& contacts = prediction.surface->contacts;
+  if (std::none_of(contacts.begin(), contacts.end(),
+                   [](const ContactSolution& pair) { return pair.within_reach; }))
+    prediction.left_out["contact"] = "no vessel within reach";
 }
 
 }  // namespace vasorod

@@ -15,4 +15,8 @@ void solve_skin(Prediction& prediction);
 /// Fidelity paper: the paper's energies, joining springs and contact.
 void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options);
 
+/// Hands the solved surfaces to the prediction and its vessels; says which were left out (`what` names them)
+/// and whether any touch.
+void take_surfaces(PaperSolution&& solution, const std::string& what, Prediction& prediction);
+
 }  // namespace vasorod

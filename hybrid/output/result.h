@@ -2,6 +2,7 @@
 // files.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -24,6 +25,17 @@ enum class Status {
 };
 std::string to_string(Status);
 std::optional<Status> status_named(const std::string& name);  ///< empty: no such status
+
+/// A solver's own status as the result's of the same name.
+template <class Part>
+Status status_of(Part part) {
+  return status_named(to_string(part)).value();
+}
+
+/// The worse of two: a whole is as good as its worst part, and the enumeration runs from good to bad.
+inline Status worse(Status a, Status b) {
+  return std::max(a, b);
+}
 
 /// Not-a-number is written as null.
 struct Certificate {

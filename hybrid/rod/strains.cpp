@@ -2,28 +2,15 @@
 
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
+#include "rod/index.h"
 
 namespace vasorod {
-namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 std::vector<Vec6> element_strains(const RodTree& tree, const RodPoses& poses) {
   std::vector<Vec6> strains;
   strains.reserve(tree.elements.size());
   for (const RodElement& e : tree.elements)
     strains.push_back(element_strain(e, poses[index(e.first)], poses[index(e.second)]));
   return strains;
-}
-
-std::vector<Vec6> element_stresses(const RodTree& tree, const RodPoses& poses) {
-  std::vector<Vec6> values = element_strains(tree, poses);
-  for (std::size_t e = 0; e < values.size(); ++e) values[e] = element_stress(tree.elements[e], values[e]);
-  return values;
 }
 
 std::vector<Vec6> branch_node_values(const RodTree& tree, const RodBranch& branch,
@@ -37,26 +24,6 @@ std::vector<Vec6> branch_node_values(const RodTree& tree, const RodBranch& branc
   }
   values.push_back(per_element[index(elements.back())]);
   return values;
-}
-
-std::vector<Vec6> node_values(const RodTree& tree, const std::vector<Vec6>& per_element) {
-  std::vector<Vec6> values(tree.rest.size(), Vec6::Zero());
-  for (const RodBranch& branch : tree.branches) {
-    const std::vector<Vec6> own = branch_node_values(tree, branch, per_element);
-    for (std::size_t i = branch.parent < 0 ? 0 : 1; i < own.size(); ++i)
-      values[index(branch.nodes[i])] = own[i];
-  }
-  return values;
-}
-
-std::vector<Vec6> node_strains(const RodTree& tree, const RodPoses& poses) {
-  return node_values(tree, element_strains(tree, poses));
-}
-
-std::vector<Vec6> node_rest_strains(const RodTree& tree) {
-  std::vector<Vec6> rest;
-  for (const RodElement& e : tree.elements) rest.push_back(e.rest_strain);
-  return node_values(tree, rest);
 }
 
 Vec6 start_wrench(const RodElement& element, const RodPoses& poses, const Vec6& stress) {

@@ -3,14 +3,11 @@
 
 #include "geometry/error.h"
 #include "geometry/rigid_motion.h"
+#include "rod/index.h"
 #include "vessel/rod_scene.h"
 
 namespace vasorod {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Pose start_frame(const RodSpec& rod) {
   Pose pose;

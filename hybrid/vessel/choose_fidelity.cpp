@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "geometry/triangle_surface.h"
+#include "rod/conditions.h"
 #include "vessel/rod_change.h"
 #include "vessel/validity.h"
 
@@ -18,22 +20,6 @@ std::string digits(double value) {
   return text.str();
 }
 
-double rod_length(const RodTree& rod) {
-  double length = 0;
-  for (const RodElement& element : rod.elements) length += element.length;
-  return length;
-}
-
-double mean_edge(const TriangleSurface& surface) {
-  double sum = 0;
-  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f)
-    for (int k = 0; k < 3; ++k)
-      sum += (surface.points.row(surface.triangles(f, k)) -
-              surface.points.row(surface.triangles(f, (k + 1) % 3)))
-                 .norm();
-  return sum / (3 * static_cast<double>(surface.triangles.rows()));
-}
-
 Demand demand_of(const RodOfVessel& rod) {
   const Vessel& vessel = rod.vessel->vessel;
   Validity validity;
@@ -43,7 +29,7 @@ Demand demand_of(const RodOfVessel& rod) {
   demand.bend = validity.wrinkling_ratio;
   for (const ElementChange& change : element_changes(vessel.rod, *rod.poses))
     demand.stretch = std::max(demand.stretch, std::abs(change.change[2]));
-  demand.edge = mean_edge(vessel.surface) / vessel.mean_radius;
+  demand.edge = mean_edge_length(vessel.surface) / vessel.mean_radius;
   return demand;
 }
 
@@ -57,7 +43,7 @@ std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>&
   if (vessel.rod.branches.size() != 1) return "the table is of tubes without branches";
   const AccuracyScope scope = accuracy_scope();
   const double tolerance = 0.01, thickness = prepared.thickness() / vessel.mean_radius,
-               length = rod_length(vessel.rod) / vessel.mean_radius;
+               length = length_scale(vessel.rod) / vessel.mean_radius;
   const auto outside = [&](double value, const std::array<double, 2>& range) {
     return value < range[0] * (1 - tolerance) || value > range[1] * (1 + tolerance);
   };

@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "geometry/rigid_motion.h"
+#include "rod/index.h"
 #include "rod/strains.h"
-#include "vessel/rod_status.h"
 
 namespace vasorod {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Second-order errors cancel in (4 fine - coarse) / 3; for poses along the screw from coarse to fine.
 RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse, const RodTree& fine_tree,
@@ -51,19 +48,22 @@ RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse, 
   return result;
 }
 
-CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const RodSolution& solution) {
-  const RodPoses& poses = solution.poses;
+/// Values per element of a whole tree.
+struct ElementValues {
+  std::vector<Vec6> strain, rest, stress;
+};
+
+CenterlineResult centerline(const RodTree& tree, const RodBranch& branch, const RodPoses& poses,
+                            const ElementValues& values) {
   CenterlineResult line;
   const auto n = static_cast<Eigen::Index>(branch.nodes.size());
   line.rest.resize(n, 3);
   line.current.resize(n, 3);
   line.lines.emplace_back();
   double s = 0;
-  std::vector<Vec6> rest;
-  for (const RodElement& e : tree.elements) rest.push_back(e.rest_strain);
-  const std::vector<Vec6> now = branch_node_values(tree, branch, element_strains(tree, poses));
-  const std::vector<Vec6> then = branch_node_values(tree, branch, rest);
-  const std::vector<Vec6> stress = branch_node_values(tree, branch, solution.stress);
+  const std::vector<Vec6> now = branch_node_values(tree, branch, values.strain);
+  const std::vector<Vec6> then = branch_node_values(tree, branch, values.rest);
+  const std::vector<Vec6> stress = branch_node_values(tree, branch, values.stress);
   for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
     const std::size_t node = index(branch.nodes[i]);
     const auto row = static_cast<Eigen::Index>(i);
@@ -169,10 +169,12 @@ void add(const RodAssembly& assembly, const RodSolution& solution, const std::ve
     if (b.residual > 0) b.residual = (b.support + b.load + b.join).norm() / b.residual;
     result.balance.push_back(b);
   }
+  ElementValues values{element_strains(tree, solution.poses), {}, solution.stress};
+  for (const RodElement& e : tree.elements) values.rest.push_back(e.rest_strain);
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
     VesselResult vessel;
     vessel.name = assembly.vessels[b];
-    vessel.centerline = centerline(tree, tree.branches[b], solution);
+    vessel.centerline = centerline(tree, tree.branches[b], solution.poses, values);
     for (std::size_t i = 0; i < vessel.centerline->v.size(); ++i)
       result.validity.largest_strain = std::max(result.validity.largest_strain,
                                                 (vessel.centerline->v[i] - vessel.centerline->v0[i]).norm());

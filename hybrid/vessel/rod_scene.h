@@ -33,14 +33,13 @@ struct RodAssembly {
 std::vector<RodAssembly> assemble_rods(const Scene& scene, int refine = 1);
 
 struct RodSceneOptions {
-  
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
   std::function<bool()> stop;                                   ///< asked once an iteration
 };
 
-/// /// Solves a scene whose vessels are bare rods; with Scene::extrapolate by Richardson on n and 2n elements, order 4
-/// instead of 2 in all that is reported at nodes. Fills everything of the result but `program`, `environment`
-/// and the times of reading and writing.
+/// Solves a scene whose vessels are bare rods; with Scene::extrapolate by Richardson on n and 2n elements,
+/// order 4 instead of 2 in all that is reported at nodes. Fills everything of the result but `program`,
+/// `environment` and the times of reading and writing.
 Result solve_rod_scene(const Scene& scene, const RodSceneOptions& options = {});
 
 }  // namespace vasorod

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "rod/conditions.h"
 #include "vessel/rod_change.h"
 
 namespace vasorod {
@@ -36,20 +37,6 @@ void judge(const std::string& vessel, const Extreme& extreme, const std::string&
   if (extreme.value >= 0.9) validity.in_range = false;
 }
 
-// Length of the longest way from the root to an end.
-double vessel_length(const RodTree& rod) {
-  std::vector<double> along(rod.rest.size(), 0);
-  double longest = 0;
-  for (const RodBranch& branch : rod.branches)
-    for (const int e : branch.elements) {
-      const RodElement& element = rod.elements[static_cast<size_t>(e)];
-      auto& end = along[static_cast<size_t>(element.second)];
-      end = along[static_cast<size_t>(element.first)] + element.length;
-      longest = std::max(longest, end);
-    }
-  return longest;
-}
-
 }  // namespace
 
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std::vector<int>& rigid_nodes,
@@ -57,7 +44,7 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std
   const RodTree& rod = vessel.vessel.rod;
   const Wall& wall = *vessel.spec.wall;
   const double t = wall.thickness, root = std::sqrt(1 - wall.poisson * wall.poisson),
-               length = vessel_length(rod);
+               length = length_scale(rod);
   Extreme brazier, wrinkling, twist, strain, softening;
   for (const ElementChange& element : element_changes(rod, poses)) {
     const double r = element.radius;

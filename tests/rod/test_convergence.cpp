@@ -47,6 +47,21 @@ TEST(Convergence, Elastica) {  // B1: Mattiasson 1981, EA L^2 / EI = 1e8
         2, 0.05);
 }
 
+TEST(Convergence, ElasticaExtrapolatedIsOrderFour) {
+  const auto error = [](int n) {  // EA L^2 / EI = 1e11: the digits are those of a rod that cannot stretch
+    const RodSolution a = elastica(n, 5, 1e11), b = elastica(2 * n, 5, 1e11);
+    return ((4 * b.poses.back().position - a.poses.back().position) / 3 -
+            Vec3(1 - 0.387628360724, 0.713791523612, 0))
+        .norm();
+  };
+  double before = error(8);
+  for (const int n : {16, 32}) {
+    const double now = error(n);
+    EXPECT_NEAR(std::log2(before / now), 4, 0.05) << n << ": " << before << " -> " << now;
+    before = now;
+  }
+}
+
 TEST(Convergence, ElasticaOfEveryTabulatedLoad) {
   for (const auto& [alpha, w, u, theta] : {std::array{0.5, 0.162143575658, 0.0159189624708, 0.244533647133},
                                            {1, 0.3017207738, 0.0564332362834, 0.461351949712},

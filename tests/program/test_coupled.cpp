@@ -6,33 +6,35 @@
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"
+#include "program/small_glenn.h"
 
 namespace vasorod::testing {
 namespace {
 
 using nlohmann::json;
 
-json solve(const std::string& name, const std::string& wall, const std::string& ends) {
+json solve(const std::string& scene, int exit_code = 0) {
   const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml")
-      << "scene: " + name +
-             "\nunits: {length: mm, stress: MPa}\nvessels:\n"
-             "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n    wall: " +
-             wall + "\nends:\n" + ends + "fidelity: coupled\n";
+  std::ofstream(scratch / "scene.yaml") << scene;
   const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
                                        (scratch / "out").string() + "' --json"));
-  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_EQ(run.exit_code, exit_code) << run.err << run.out;
   return json::parse(run.out);
+}
+
+std::string tube(const std::string& name, const std::string& wall, const std::string& moved) {
+  return "scene: " + name +
+         "\nunits: {length: mm, stress: MPa}\nvessels:\n"
+         "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n    wall: " +
+         wall + "\nends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, " + moved +
+         "}\nfidelity: coupled\n";
 }
 
 const std::string isotropic = "{thickness: 1.0, young: 1.0, poisson: 0.3}";
 
 TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   // 10 degrees over 100 mm: a third of the Brazier curvature.
-  const json result =
-      solve("bend", isotropic,
-            "  - {vessel: tube, end: start, hold: true}\n"
-            "  - {vessel: tube, end: end, rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]}\n");
+  const json result = solve(tube("bend", isotropic, "rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]"));
   EXPECT_EQ(result.at("status"), "converged");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_LT(result.at("balance")[0].at("residual").get<double>(), 1e-6);
@@ -50,11 +52,10 @@ TEST(Coupled, ABendFlattensTheTubeAndBalances) {
 }
 
 TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
-  const json result =
-      solve("twist",
-            "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: 0.7, poisson: 0.3, coupling: 0.1}}",
-            "  - {vessel: tube, end: start, hold: true}\n"
-            "  - {vessel: tube, end: end, rotate_deg: [0, 0, 1]}\n");
+  const json result = solve(
+      tube("twist",
+           "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: 0.7, poisson: 0.3, coupling: 0.1}}",
+           "rotate_deg: [0, 0, 1]"));
   EXPECT_EQ(result.at("status"), "converged");
   const double exact = 0.1 * 2 * M_PI * 1000 * (1 + 0.0025) * (M_PI / 180) / 100;
   EXPECT_NEAR(result.at("ends")[1].at("moment")[2].get<double>(), exact, 0.01 * exact);
@@ -63,18 +64,8 @@ TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
 // Bent to 0.9 of the Brazier curvature this tube between rigid ends kinks on the way, near 0.75 (design.md,
 // section 1).
 TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml")
-      << "scene: kink\nunits: {length: mm, stress: MPa}\nvessels:\n"
-         "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n    wall: " +
-             isotropic +
-             "\nends:\n  - {vessel: tube, end: start, hold: true}\n"
-             "  - {vessel: tube, end: end, rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]}\n"
-             "fidelity: coupled\n";
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                       (scratch / "out").string() + "' --json"));
-  EXPECT_EQ(run.exit_code, 1);
-  const json result = json::parse(run.out);
+  const json result =
+      solve(tube("kink", isotropic, "rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]"), 1);
   EXPECT_EQ(result.at("status"), "buckled");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
@@ -84,28 +75,7 @@ TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
 // Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both vessels
 // balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml") << R"(scene: small-glenn
-units: {length: mm, stress: MPa}
-vessels:
-  - name: svc
-    tube: {length: 40, radius: 3.3, around: 24, along: 50, position: [0, 0, 5]}
-    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
-  - name: rpa
-    tube: {length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0], tangent: [1, 0, 0], normal: [0, 0, 1]}
-    wall: {thickness: 0.45, young: 0.45, poisson: 0.45}
-ends:
-  - {vessel: svc, end: end, hold: true}
-  - {vessel: rpa, end: start, hold: true}
-  - {vessel: rpa, end: end, hold: true}
-surgery:
-  glenn: {svc: svc, rpa: rpa, cut: [3.3, 0, 10], incision: [0, 0, 4], keep: {near: [0, 0, 45]}}
-fidelity: coupled
-)";
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                       (scratch / "out").string() + "' --json"));
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  const json result = json::parse(run.out);
+  const json result = solve(small_glenn("coupled"));
   EXPECT_EQ(result.at("status"), "converged");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_LT(result.at("glenn").at("join").at("largest_gap").get<double>(), 0.01 * 3.3);

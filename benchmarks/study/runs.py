@@ -14,18 +14,24 @@ class Run:
     identity: str
     program: str
     arguments: tuple
-    files: dict = field(hash=False)
+    files: dict = field(hash=False)  # name: text, or a function that makes it where it is needed
     keep: bool = False  # do not repeat it because the program was rebuilt
 
+    def contents(self):
+        return {name: text if isinstance(text, str) else text() for name, text in self.files.items()}
+
     def key(self):
-        return sha256(json.dumps([self.program, list(self.arguments), self.files], sort_keys=True))
+        return sha256(json.dumps([self.program, list(self.arguments), self.contents()], sort_keys=True))
 
 
-def hybrid(case, fidelity, around, *, tag="", extra=()):
+def hybrid_arguments(fidelity=None):
+    """Without a fidelity the scene says which."""
+    return "solve", "scene.yaml", "-o", "result", "--quiet", "--threads", "1", *(("--fidelity", fidelity) if fidelity else ())
+
+
+def hybrid(case, fidelity, around, *, tag=""):
     """vasorod on `around` points around; `tag` tells variations of one case apart."""
-    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod",
-               ("solve", "scene.yaml", "-o", "result", "--quiet", "--threads", "1", "--fidelity", fidelity, *extra),
-               {"scene.yaml": case.changed(around=around).text()})
+    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod", hybrid_arguments(fidelity), {"scene.yaml": case.changed(around=around).text()})
 
 
 def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(0.34, 1.0)):

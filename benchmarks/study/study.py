@@ -17,6 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import accuracy  # noqa: E402
 import calculix  # noqa: E402
+import irregular  # noqa: E402
+import laws  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
@@ -32,6 +34,9 @@ PLANS = {  # per case
     "shell": lambda case: [accuracy_shell(case)],
     "solid": lambda case: [accuracy_reference(case)],
     "trade": trade.all_runs,
+    "irregular": irregular.all_runs,
+    "laws": laws.all_runs,
+    "promise": promise.all_runs,
 }
 SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
 
@@ -58,7 +63,11 @@ def run_one(arguments):
     one = every_run().get(arguments.identity)
     if one is None:
         raise SystemExit(f"{arguments.identity}: found no such run, expected CASE/RUN as in results/study")
-    open_store(arguments).ensure(one)
+    open_store(arguments).ensure(one, repeats=repeats_of(one))
+
+
+def repeats_of(one):
+    return trade.REPEATS if one.identity in trade.timed() else 1
 
 
 def runs_of(arguments):
@@ -70,7 +79,7 @@ def runs_of(arguments):
 def run(arguments):
     store = open_store(arguments)
     for one in runs_of(arguments):
-        record = store.ensure(one, arguments.again)
+        record = store.ensure(one, arguments.again, repeats_of(one))
         print(f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s, {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}",
               flush=True)
 
@@ -79,6 +88,9 @@ def tables(arguments):
     store = open_store(arguments)
     accuracy.make_table(store, all_cases(), arguments.baselines / "accuracy.csv")
     trade.make_table(store, arguments.baselines / "trade.csv")
+    irregular.make_table(store, all_cases(), arguments.baselines / "irregular.csv")
+    laws.make_table(store, arguments.baselines / "laws.csv")
+    promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
     if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
         regression.accept(store, arguments.baselines, "first")
 

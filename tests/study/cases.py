@@ -34,8 +34,42 @@ def matrix(rotation_deg):
             [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)]]
 
 
+def cubic(length, start, end):
+    """Curvature at both ends of a slender beam clamped at its start, its other end at offset `start` and slope `end`: w = a s^2 + b s^3."""
+    a, b = 3 * start / length**2 - end / length, (end - 2 * start / length) / length**2
+    return 2 * a, 2 * a + 6 * b * length
+
+
+def check_fresh(case, limit, tangent, turned, move, length):
+    """The load in the file's comment: which share of which limit."""
+    tilt, side = math.hypot(tangent[0], tangent[1]), math.hypot(move[0], move[1])
+    bent = math.atan2(tilt, tangent[2])
+    what = case.name.split("_")[1]
+    wrinkling = math.degrees(0.747 * 2.6 * (case.wall["thickness"] / 10)**1.25 * math.sqrt(10))  # tau_cr L / (G R), L = 10 R
+    if what in ("bend", "mixed"):
+        assert abs(bent - case.ratio * limit) < 1e-7, (case.name, bent, case.ratio * limit)
+        assert abs(math.atan2(tangent[1], tangent[0]) - math.atan2(move[1], move[0])) < 1e-8, case.name  # one plane
+        x, z = end_of_arc(length * (1.03 if what == "mixed" else 1), 0, bent)
+        assert abs(x - side) < 1e-5 and abs(z - length - move[2]) < 1e-5, (case.name, move, x, z)
+        # d1 undone by the bend alone (about the horizontal axis across the tangent) is what the twist left
+        across = [-tangent[1] / tilt, tangent[0] / tilt, 0]
+        back = matrix([-math.degrees(bent) * a for a in across])
+        d1 = [row[0] for row in turned]
+        twisted = [sum(row[k] * d1[k] for k in range(3)) for row in back]
+        twist = math.degrees(math.atan2(twisted[1], twisted[0]))
+        assert abs(twist / wrinkling - (0.2 if what == "mixed" else 0)) < 1e-6, (case.name, twist, wrinkling)
+    elif what == "twist":
+        assert abs(math.degrees(math.atan2(turned[1][0], turned[0][0])) / wrinkling - case.ratio) < 1e-6 and move == [0, 0, 8], case.name
+    elif what == "press":
+        assert move == [0, 0, -2] and abs(0.02 / (0.605 * case.wall["thickness"] / 10) - case.ratio) < 0.005, case.name
+    else:
+        slope = -bent if what == "back" else 0
+        largest = max(map(abs, cubic(length, side, slope)))
+        assert abs(largest * length / limit - case.ratio) < 1e-6 and move[2] == 0, (case.name, largest * length / limit)
+
+
 cases = all_cases()
-assert len(cases) >= 32 and {case.family for case in cases} >= {"stretch", "twist", "bend", "offset", "combined", "curved", "tapered"}
+assert len(cases) >= 32 and {case.family for case in cases} >= {"stretch", "twist", "bend", "offset", "combined", "curved", "tapered", "fresh"}
 wrinkling_deg = {0.5: 8, 1: 20, 2: 47}  # design.md, rounded there
 for case in cases:
     tube, wall, moved = case.tube, case.wall, case.scene["ends"][1]
@@ -59,6 +93,9 @@ for case in cases:
         normal = [math.cos(bent), 0, -math.sin(bent)]
         twist = math.degrees(math.acos(sum(a * b for a, b in zip(d1, normal))))
         assert abs(twist / wrinkling_deg[t] - 0.5) < 0.011, (case.name, twist)
+    if case.family == "fresh":
+        check_fresh(case, limit, tangent, turned, move, length)
+        assert t not in wrinkling_deg, case.name  # no wall the table was made from
     if case.family == "stretch":
         assert abs(move[2] - (case.ratio - 1) * length) < 1e-9 and "rotate_deg" not in moved, case.name
     assert tube["around"] == 48 and tube["along"] % 2 == 0, case.name

@@ -1,13 +1,14 @@
 """The store runs once, again when something changed, measures what a child used, and keeps the sentence of a failure.
 Usage: store.py SOURCE_FOLDER VASOROD."""
 
+import json
 import sys
 import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 from runs import Run  # noqa: E402
-from store import Store  # noqa: E402
+from store import Store, solve_seconds  # noqa: E402
 
 PROGRAM = """#!/bin/sh
 echo again >> ../../count
@@ -52,3 +53,15 @@ with tempfile.TemporaryDirectory() as scratch:
     assert store().ensure(run("fail", "b", keep=True)) == failed and runs() == 4, "a kept run was repeated for a rebuilt program"
     store().ensure(run("fail", "b"))
     assert runs() == 5, "a rebuilt program, yet not run"
+    thrice = store().ensure(run("go", "c"), repeats=3)
+    assert runs() == 8 and thrice["repeats"] == 3 and thrice["solve_seconds"] is None, thrice  # this program writes no result
+    assert store().ensure(run("go", "c"), repeats=2) == thrice and runs() == 8, "timed often enough, yet repeated"
+
+    # what is no reading and no writing: half of one program's time, three quarters of the other's
+    folder = scratch / "a run"
+    (folder / "result").mkdir(parents=True)
+    for name, seconds, share in (("vasorod", {"read": 0.5, "fit": 1, "solve": 1, "write": 1.5, "total": 4}, 0.5),
+                                 ("vasorod-fem", {"read": 0.5, "factor": 2, "solve": 3, "total": 4}, 0.75)):
+        (folder / "result" / "result.json").write_text(json.dumps({"seconds": seconds}))
+        got = solve_seconds(folder, {"program": name, "processor_seconds": 2.0, "wall_seconds": 4.0})
+        assert abs(got - 2 * share) < 1e-12, (name, got)

@@ -1,5 +1,5 @@
-"""The CalculiX side and the Pareto front: bricks of positive volume, node sets where they belong, ccx's print read back, reactions summed as a
-wrench; nothing on the front is beaten. Usage: trade.py SOURCE_FOLDER VASOROD."""
+"""The CalculiX side and the Pareto front: bricks of positive volume, shells whose normals point outwards, ends that move as rigid disks, ccx's print
+read back; nothing on the front is beaten. Usage: trade.py SOURCE_FOLDER VASOROD."""
 
 import math
 import sys
@@ -12,7 +12,7 @@ from report import front_of  # noqa: E402
 
 case = case_named("bend_t1_0.5")
 n, m = 16, 12
-bricks = calculix.Bricks(case, n, m)
+bricks = calculix.Mesh(case, "C3D20R", n, m)
 # corners and mid-edges of a ring of bricks: 20-node counting by Euler, 4 corner columns' worth of edges
 corners, edges = 2 * n * (m + 1), n * (m + 1) + 2 * n * (m + 1) + 2 * n * m
 assert len(bricks.number) == corners + edges, (len(bricks.number), corners + edges)
@@ -35,8 +35,37 @@ for j, k in ((0, 0), (n - 1, m - 1), (3, 5)):
 for key in bricks.middle():
     x, y, z = bricks.point[key]
     assert abs(math.hypot(x, y) - 10) < 1e-12
-text = calculix.input_text(case, n, m)
-assert text.count("\n*") + 1 == len([line for line in text.splitlines() if line.startswith("*")])
+
+shell = calculix.Mesh(case, "S8R", n, m)
+rows = m + 2  # a sleeve beyond either end
+assert len(shell.number) == n * (rows + 1) + n * (rows + 1) + n * rows  # corners, edges around, edges along
+at = {number: shell.point[key] for key, number in shell.number.items()}
+for j, k in ((0, 0), (n - 1, rows - 1), (3, 5)):
+    a, b, _, d = (at[node] for node in shell.element(j, k)[:4])
+    u, v = ([q - p for p, q in zip(a, c)] for c in (b, d))
+    outwards = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    assert sum(x * y for x, y in zip(outwards, a[:2])) > 0, (j, k)
+assert {shell.point[key][2] for key in shell.held()} == {-1, -0.5, 0} and {shell.point[key][2] for key in shell.moved()} == {100, 100.5, 101}
+for mesh in (bricks, shell):
+    middle = [mesh.point[key] for key in mesh.middle()]
+    assert len(middle) == n * (m + 1) and min(p[2] for p in middle) == 0 and max(p[2] for p in middle) == 100
+
+for kind, mesh in (("S8R", shell), ("C3D20R", bricks)):
+    lines = calculix.input_text(case, kind, n, m).splitlines()
+    boundary = lines[lines.index("*BOUNDARY") + 1:lines.index("*NODE PRINT, NSET=MIDDLE, FREQUENCY=1000")]
+    target = {}
+    for words in (line.split(",") for line in boundary):
+        if len(words) == 4:
+            target.setdefault(int(words[0]), [0, 0, 0])[int(words[1]) - 1] = float(words[3])
+    assert set(target) == {mesh.number[key] for key in mesh.moved()} and len(boundary) == len(mesh.held()) + 3 * len(target)
+    rest = {mesh.number[key]: mesh.point[key] for key in mesh.moved()}
+    now = {node: [p + u for p, u in zip(rest[node], by)] for node, by in target.items()}
+    nodes = sorted(now)
+    for a, b in zip(nodes, nodes[7:]):  # a rigid motion keeps distances
+        assert abs(math.dist(rest[a], rest[b]) - math.dist(now[a], now[b])) < 1e-9
+    center = [sum(now[mesh.number[key]][k] for key in mesh.moved() if abs(mesh.point[key][2] - 100) < 1e-9) for k in range(3)]
+    count = sum(abs(mesh.point[key][2] - 100) < 1e-9 for key in mesh.moved())
+    assert math.dist([x / count for x in center], [12.28099101, 0, 100 - 1.012664705]) < 1e-8
 turn = calculix.rotation([0, 90, 0])
 assert max(abs(a - b) for row, want in zip(turn, ((0, 0, 1), (0, 1, 0), (-1, 0, 0))) for a, b in zip(row, want)) < 1e-12
 

@@ -1,0 +1,73 @@
+"""`coupled` on surfaces as segmented vessels have them (meshes/irregular_tube.py), against the reference of the same case."""
+
+import math
+import sys
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+import yaml
+
+from accuracy import COLUMNS, chosen_reference
+from measure import compared, converged, failure_of, result_of
+from runs import Run, hybrid_arguments
+from store import REPOSITORY
+from tables import provenance, write_table
+
+MESHES = {"blue-noise": 48, "jittered": 48, "stretched": 96}  # points on a rim: triangles five times as long as wide need twice as many
+
+
+@lru_cache
+def surface(kind, around, length, radius, bend_deg):
+    """(text of the VTP file, smallest angle in degrees)."""
+    sys.path.insert(0, str(REPOSITORY / "meshes"))
+    from irregular_tube import irregular_tube, smallest_angle  # needs NumPy and SciPy
+    from vtp import write_vtp
+    points, triangles = irregular_tube(kind, length, radius, around, bend=math.radians(bend_deg))
+    with tempfile.TemporaryDirectory() as scratch:
+        write_vtp(f"{scratch}/tube.vtp", points, triangles)
+        return Path(f"{scratch}/tube.vtp").read_text(), smallest_angle(points, triangles)
+
+
+def mesh_of(case, kind):
+    tube = case.tube
+    return surface(kind, MESHES[kind], tube["length"], tube["radius"], tube.get("bend_deg", 0))
+
+
+def run(case, kind):
+    scene = case.changed().scene
+    vessel = scene["vessels"][0]
+    del vessel["tube"]
+    vessel.update(surface="tube.vtp", surface_is="mid")
+    text = yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=150)
+    return Run(f"{case.name}/coupled-{MESHES[kind]}-{kind}", "vasorod", hybrid_arguments("coupled"),
+               {"scene.yaml": text, "tube.vtp": lambda: mesh_of(case, kind)[0]})
+
+
+def all_runs(case):
+    """A surface that is read has one thickness, so tapered walls are left out."""
+    return [run(case, kind) for kind in MESHES] if case.counted and "end_thickness" not in case.tube else []
+
+
+def make_table(store, cases, path):
+    rows, records = [], []
+    for case in cases:
+        reference, reference_record = chosen_reference(store, case)
+        for one, kind in zip(all_runs(case), MESHES):
+            record = store.record(one.identity)
+            if reference is None or record is None:
+                continue
+            records += [record, reference_record]
+            row = {"case": case.name, "family": case.family, "ratio": case.ratio, "counted": 1, "model": "coupled", "mesh": kind, "around": MESHES[kind],
+                   "vertices": None, "smallest_angle": mesh_of(case, kind)[1], "reference": reference.identity.split("/")[1], **{name: None for name in COLUMNS},
+                   "failure": None}
+            if converged(store, record):
+                numbers = compared(store, case, one, reference)
+                row.update({name: numbers[name] for name in COLUMNS}, vertices=result_of(store, one.identity)["model"]["vertices"])
+            else:
+                row["failure"] = failure_of(store, record)
+            rows.append(row)
+    if rows:
+        unique = {record["identity"]: record for record in records}.values()
+        write_table(path, rows, ["`coupled` on irregular surfaces against the finite-element reference, law Biot; u_: the reference's own error",
+                                 *provenance(unique)])

@@ -151,7 +151,7 @@ def write_result(store, case, one, against):
         arm = [sum(turn[a][c] * (x, y, z - mesh.length)[c] for c in range(3)) for a in range(3)]
         force = [a + b for a, b in zip(force, f)]
         moment = [moment[0] + arm[1] * f[2] - arm[2] * f[1], moment[1] + arm[2] * f[0] - arm[0] * f[2], moment[2] + arm[0] * f[1] - arm[1] * f[0]]
-    result["program"], result["fidelity"] = "CalculiX", kind
+    result["program"], result["fidelity"] = "vasorod study, from what CalculiX printed", kind
     result["ends"][1].update(force=force, moment=moment, center=center)
     result["vessels"] = [{"name": "tube", "obstacle": False, "surface": "tube.vtp"}]
     (folder / "result.json").write_text(json.dumps(result, indent=1))

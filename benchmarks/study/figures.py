@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-COLOURS = {"rod": "#8c8c8c", "skin": "#d08c2f", "paper": "#b5483f", "coupled": "#2f6fb0", "shell": "#3a8f5a", "solid": "#222222"}
+COLOURS = {"rod": "#8c8c8c", "skin": "#d08c2f", "paper": "#b5483f", "coupled": "#2f6fb0", "shell": "#3a8f5a", "solid": "#222222", "CalculiX S8R": "#7a4fa3", "CalculiX C3D20R": "#c06aa8"}
 
 
 def plotting():

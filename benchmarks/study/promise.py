@@ -119,7 +119,7 @@ def promise_run(case, wanted):
     changed = case.changed()
     del changed.scene["fidelity"]
     changed.scene["accuracy"] = wanted
-    return Run(f"{case.name}/accuracy-{wanted:g}", "vasorod", hybrid_arguments(), {"scene.yaml": changed.text()})
+    return Run(f"{case.name}/accuracy-{wanted:g}", "vasorod", hybrid_arguments(), {"scene.yaml": changed.text})
 
 
 def all_runs(case):

@@ -31,7 +31,7 @@ def hybrid_arguments(fidelity=None):
 
 def hybrid(case, fidelity, around, *, tag=""):
     """vasorod on `around` points around; `tag` tells variations of one case apart."""
-    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod", hybrid_arguments(fidelity), {"scene.yaml": case.changed(around=around).text()})
+    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod", hybrid_arguments(fidelity), {"scene.yaml": case.changed(around=around).text})
 
 
 def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(0.34, 1.0)):
@@ -40,7 +40,7 @@ def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(
                ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model, "--law", law, "--degree", str(degree),
                 "--cells", str(cells[0]), str(cells[1]), "--refine", str(refine), "--first-step", str(steps[0]),
                 "--largest-step", str(steps[1])),
-               {"scene.yaml": case.text()}, keep=True)
+               {"scene.yaml": case.text}, keep=True)
 
 
 def accuracy_reference(case):

@@ -4,7 +4,7 @@
   study.py run PLAN [--case NAME ...]   what is not there yet is run, the rest is kept
   study.py tables                       tables from finished runs, into benchmarks/baselines
   study.py promise                      the table behind `accuracy: x`, from those
-  study.py report                       docs/comparison.md, from those
+  study.py report                       docs/comparison.md and docs/extremes.md, from those
   study.py check [--quick]              have the curves moved? exit 1 says where, and draws it
   study.py accept --reason TEXT         yes, and this is why
 """
@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import accuracy  # noqa: E402
 import calculix  # noqa: E402
+import extremes  # noqa: E402
 import irregular  # noqa: E402
 import laws  # noqa: E402
 import promise  # noqa: E402
@@ -39,10 +40,11 @@ PLANS = {  # per case
     "promise": promise.all_runs,
 }
 SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
+WHOLE = {"extremes": extremes.all_runs}  # of no case
 
 
 def open_store(arguments):
-    programs = {"vasorod": arguments.build / "bin" / "vasorod", "vasorod-fem": arguments.build / "bin" / "vasorod-fem"}
+    programs = {name: arguments.build / "bin" / name for name in ("vasorod", "vasorod-fem", "rod_extremes")}
     if calculix.PROGRAM:
         programs["ccx"] = calculix.PROGRAM
     return Store(arguments.results, programs)
@@ -56,6 +58,7 @@ def every_run():
     """All runs of the study by identity."""
     runs = [one for case in all_cases() for plan in PLANS.values() for one in plan(case)]
     runs += [one for load in sensitivity.LOADS for sweep in SWEEPS.values() for one in sweep(load)]
+    runs += [one for plan in WHOLE.values() for one in plan()]
     return {one.identity: one for one in runs}
 
 
@@ -71,6 +74,8 @@ def repeats_of(one):
 
 
 def runs_of(arguments):
+    if arguments.plan in WHOLE:
+        return WHOLE[arguments.plan]()
     if arguments.plan in SWEEPS:
         return [one for load in sensitivity.LOADS for one in SWEEPS[arguments.plan](load)]
     return [one for case in chosen_cases(arguments) for one in PLANS[arguments.plan](case)]
@@ -91,6 +96,7 @@ def tables(arguments):
     irregular.make_table(store, all_cases(), arguments.baselines / "irregular.csv")
     laws.make_table(store, arguments.baselines / "laws.csv")
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
+    extremes.make_tables(store, arguments.baselines)
     if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
         regression.accept(store, arguments.baselines, "first")
 
@@ -102,6 +108,7 @@ def write_promise(arguments):
 def write_report(arguments):
     import report  # needs matplotlib
     report.write_report(arguments.baselines, arguments.docs)
+    extremes.write_page(arguments.baselines, arguments.docs)
 
 
 def check(arguments):
@@ -125,7 +132,7 @@ def main():
     parser.add_argument("--baselines", type=Path, default=BASELINES, help="folder of the tables (default: benchmarks/baselines)")
     commands = parser.add_subparsers(dest="command", required=True)
     command = commands.add_parser("run", help="run what is not there yet")
-    command.add_argument("plan", choices=sorted([*PLANS, *SWEEPS]))
+    command.add_argument("plan", choices=sorted([*PLANS, *SWEEPS, *WHOLE]))
     command.add_argument("--case", action="append", help="this case only (may be repeated)")
     command.add_argument("--again", action="store_true", help="repeat finished runs too")
     command.set_defaults(call=run)

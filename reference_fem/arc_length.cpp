@@ -32,6 +32,12 @@ Guess extrapolate(const System& system, const std::vector<PathPoint>& history, d
 
 }  // namespace
 
+void append(std::vector<PathPoint>& history, double load, const Eigen::VectorXd& moved) {
+  for (PathPoint& point : history) point.from_last -= moved;
+  history.push_back({load, Eigen::VectorXd::Zero(moved.size())});
+  if (history.size() > 3) history.erase(history.begin());
+}
+
 bool follow_arc(const System& system, State& state, System::Assembly& assembly,
                 std::vector<PathPoint> history, const StepperOptions& options, StepperSummary& summary) {
   if (history.size() < 2) return false;
@@ -80,9 +86,7 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
     Eigen::VectorXd moved;
     if (ok) {  // not back along the path, nor far from where it was expected
       moved = system.difference(now, trial);
-      moved.tail(system.multipliers()).setZero();
-      ok = moved.dot(unit) > 0.7 * moved.norm();
-      moved = system.difference(now, trial);
+      ok = moved.dot(unit) > 0.7 * length(system, moved);
     }
     if (!ok) {
       ++summary.cutbacks;
@@ -96,9 +100,7 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
       if (direction > 0) summary.limit_loads.push_back(load);
       direction = -direction;
     }
-    for (PathPoint& point : history) point.from_last -= moved;
-    history.push_back({trial_load, Eigen::VectorXd::Zero(system.size())});
-    if (history.size() > 3) history.erase(history.begin());
+    append(history, trial_load, moved);
     now = std::move(trial);
     load = trial_load;
     if (options.on_step) options.on_step(load, now, trial_assembly);
@@ -109,9 +111,7 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
       best_energy = trial_assembly.energy;
       best_residual = trial_assembly.relative_residual();
     }
-    if (arrives) {
-      return settle_for_best(true);
-    }
+    if (arrives) return settle_for_best(true);
     if (load < -1)
       return settle_for_best(false);  // a deep snap may need the load reversed, but not beyond its size
     if (newton.iterations() <= 4) step = std::min(1.5 * step, 30 * start_step);

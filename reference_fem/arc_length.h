@@ -14,6 +14,9 @@ struct PathPoint {
   Eigen::VectorXd from_last;
 };
 
+/// Makes the state at `load`, `moved` from the newest one, the newest; three are kept.
+void append(std::vector<PathPoint>& history, double load, const Eigen::VectorXd& moved);
+
 /// Goes on from `state` with the help of the last two or three points of the path. On success (true) the
 /// state is the one at load 1; else it is that of the largest load met.
 bool follow_arc(const System& system, State& state, System::Assembly& assembly,

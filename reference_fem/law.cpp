@@ -10,15 +10,6 @@
 namespace vasorod::fem {
 namespace {
 
-constexpr std::array<std::array<int, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
-
-/// Symmetric tensor from its six components (no factor on the shears).
-Mat3 tensor(const Vec6& v) {
-  Mat3 m;
-  m << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
-  return m;
-}
-
 Vec6 stress_vector(const Mat3& m) {
   Vec6 v;
   v << m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2);
@@ -37,8 +28,8 @@ Mat6 inverse_square(const Mat3& Ci) {
   Mat6 m;
   for (int a = 0; a < 6; ++a)
     for (int b = 0; b < 6; ++b) {
-      const auto [I, J] = pairs[static_cast<std::size_t>(a)];
-      const auto [K, L] = pairs[static_cast<std::size_t>(b)];
+      const auto [I, J] = six_pairs[static_cast<std::size_t>(a)];
+      const auto [K, L] = six_pairs[static_cast<std::size_t>(b)];
       m(a, b) = 0.5 * (Ci(I, K) * Ci(J, L) + Ci(I, L) * Ci(J, K));
     }
   return m;
@@ -155,13 +146,13 @@ Response MaterialLaw::biot(const Mat3& C) const {
 
   Response out;
   out.energy = 0.5 * strain6.dot(T6);
-  const Mat3 S = sylvester(2 * tensor(T6));
+  const Mat3 S = sylvester(2 * stress_tensor(T6));
   out.stress = stress_vector(S);
   for (int b = 0; b < 6; ++b) {
     Vec6 dE6 = Vec6::Zero();
     dE6[b] = b < 3 ? 1.0 : 0.5;
-    const Mat3 dU = sylvester(2 * tensor(dE6));
-    const Mat3 dT = tensor(stiffness_ * strain_vector(dU));
+    const Mat3 dU = sylvester(2 * stress_tensor(dE6));
+    const Mat3 dT = stress_tensor(stiffness_ * strain_vector(dU));
     out.tangent.col(b) = stress_vector(sylvester(2 * dT - S * dU - dU * S));
   }
   return out;

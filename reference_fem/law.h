@@ -38,6 +38,17 @@ std::string inadmissible(const Moduli& moduli);
 /// 6x6 stiffness in the order 11 22 33 12 13 23 with engineering shear strains.
 Mat6 stiffness(const Moduli& moduli);
 
+/// Indices of the six components of a symmetric tensor: 11 22 33 12 13 23.
+inline constexpr std::array<std::array<int, 2>, 6> six_pairs{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+/// Symmetric tensor from its six components (no factor on the shears).
+inline Mat3 stress_tensor(const Vec6& s) {
+  Mat3 S;
+  S << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+  return S;
+}
+
 /// Response at a point. S and E in the order 11 22 33 12 13 23; the tangent is dS/dE with engineering shears.
 struct Response {
   double energy = 0;            ///< stress

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -16,6 +15,7 @@
 #include "output/folder_replacement.h"
 #include "output/result_folder.h"
 #include "output/write_json.h"
+#include "reference_fem/clock.h"
 #include "reference_fem/solve_scene.h"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -26,10 +26,6 @@ std::atomic<bool> stop_asked{false};
 
 void ask_to_stop(int) {
   stop_asked = true;
-}
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 struct Arguments {
@@ -50,19 +46,19 @@ bool launched_as_team() {
 
 int solve(Arguments& arguments) {
   using namespace vasorod;
-  const double start = now();
+  const double start = fem::now();
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(arguments.threads);
   const fem::Team& team = arguments.options.team;
   if (team.first()) require_replaceable(arguments.output);
   const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
-  const double read = now() - start;
+  const double read = fem::now() - start;
   fem::SolveOptions& options = arguments.options;
   if (!arguments.cells.empty()) {
     options.around = arguments.cells[0];
     options.along = arguments.cells[1];
   }
   options.stepper.interrupted = [&] {
-    return team.any(stop_asked || (arguments.time_limit > 0 && now() - start > arguments.time_limit));
+    return team.any(stop_asked || (arguments.time_limit > 0 && fem::now() - start > arguments.time_limit));
   };
   const bool talk = team.first() && !arguments.quiet && isatty(STDERR_FILENO) != 0;
   if (talk) options.progress = [](const std::string& line) { std::cerr << line << std::endl; };
@@ -72,7 +68,7 @@ int solve(Arguments& arguments) {
   result.environment.blas = openblas_set_num_threads != nullptr ? "openblas" : "other";
   result.environment.threads = arguments.threads;
   result.seconds["read"] = read;
-  result.seconds["total"] = now() - start;
+  result.seconds["total"] = fem::now() - start;
   if (team.size() > 1)
     result.certificate.notes.push_back("solved by " + std::to_string(team.size()) + " processes");
   const int code = result.status == Status::converged ? 0 : 1;

@@ -1,17 +1,11 @@
 #include "reference_fem/newton.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "reference_fem/clock.h"
+
 namespace vasorod::fem {
-namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 Newton::Verdict Newton::judge(double r, int iteration) {
   if (iteration == 0) best_ = 1e300;

@@ -1,22 +1,18 @@
 #include "reference_fem/solve_scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "geometry/error.h"
+#include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 #include "reference_fem/refinement.h"
 #include "reference_fem/tube_result.h"
 
 namespace vasorod::fem {
 namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 template <class... Values>
 std::string text(const char* format, Values... values) {

@@ -35,8 +35,6 @@ std::string to_string(PathStatus status) {
       return "complete";
     case PathStatus::stuck:
       return "stuck";
-    case PathStatus::singular:
-      return "singular";
     case PathStatus::interrupted:
       return "interrupted";
   }
@@ -83,9 +81,7 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
       return summary;
     }
     const Eigen::VectorXd moved = system.difference(state, trial);
-    for (PathPoint& point : history) point.from_last -= moved;
-    history.push_back({load, Eigen::VectorXd::Zero(system.size())});
-    if (history.size() > 3) history.erase(history.begin());
+    append(history, load, moved);
     state = std::move(trial);
     std::swap(assembly, trial_assembly);
     const double taken = load - summary.load;

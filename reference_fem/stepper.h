@@ -32,7 +32,7 @@ struct StepperOptions {
       on_step;  ///< after each converged step
 };
 
-enum class PathStatus { complete, stuck, singular, interrupted };
+enum class PathStatus { complete, stuck, interrupted };
 std::string to_string(PathStatus status);
 
 struct StepperSummary {

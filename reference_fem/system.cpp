@@ -19,6 +19,16 @@ Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member&
   return columns;
 }
 
+/// Puts the members of a rigid section to its pose; a soft one's are free.
+void place_members(const Section& section, const Pose& pose, Eigen::VectorXd& u) {
+  if (section.soft) return;
+  for (const Member& member : section.members) {
+    Vec3 value = pose.rotation * member.arm - member.arm;
+    if (member.follows_center) value += pose.position - section.center;
+    u.segment<3>(member.first_dof) = value;
+  }
+}
+
 }  // namespace
 
 System::System(const Model& model, Supports supports, const Team& team)
@@ -152,12 +162,7 @@ void System::prescribe(State& state, double load) const {
       const Vec3 axis = section.axes.col(static_cast<Eigen::Index>(k));
       pose.position += axis.dot(section.center + load * section.move - pose.position) * axis;
     }
-    if (section.soft) continue;
-    for (const Member& member : section.members) {
-      Vec3 value = pose.rotation * member.arm - member.arm;
-      if (member.follows_center) value += pose.position - section.center;
-      state.u.segment<3>(member.first_dof) = value;
-    }
+    place_members(section, pose, state.u);
   }
 }
 
@@ -174,12 +179,7 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
     const Section& section = supports_.sections[s];
     state.pose[s].position += section.axes * step.head<3>();
     state.pose[s].rotation = exp_rotation(section.axes * step.tail<3>()) * state.pose[s].rotation;
-    if (section.soft) continue;
-    for (const Member& member : section.members) {
-      Vec3 value = state.pose[s].rotation * member.arm - member.arm;
-      if (member.follows_center) value += state.pose[s].position - section.center;
-      state.u.segment<3>(member.first_dof) = value;
-    }
+    place_members(section, state.pose[s], state.u);
   }
 }
 

@@ -5,18 +5,30 @@
 
 namespace vasorod::fem {
 
-Section end_section(const Solid& solid, const TubeShape& tube, int side, bool soft) {
-  const Mesh& mesh = solid.mesh();
+namespace {
+
+/// Node and share of the section; shares sum to 1.
+using Shares = std::map<int, double>;
+
+/// The section without members. A soft one stands at the mean of its nodes.
+Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool soft, const Shares& shares) {
   const Pose frame = tube.section(side);
   Section section;
   section.name = side == 0 ? "start" : "end";
   section.soft = soft;
   section.center = frame.position;
   section.axes = frame.rotation;
+  if (!soft) return section;
+  section.center.setZero();
+  for (const auto& [node, share] : shares) section.center += share * mesh.nodes.row(node).transpose();
+  return section;
+}
 
-  std::map<int, double> weight;
+/// By area.
+Shares area_shares(const Mesh& mesh, int direction, int side) {
+  Shares shares;
   double area = 0;
-  const FaceMesh face = face_of(mesh, 1, side);
+  const FaceMesh face = face_of(mesh, direction, side);
   for (const std::vector<int>& nodes : face.nodes) {
     const auto n = static_cast<Eigen::Index>(nodes.size());
     Eigen::Matrix3Xd x(3, n);
@@ -25,41 +37,38 @@ Section end_section(const Solid& solid, const TubeShape& tube, int side, bool so
       const Vec3 along = x * face.slope[0].row(q).transpose(), across = x * face.slope[1].row(q).transpose();
       const double w = face.weights[q] * along.cross(across).norm();
       area += w;
-      for (Eigen::Index a = 0; a < n; ++a) weight[nodes[static_cast<std::size_t>(a)]] += w * face.shape(q, a);
+      for (Eigen::Index a = 0; a < n; ++a) shares[nodes[static_cast<std::size_t>(a)]] += w * face.shape(q, a);
     }
   }
-  if (soft) {
-    section.center.setZero();
-    for (const auto& [node, w] : weight) section.center += w / area * mesh.nodes.row(node).transpose();
-  }
-  for (const auto& [node, w] : weight)
-    section.members.push_back({3 * node, mesh.nodes.row(node).transpose() - section.center, true, w / area});
-  return section;
+  for (auto& [node, share] : shares) share /= area;
+  return shares;
 }
 
-std::map<int, double> edge_shares(const Mesh& mesh, int direction, int side) {
-  const FaceMesh edges = face_of(mesh, direction, side);
-  const Eigen::VectorXd share = edges.shape.transpose() * edges.weights;
-  std::map<int, double> shares;
-  for (std::size_t e = 0; e < edges.nodes.size(); ++e)
-    for (std::size_t a = 0; a < edges.nodes[e].size(); ++a)
-      shares[edges.nodes[e][a]] += edges.extent[e] * share[static_cast<Eigen::Index>(a)];
+}  // namespace
+
+std::map<int, double> parameter_shares(const Mesh& mesh, int direction, int side) {
+  const FaceMesh face = face_of(mesh, direction, side);
+  const Eigen::VectorXd share = face.shape.transpose() * face.weights;
+  Shares shares;
+  for (std::size_t f = 0; f < face.nodes.size(); ++f)
+    for (std::size_t a = 0; a < face.nodes[f].size(); ++a)
+      shares[face.nodes[f][a]] += face.extent[f] * share[static_cast<Eigen::Index>(a)];
   return shares;
+}
+
+Section end_section(const Solid& solid, const TubeShape& tube, int side, bool soft) {
+  const Mesh& mesh = solid.mesh();
+  const Shares shares = area_shares(mesh, 1, side);
+  Section section = place_section(mesh, tube, side, soft, shares);
+  for (const auto& [node, share] : shares)
+    section.members.push_back({3 * node, mesh.nodes.row(node).transpose() - section.center, true, share});
+  return section;
 }
 
 Section end_section(const Shell& shell, const TubeShape& tube, int side, bool soft) {
   const Mesh& mesh = shell.mesh();
-  const Pose frame = tube.section(side);
-  Section section;
-  section.name = side == 0 ? "start" : "end";
-  section.soft = soft;
-  section.center = frame.position;
-  section.axes = frame.rotation;
-  const std::map<int, double> shares = edge_shares(mesh, 1, side);
-  if (soft) {
-    section.center.setZero();
-    for (const auto& [node, share] : shares) section.center += share * mesh.nodes.row(node).transpose();
-  }
+  const Shares shares = parameter_shares(mesh, 1, side);
+  Section section = place_section(mesh, tube, side, soft, shares);
   const double t = tube.thickness_at(side);
   for (const auto& [node, share] : shares) {
     section.members.push_back({7 * node, mesh.nodes.row(node).transpose() - section.center, true, share});

@@ -18,8 +18,8 @@ Section end_section(const Shell& shell, const TubeShape& tube, int side, bool so
 /// The tube's mid-surface as a shell: directors along the section's radii, so that it is the solid's body.
 ShellBody tube_body(const TubeShape& tube);
 
-/// Share of each node in an edge of a surface mesh (direction 0 or 1, side 0 or 1), by parameter length; sums
-/// to 1.
-std::map<int, double> edge_shares(const Mesh& mesh, int direction, int side);
+/// Share of each node in a side of the mesh (direction, side 0 or 1), an edge of a surface or a face of a
+/// solid, by its extent in the parameters; sums to 1.
+std::map<int, double> parameter_shares(const Mesh& mesh, int direction, int side);
 
 }  // namespace vasorod::fem

@@ -1,12 +1,12 @@
 #include "reference_fem/tube_problem.h"
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
 
 #include "geometry/error.h"
+#include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 
 namespace vasorod::fem {
@@ -90,10 +90,6 @@ std::vector<EndProblem> ends_of(const Scene& scene, const TubeProblem& problem) 
   return ends;
 }
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Abscissa of a mesh parameter: cells shrink towards the ends, where rigid sections cause edge layers of
 /// about sqrt(R t).
 double graded(double p) {
@@ -144,10 +140,12 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
   }
   const ShellBody body{[=](const Vec3& p) { return Vec3(shape.axes(place(p)).col(0)); },
                        [=](const Vec3& p) { return shape.thickness_at(place(p)[1]); }, axes};
-  Mesh cells = size.file.empty() ? make_surface(block,
-                                                [&](const Vec3& p) {
-                                                  return shape.point(place({p[0], p[1], 0.5}));
-                                                })
+  Mesh cells = size.file.empty() ? make_surface(
+                                       block,
+                                       [&](const Vec3& p) {
+                                         return shape.point(place({p[0], p[1], 0.5}));
+                                       },
+                                       team)
                                  : read_surface(file, shape, size.degree, team);
   auto shell = std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
   if (problem.pressure != 0) shell->add_pressure(problem.pressure);

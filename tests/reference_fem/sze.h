@@ -68,7 +68,7 @@ inline Rows cantilever_shear(const std::vector<double>& loads, const std::array<
   Supports supports;
   hold(supports, shell.mesh().nodes_on(0, 0), {0, 1, 2, 3, 4, 5});
   supports.dead_load = Eigen::VectorXd::Zero(shell.dof_count());
-  for (const auto& [node, share] : edge_shares(shell.mesh(), 0, 1))
+  for (const auto& [node, share] : parameter_shares(shell.mesh(), 0, 1))
     supports.dead_load[7 * node + 2] = 4 * share;
   const int tip = shell.mesh().nearest_node({1, 0, 0});
   return follow(shell, supports, loads, 0.05, 0.2, [tip](const Eigen::VectorXd& u) {
@@ -109,7 +109,7 @@ inline Rows slit_annulus(const std::vector<double>& loads, const std::array<int,
   Supports supports;
   hold(supports, shell.mesh().nodes_on(1, 0), {0, 1, 2, 3, 4, 5});
   supports.dead_load = Eigen::VectorXd::Zero(shell.dof_count());
-  for (const auto& [node, share] : edge_shares(shell.mesh(), 1, 1))
+  for (const auto& [node, share] : parameter_shares(shell.mesh(), 1, 1))
     supports.dead_load[7 * node + 2] = 0.8 * 4 * share;
   const int inner = shell.mesh().nearest_node({0, 1, 0}), outer = shell.mesh().nearest_node({1, 1, 0});
   return follow(shell, supports, loads, 0.0125, 0.05, [=](const Eigen::VectorXd& u) {
@@ -188,12 +188,8 @@ inline Rows solid_cantilever_shear(const std::vector<double>& loads, const std::
   Supports supports;
   hold(supports, solid.mesh().nodes_on(0, 0), {0, 1, 2}, 3);
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
-  const FaceMesh face = face_of(solid.mesh(), 0, 1);
-  const Eigen::VectorXd share = face.shape.transpose() * face.weights;
-  for (std::size_t f = 0; f < face.nodes.size(); ++f)
-    for (std::size_t a = 0; a < face.nodes[f].size(); ++a)
-      supports.dead_load[3 * face.nodes[f][a] + 2] +=
-          4 * face.extent[f] * share[static_cast<Eigen::Index>(a)];
+  for (const auto& [node, share] : parameter_shares(solid.mesh(), 0, 1))
+    supports.dead_load[3 * node + 2] = 4 * share;
   return follow(solid, supports, loads, 0.05, 0.2, middle_of_tip(solid));
 }
 
@@ -229,19 +225,15 @@ inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::arr
   hold(supports, mesh.nodes_on(1, 0), {0, 1, 2}, 3);
   hold(supports, mesh.nodes_on(0, 0), {2}, 3);
   hold(supports, mesh.nodes_on(0, 1), {0}, 3);
-  // shares of the nodes on the line through the thickness: the integrals of their shape functions
-  const FaceMesh face = face_of(mesh, 0, 1);
+  // the nodes on the line through the thickness, in proportion to their shares of the face beside it
+  const std::map<int, double> shares = parameter_shares(mesh, 0, 1);
   std::vector<std::pair<int, double>> line;
-  for (const int node : mesh.nodes_on(1, 1))
-    if (mesh.parameters(node, 0) > 1 - 1e-9) line.emplace_back(node, 0);
   double sum = 0;
-  for (auto& [node, share] : line) {
-    for (std::size_t f = 0; f < face.nodes.size(); ++f)
-      for (std::size_t a = 0; a < face.nodes[f].size(); ++a)
-        if (face.nodes[f][a] == node)
-          share += face.extent[f] * face.weights.dot(face.shape.col(static_cast<Eigen::Index>(a)));
-    sum += share;
-  }
+  for (const int node : mesh.nodes_on(1, 1))
+    if (mesh.parameters(node, 0) > 1 - 1e-9) {
+      line.emplace_back(node, shares.at(node));
+      sum += shares.at(node);
+    }
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
   for (const auto& [node, share] : line) supports.dead_load[3 * node + 2] = -1000 * share / sum;
   return follow(solid, supports, loads, 0.025, 0.05, [=](const Eigen::VectorXd& u) {

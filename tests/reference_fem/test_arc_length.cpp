@@ -50,7 +50,7 @@ TEST(ArcLength, FollowsAShallowArchThroughItsLimitPoints) {
   Arch arch;
   const double full = 12;
   arch.supports.dead_load = Eigen::VectorXd::Zero(arch.shell.dof_count());
-  for (const auto& [node, share] : edge_shares(arch.shell.mesh(), 0, 0))
+  for (const auto& [node, share] : parameter_shares(arch.shell.mesh(), 0, 0))
     arch.supports.dead_load[7 * node + 2] = -full * share;
   const int crown = arch.shell.mesh().nearest_node({0, 0, 0});
   const System system(arch.shell, arch.supports);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference_fem/finite_differences.h"
+#include "reference_fem/in_one_step.h"
 #include "reference_fem/stepper.h"
 #include "reference_fem/sze.h"
 #include "reference_fem/tube.h"
@@ -23,10 +25,12 @@ Vec3 skewed(const Vec3& p) {
                          p[2] * (1 - p[2]) * p[0]);
 }
 
-bool on_boundary(const Vec3& parameter) {
-  for (int d = 0; d < 3; ++d)
-    if (parameter[d] < 1e-9 || parameter[d] > 1 - 1e-9) return true;
-  return false;
+std::vector<int> boundary_of(const Mesh& mesh) {
+  std::vector<int> nodes;
+  for (int i = 0; i < mesh.node_count(); ++i)
+    if (mesh.parameters.row(i).minCoeff() < 1e-9 || mesh.parameters.row(i).maxCoeff() > 1 - 1e-9)
+      nodes.push_back(i);
+  return nodes;
 }
 
 TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
@@ -35,30 +39,9 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
               MaterialLaw(LawKind::biot, {1.7, 0.9, 0.35, 0.2, 0.25, false}),
               [&](const Vec3& p) { return tube.axes(p); });
   solid.add_pressure(2, 0, 0.3);
-  Eigen::VectorXd u(solid.dof_count());
-  for (int i = 0; i < u.size(); ++i) u[i] = 0.05 * std::sin(3.0 * i);
-  CellTerms at, plus, minus;
-  for (const int cell : {1, solid.cell_count() - 1}) {
-    const std::vector<int> dofs = solid.dofs(cell);
-    ASSERT_TRUE(solid.evaluate(cell, u, 0.7, true, at));
-    double worst = 0, worst_energy = 0;
-    for (std::size_t b = 0; b < dofs.size(); ++b) {
-      const double h = 1e-6;
-      Eigen::VectorXd v = u;
-      v[dofs[b]] += h;
-      solid.evaluate(cell, v, 0.7, false, plus);
-      v[dofs[b]] -= 2 * h;
-      solid.evaluate(cell, v, 0.7, false, minus);
-      const auto column = static_cast<Eigen::Index>(b);
-      worst = std::max(worst, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
-      worst_energy =
-          std::max(worst_energy, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
-    }
-    EXPECT_LT(worst, 1e-7 * at.tangent.norm());
-    if (cell == 1) {
-      EXPECT_LT(worst_energy, 1e-7 * at.residual.norm());
-    }
-  }
+  const Eigen::VectorXd u = uneven_state(solid, 0.05);
+  expect_derivatives(solid, 1, u, 0.7, true);                        // a cell
+  expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);  // a face under pressure
 }
 
 // The split law on cells whose volume ratio is projected: energy, residual and tangent belong together.
@@ -66,26 +49,8 @@ TEST(Solid, ProjectedVolumeRatioIsConsistent) {
   for (const int degree : {1, 2, 3}) {
     const Solid solid(make_solid({{1, 1, 1}, false, degree}, skewed), MaterialLaw::split(0.4, 50),
                       space_axes);
-    Eigen::VectorXd u(solid.dof_count());
-    for (int i = 0; i < u.size(); ++i) u[i] = 0.03 * std::sin(3.0 * i);
-    CellTerms at, plus, minus;
-    const std::vector<int> dofs = solid.dofs(0);
-    ASSERT_TRUE(solid.evaluate(0, u, 1, true, at));
-    double worst = 0, worst_energy = 0;
-    for (std::size_t b = 0; b < dofs.size(); ++b) {
-      const double h = 1e-6;
-      Eigen::VectorXd v = u;
-      v[dofs[b]] += h;
-      solid.evaluate(0, v, 1, false, plus);
-      v[dofs[b]] -= 2 * h;
-      solid.evaluate(0, v, 1, false, minus);
-      const auto column = static_cast<Eigen::Index>(b);
-      worst = std::max(worst, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
-      worst_energy =
-          std::max(worst_energy, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
-    }
-    EXPECT_LT(worst, 1e-7 * at.tangent.norm()) << degree;
-    EXPECT_LT(worst_energy, 1e-7 * at.residual.norm()) << degree;
+    SCOPED_TRACE(degree);
+    expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
   }
 }
 
@@ -98,10 +63,7 @@ TEST(Solid, PatchTestOnDistortedCells) {
       Solid solid(make_solid({{2, 2, 2}, false, degree}, skewed), law, space_axes);
       Supports supports;
       const Mesh& mesh = solid.mesh();
-      for (int i = 0; i < mesh.node_count(); ++i)
-        if (on_boundary(mesh.parameters.row(i)))
-          for (int c = 0; c < 3; ++c)
-            supports.prescribed.emplace_back(3 * i + c, (H * mesh.nodes.row(i).transpose())[c]);
+      hold_at(supports, mesh.nodes, boundary_of(mesh), [&](const Vec3& X) { return Vec3(H * X); });
       const System system(solid, supports);
       State state;
       System::Assembly assembly;
@@ -133,10 +95,7 @@ struct Manufactured {
   }
   Mat3 P(const Vec3& X) const {
     const Mat3 F = gradient(X);
-    const Vec6 s = law.evaluate(F).stress;
-    Mat3 S;
-    S << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
-    return F * S;
+    return F * stress_tensor(law.evaluate(F).stress);
   }
   Vec3 body_force(const Vec3& X) const {
     const double h = 1e-3;  // fourth-order differences: 1e-12 relative
@@ -157,10 +116,7 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
   Solid solid(make_solid({{cells, cells, cells}, false, degree}, skewed), exact.law, space_axes);
   const Mesh& mesh = solid.mesh();
   Supports supports;
-  for (int i = 0; i < mesh.node_count(); ++i)
-    if (on_boundary(mesh.parameters.row(i)))
-      for (int c = 0; c < 3; ++c)
-        supports.prescribed.emplace_back(3 * i + c, Manufactured::u(mesh.nodes.row(i))[c]);
+  hold_at(supports, mesh.nodes, boundary_of(mesh), Manufactured::u);
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
   for (int c = 0; c < mesh.cell_count(); ++c)
     for (int q = 0; q < mesh.point_count(); ++q) {
@@ -173,13 +129,7 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
         supports.dead_load.segment<3>(3 * mesh.cell_nodes[cell][a]) +=
             mesh.shape(q, static_cast<Eigen::Index>(a)) * f;
     }
-  const System system(solid, supports);
-  State state;
-  System::Assembly assembly;
-  StepperOptions options;
-  options.first_step = options.largest_step = 1;
-  options.certify = false;
-  EXPECT_EQ(follow_path(system, state, assembly, options).status, PathStatus::complete);
+  const State state = in_one_step(solid, supports, 1e-9).state;
   double square = 0, slope = 0;
   for (std::size_t c = 0; c < mesh.cell_nodes.size(); ++c) {
     const auto n = static_cast<Eigen::Index>(mesh.cell_nodes[c].size());
@@ -233,13 +183,7 @@ TEST(Solid, LameTubeUnderPressure) {
   supports.prescribed.emplace_back(3 * right + 1, 0);
   supports.prescribed.emplace_back(3 * top, 0);
   supports.prescribed.emplace_back(3 * mesh.nearest_node({0.5, 0, 0}) + 1, 0);
-  const System system(solid, supports);
-  State state;
-  System::Assembly assembly;
-  StepperOptions options;
-  options.first_step = options.largest_step = 1;
-  options.tolerance = 1e-8;
-  ASSERT_EQ(follow_path(system, state, assembly, options).status, PathStatus::complete);
+  const State state = in_one_step(solid, supports, 1e-8).state;
   const double inner = state.u[3 * mesh.nearest_node({0, 0.5, 0})],
                outer = state.u[3 * mesh.nearest_node({0, 0.5, 1})];
   EXPECT_NEAR(inner / p * 1e-3, 4.48695e-2, 4.48695e-2 * 2e-5);

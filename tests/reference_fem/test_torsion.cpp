@@ -3,8 +3,8 @@
 // the solid: a piece of the infinite tube whose end sections have the exact deformed shape.
 #include <gtest/gtest.h>
 
+#include "reference_fem/in_one_step.h"
 #include "reference_fem/solid.h"
-#include "reference_fem/stepper.h"
 #include "reference_fem/tube.h"
 #include "reference_fem/uniform_torsion.h"
 
@@ -33,21 +33,11 @@ Resultants solid_piece(const MaterialLaw& law, double twist, double stretch) {
     const double R = X.head<2>().norm(), r = exact.radius(R), angle = std::atan2(X[1], X[0]) + twist * X[2];
     return Vec3(r * std::cos(angle), r * std::sin(angle), stretch * X[2]);
   };
-  std::vector<int> top;
-  for (const int side : {0, 1})
-    for (const int node : mesh.nodes_on(1, side)) {
-      const Vec3 X = mesh.nodes.row(node), u = end(X) - X;
-      for (int c = 0; c < 3; ++c) supports.prescribed.emplace_back(3 * node + c, u[c]);
-      if (side == 1) top.push_back(node);
-    }
-  const System system(solid, supports);
-  State state;
-  System::Assembly assembly;
-  StepperOptions options;
-  options.first_step = options.largest_step = 1;
-  options.tolerance = 1e-11;
-  options.certify = false;
-  EXPECT_EQ(follow_path(system, state, assembly, options).status, PathStatus::complete);
+  const auto moved = [&](const Vec3& X) { return Vec3(end(X) - X); };
+  const std::vector<int> top = mesh.nodes_on(1, 1);
+  hold_at(supports, mesh.nodes, mesh.nodes_on(1, 0), moved);
+  hold_at(supports, mesh.nodes, top, moved);
+  const auto [state, assembly] = in_one_step(solid, supports, 1e-11);
   Resultants out;
   for (const int node : top) {
     const Vec3 x = mesh.nodes.row(node).transpose() + state.u.segment<3>(3 * node),

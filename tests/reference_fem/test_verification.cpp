@@ -99,12 +99,7 @@ double cooks_tip(double kappa, int cells, int degree) {
     if (mesh.parameters(node, 2) < 1e-9 || mesh.parameters(node, 2) > 1 - 1e-9)
       supports.prescribed.emplace_back(3 * node + 2, 0);
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
-  const FaceMesh face = face_of(mesh, 0, 1);
-  const double faces = static_cast<double>(face.nodes.size());
-  for (const auto& nodes : face.nodes)
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      supports.dead_load[3 * nodes[a] + 1] +=
-          face.weights.dot(face.shape.col(static_cast<Eigen::Index>(a))) / faces;
+  for (const auto& [node, share] : parameter_shares(mesh, 0, 1)) supports.dead_load[3 * node + 1] = share;
   const System system(solid, supports);
   State state;
   System::Assembly assembly;

@@ -72,10 +72,7 @@ class UniformTorsion {
     F(1, 1) = now / R;
     F(1, 2) = now * twist_;
     F(2, 2) = stretch_;
-    const Vec6 s = law_.evaluate(F).stress;
-    Mat3 S;
-    S << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
-    return F * S;
+    return F * stress_tensor(law_.evaluate(F).stress);
   }
   template <class Function>
   void integrate(const Function& f) const {

@@ -1,11 +1,11 @@
 // gmsh meshes: the same numbers as the built-in mesh of the same cells, and one sentence for each file that
-// deal.II would misread or that is not the scene's tube. The files of meshes/tube.py are made by ctest.
+// deal.II would misread or that is not the scene's tube. One test has meshes/tube.py make its
+// files.
 #include "reference_fem/mesh_file.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -13,6 +13,7 @@
 
 #include "geometry/error.h"
 #include "geometry/rigid_motion.h"
+#include "program/run_program.h"
 #include "reference_fem/shell.h"
 #include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
@@ -168,17 +169,23 @@ TEST(MeshFile, HalvedCellsLieOnTheTubeAndUnitsArePassedOn) {
                          straight));
 }
 
-// Written by meshes/tube.py before this test runs: bent by 60 degrees, tapered in radius and thickness.
+// By meshes/tube.py: bent by 60 degrees, tapered in radius and thickness; both of gmsh's formats.
 TEST(MeshFile, CurvedTaperedTubeOfGmsh) {
-  const char* folder = std::getenv("VASOROD_TUBE_MESHES");
-  if (folder == nullptr) GTEST_SKIP() << "no gmsh";
+  const testing::ScratchFolder scratch;
+  const std::string hexahedra = (scratch / "hex.msh").string(), flat = (scratch / "quad.msh").string(),
+                    shape = " --length 30 --radius 5 --end-radius 4 --bend-deg 60 --around 8 --along 6";
+  for (const std::string& arguments :
+       {hexahedra + shape + " --thickness 1 --end-thickness 0.7", flat + shape + " --cells quad --msh2"}) {
+    const testing::ProgramRun made = testing::run_program(VASOROD_TUBE_GENERATOR " " + arguments);
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
   TubeShape tube{30, 5, 1, 4, 0.7, std::numbers::pi / 3, {}};
   tube.placement.rotation = exp_rotation(Vec3(0.3, -1, 0.4));  // the scene places the tube
   tube.placement.position = Vec3(5, -3, 7);
   const Block block{{8, 6, 1}, true, 3};
-  expect_same(bent_solid(read_solid({std::string(folder) + "/hex.msh", 1, 0}, tube, 3), tube),
+  expect_same(bent_solid(read_solid({hexahedra, 1, 0}, tube, 3), tube),
               bent_solid(make_solid(block, [&](const Vec3& p) { return tube.point(p); }), tube));
-  expect_same(bent_shell(read_surface({std::string(folder) + "/quad.msh", 1, 0}, tube, 3), tube),
+  expect_same(bent_shell(read_surface({flat, 1, 0}, tube, 3), tube),
               bent_shell(make_surface(block,
                                       [&](const Vec3& p) {
                                         return tube.point({p[0], p[1], 0.5});

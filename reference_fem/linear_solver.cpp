@@ -45,8 +45,9 @@ class OneProcess final : public LinearSolver::Method {
     const Eigen::Index n = whole.cols() - multipliers;
     const Sparse K = whole.topLeftCorner(n, n);
     constraints = whole.topRightCorner(n, multipliers);
-    // large enough to hold rigid motions, small enough not to spoil the condition
-    gamma = 10 * K.diagonal().mean() * multipliers / constraints.squaredNorm();
+    // Springs in place of constraints buckle earlier: with 10 in place of 1e5 a column on a soft root is
+    // called unstable below its load. More would only cost digits of the solution.
+    gamma = 1e5 * K.diagonal().mean() * multipliers / constraints.squaredNorm();
     const Sparse held = K + gamma * Sparse(constraints * Sparse(constraints.transpose()));
     if (!analysed) cholesky.analyzePattern(held);
     analysed = true;

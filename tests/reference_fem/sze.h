@@ -6,9 +6,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
+#include "reference_fem/rolled_strip.h"
 #include "reference_fem/shell.h"
 #include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
@@ -241,6 +243,24 @@ inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::arr
     for (const auto& [node, share] : line) mean -= share / sum * u[3 * node + 2];
     return std::array<double, 2>{mean, 0};
   });
+}
+
+/// 3.2 against the strip's own exact solution, within `bound` of its length 12, and, by the rule of 1 % or
+/// 0.002, against the elastica.
+inline void expect_rolled(const std::vector<double>& loads, const Rows& path,
+                          reference::RolledStrip::Kind kind, double bound) {
+  using reference::RolledStrip;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto exact = RolledStrip{}.tip(kind, loads[i]),
+               elastica = RolledStrip{}.tip(RolledStrip::Kind::elastica, loads[i]);
+    std::printf("%g: %.5f %.5f (exact %.5f %.5f, elastica %.5f %.5f)\n", loads[i], path[i][0], path[i][1],
+                exact[0], exact[1], elastica[0], elastica[1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(path[i][k], exact[k], bound) << "load " << loads[i];
+      EXPECT_NEAR(path[i][k], elastica[k], std::max(0.002, 0.01 * std::abs(elastica[k])))
+          << "load " << loads[i];
+    }
+  }
 }
 
 }  // namespace vasorod::fem::sze

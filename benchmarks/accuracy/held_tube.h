@@ -1,0 +1,48 @@
+// A tube of E = 1 between two rigid sections, solved by the coupled minimum, and what its middle did.
+#pragma once
+
+#include "accuracy/tube_meshes.h"
+#include "geometry/rigid_motion.h"
+#include "wall/coupled_problem.h"
+
+namespace vasorod::bench {
+
+struct HeldTube {
+  TubeSpec shape;  ///< length, radius and bend_deg count
+  double thickness = 1, poisson = 0.3;
+  TubeMesh mesh;
+  TriangleSurface rest;
+
+  HeldTube(TubeMesh mesh, double length, double radius, double thickness, double poisson = 0.3,
+           double bend_deg = 0);
+  double area() const;     ///< of the wall's section
+  double inertia() const;  ///< of the wall's section, about a diameter
+  double shear_modulus() const { return 1 / (2 * (1 + poisson)); }
+};
+
+struct HeldAnswer {
+  bool settled = false;  ///< converged and certified
+  Points positions;
+  Vec3 force, moment;  ///< the end's on the wall, moment about its centre
+};
+
+/// The end carried by a constant change of the axis's strain (v, u). A freedom of the end (x, y, z, rx, ry,
+/// rz in its own frame) that is not held is free; `force` loads it.
+struct EndMotion {
+  Vec6 change = Vec6::Zero();
+  std::array<bool, 6> held{true, true, true, true, true, true};
+  Vec3 force = Vec3::Zero();
+};
+HeldAnswer solve(const HeldTube& tube, const EndMotion& end);
+
+/// The section's mean pose: centre, and the rotation from rest that fits its vertices best. On staggered rows
+/// a section is the row nearest to s that starts on the normal, else what is within 0.8 spacings.
+struct SectionMean {
+  double s = 0, radius = 0;             ///< where; mean distance from the centre over the one at rest
+  double flattening = 0, widening = 0;  ///< of the diameters along the normal and the binormal
+  Vec3 centre = Vec3::Zero();
+  Mat3 rotation = Mat3::Identity();
+};
+SectionMean section_mean(const HeldTube& tube, const Points& positions, double s);
+
+}  // namespace vasorod::bench

@@ -1,0 +1,278 @@
+// The wall of `coupled` against closed forms, printed as Markdown (docs/wall.md):
+//   wall_accuracy [stretch] [twist] [shear] [ring] [bending] [curved] [refinement]
+// without arguments all of them. Tubes R 10, E 1; t is the thickness.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "accuracy/bent_ring.h"
+#include "accuracy/held_tube.h"
+#include "accuracy/refinement.h"
+#include "geometry/triangle_surface.h"
+#include "surface/cholesky.h"
+#include "wall/wall_energy.h"
+
+namespace vasorod::bench {
+namespace {
+
+using std::numbers::pi;
+constexpr double radius = 10;
+
+void title(const char* text, const char* columns) {
+  std::printf("\n### %s\n\n%s\n", text, columns);
+  for (const char* c = columns; *c != 0; ++c)
+    if (*c == '|') std::printf(c[1] == 0 ? "|\n" : "| --- ");
+}
+
+/// Regular, shifted and blue-noise, `around` vertices around.
+std::vector<TubeMesh> meshes(double length, int around) {
+  return {structured(length, radius, around), shifted(length, radius, around),
+          blue_noise(length, radius, around)};
+}
+
+const char* remark(const HeldAnswer& answer) {
+  return answer.settled ? "" : " (not a certified minimum)";
+}
+
+/// Means over the middle half: the axial strain between the two halves of it, and the radius' change over R.
+std::pair<double, double> middle_half(const HeldTube& tube, const Points& positions) {
+  double z[2] = {}, rest[2] = {}, wider = 0;
+  int count[2] = {};
+  for (Eigen::Index i = 0; i < positions.rows(); ++i) {
+    const double s = tube.mesh.s[i] / tube.shape.length;
+    if (s < 0.25 || s > 0.75) continue;
+    const int upper = s > 0.5;
+    z[upper] += positions(i, 2);
+    rest[upper] += tube.mesh.s[i];
+    wider += std::hypot(positions(i, 0), positions(i, 1)) / tube.shape.radius - 1;
+    ++count[upper];
+  }
+  const double far = z[1] / count[1] - z[0] / count[0], far_rest = rest[1] / count[1] - rest[0] / count[0];
+  return {far / far_rest - 1, wider / (count[0] + count[1])};
+}
+
+void stretch() {
+  title("Stretch: L 100, t 1, ends glued, 48 around; strain and radius from the middle half",
+        "| mesh | nu | stretched to | force / (E A strain) | narrowing / (nu strain) |");
+  for (const TubeMesh& mesh : meshes(100, 48))
+    for (const double nu : {0.0, 0.3, 0.45})
+      for (const double by : {1e-4, 0.05}) {
+        const HeldTube tube(mesh, 100, radius, 1, nu);
+        EndMotion end;
+        end.change[2] = by;
+        const HeldAnswer answer = solve(tube, end);
+        const auto [strain, wider] = middle_half(tube, answer.positions);
+        std::printf("| %s | %g | %g | %.5f | ", mesh.name.c_str(), nu, 1 + by,
+                    answer.force.z() / (tube.area() * strain));
+        if (nu > 0)
+          std::printf("%.5f", -wider / (nu * strain));
+        else
+          std::printf("narrowing %.0e of R", std::abs(wider));
+        std::printf("%s |\n", remark(answer));
+      }
+}
+
+void twist() {
+  title("Twist: L 100, t 1, surface shear 3e-4, 48 around",
+        "| mesh | torque / (G J twist) | largest change of the radius / R |");
+  for (const TubeMesh& mesh : meshes(100, 48)) {
+    const HeldTube tube(mesh, 100, radius, 1);
+    EndMotion end;
+    end.change[5] = 3e-4 / radius;
+    const HeldAnswer answer = solve(tube, end);
+    const double off =
+        (answer.positions.leftCols<2>().rowwise().norm().array() / radius - 1).abs().maxCoeff();
+    std::printf("| %s | %.6f | %.1e%s |\n", mesh.name.c_str(),
+                answer.moment.z() / (tube.shear_modulus() * 2 * tube.inertia() * end.change[5]), off,
+                remark(answer));
+  }
+}
+
+// Transverse force on a cantilever. The shear strain is what the sections' centres move beyond what their
+// rotation carries them (Simpson: the rotation is quadratic in s), between .4 and .6 of the length.
+void shear() {
+  title(
+      "Transverse force on the end of a cantilever: L 100, t 1, structured; from the sections between .4 and "
+      ".6 L",
+      "| around | E I, from the change of curvature | k of k G A | k, Cowper |");
+  for (const int around : {24, 48}) {
+    const HeldTube tube(structured(100, radius, around), 100, radius, 1);
+    EndMotion end;
+    end.held.fill(false);
+    end.force = Vec3(1e-6, 0, 0);
+    const HeldAnswer answer = solve(tube, end);
+    const SectionMean a = section_mean(tube, answer.positions, 40);
+    const SectionMean b = section_mean(tube, answer.positions, 60);
+    const SectionMean m = section_mean(tube, answer.positions, (a.s + b.s) / 2);
+    const auto turn = [](const SectionMean& section) { return log_rotation(section.rotation).y(); };
+    const double gauge = b.s - a.s;
+    const double strain = (b.centre.x() - a.centre.x()) / gauge - (turn(a) + 4 * turn(m) + turn(b)) / 6;
+    const double force = answer.force.x(), middle = (turn(b) - turn(a)) / gauge;
+    const double moment = force * (100 - (a.s + b.s) / 2);
+    const double q = (radius - 0.5) / (radius + 0.5), q2 = std::pow(1 + q * q, 2), nu = tube.poisson;
+    std::printf("| %d | %.5f | %.5f | %.5f%s |\n", around, moment / middle / tube.inertia(),
+                force / (strain * tube.shear_modulus() * tube.area()),
+                6 * (1 + nu) * q2 / ((7 + 6 * nu) * q2 + (20 + 12 * nu) * q * q), remark(answer));
+  }
+}
+
+/// Energy of a tube in plane strain under the radial load cos 2 theta over the thin ring's.
+double ring_energy(const TubeMesh& mesh, double length, double t) {
+  const HeldTube tube(mesh, length, radius, t);
+  WallInput in;
+  in.rest = tube.rest;
+  in.thickness.setConstant(in.rest.points.rows(), t);
+  in.axis.assign(static_cast<std::size_t>(in.rest.triangles.rows()), Vec3::UnitZ());
+  in.material = WallMaterial::isotropic(1, tube.poisson);
+  WallEnergy wall(in);
+  const auto nearest = [&](double angle) {
+    Eigen::Index at = 0;
+    (in.rest.points.rowwise() - Vec3(radius * std::cos(angle), radius * std::sin(angle), 0).transpose())
+        .rowwise()
+        .squaredNorm()
+        .minCoeff(&at);
+    return static_cast<std::size_t>(3 * at);
+  };
+  std::vector<char> held(static_cast<std::size_t>(wall.unknowns()), 0);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(wall.unknowns());
+  const Eigen::VectorXd areas = vertex_areas(in.rest);
+  for (int i = 0; i < wall.vertices(); ++i) {
+    held[static_cast<std::size_t>(3 * i + 2)] = 1;
+    const double angle = mesh.angle[i];
+    load.segment<3>(3 * i) = areas[i] / areas.sum() * 2 * pi * radius * length * std::cos(2 * angle) *
+                             Vec3(std::cos(angle), std::sin(angle), 0);
+  }
+  for (const std::size_t i : {nearest(0) + 1, nearest(pi / 2), nearest(pi) + 1}) held.at(i) = 1;
+  const Eigen::SparseMatrix<double>& full = wall.hessian(wall.rest());
+  std::vector<int> number(held.size(), -1);
+  int n = 0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (!held[i]) number[i] = n++;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n), displacement(n);
+  for (int c = 0; c < full.cols(); ++c) {
+    const int column = number[static_cast<std::size_t>(c)];
+    if (column < 0) continue;
+    right[column] = load[c];
+    for (Eigen::SparseMatrix<double>::InnerIterator it(full, c); it; ++it)
+      if (const int row = number[static_cast<std::size_t>(it.row())]; row >= 0)
+        entries.emplace_back(row, column, it.value());
+  }
+  Eigen::SparseMatrix<double> stiffness(n, n);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  Cholesky cholesky;
+  cholesky.analyse(stiffness);
+  if (!cholesky.factorise(stiffness)) return std::nan("");
+  cholesky.solve(right.data(), displacement.data(), 1);
+  const double d = t * t * t / (12 * (1 - tube.poisson * tube.poisson));
+  return right.dot(displacement) / 2 / (length * pi * std::pow(radius, 5) / (18 * d));
+}
+
+void ring() {
+  title("Ring under cos 2 theta in plane strain: L 100, rims free; energy over the thin ring's",
+        "| mesh | around | t/R .02 | t/R .05 | t/R .2 |");
+  std::vector<std::pair<int, TubeMesh>> rows;
+  for (const int around : {24, 48})
+    for (TubeMesh& mesh : meshes(100, around)) rows.emplace_back(around, std::move(mesh));
+  for (const int around : {48, 96}) rows.emplace_back(around, structured(100, radius, around, 5));
+  for (const auto& [around, mesh] : rows) {
+    std::printf("| %s | %d |", mesh.name.c_str(), around);
+    for (const double t : {0.2, 0.5, 2.0}) std::printf(" %.4f |", ring_energy(mesh, 100, t));
+    std::printf("\n");
+  }
+}
+
+/// Turn of the middle fifth about the binormal over its length.
+double middle_curvature(const HeldTube& tube, const Points& positions) {
+  const SectionMean a = section_mean(tube, positions, 0.4 * tube.shape.length);
+  const SectionMean b = section_mean(tube, positions, 0.6 * tube.shape.length);
+  return log_rotation(a.rotation.transpose() * b.rotation).y() / (b.s - a.s);
+}
+
+/// Rotations held and y; x and z free: a pure moment.
+EndMotion pure_bending(double curvature) {
+  EndMotion end;
+  end.change[4] = curvature;
+  end.held = {false, true, false, true, true, true};
+  return end;
+}
+
+void bending() {
+  title(
+      "Pure bending: L/R 40, t/R .1, ends glued; the turn is chosen so that the middle fifth has the "
+      "curvature",
+      "| mesh | around | k_b | M / (E I k) | ring | flattening | ring | widening | ring |");
+  constexpr double length = 400, t = 1, nu = 0.3;
+  std::vector<std::pair<int, TubeMesh>> cases;
+  cases.emplace_back(32, structured(length, radius, 32));
+  for (TubeMesh& mesh : meshes(length, 48)) cases.emplace_back(48, std::move(mesh));
+  for (const auto& [around, mesh] : cases) {
+    const HeldTube tube(mesh, length, radius, t, nu);
+    const double unit = t / (radius * radius * std::sqrt(1 - nu * nu));
+    double asked_over_got = 1;
+    for (const double k_b : {0.1, 0.2, 0.3}) {
+      const BentRing exact = bent_ring(radius, t, nu, k_b * unit);
+      HeldAnswer answer;
+      double got = 0;
+      for (int again = 0; again < 4 && std::abs(got - k_b) > 1e-4; ++again) {
+        answer = solve(tube, pure_bending(asked_over_got * k_b * unit));
+        got = middle_curvature(tube, answer.positions) / unit;
+        asked_over_got *= k_b / got;
+      }
+      const SectionMean middle = section_mean(tube, answer.positions, length / 2);
+      std::printf("| %s | %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(),
+                  around, got, answer.moment.y() / (tube.inertia() * got * unit),
+                  exact.moment / (pi * std::pow(radius, 3) * t * k_b * unit), middle.flattening,
+                  exact.flattening, middle.widening, exact.widening, remark(answer));
+      std::fflush(stdout);
+    }
+  }
+}
+
+// A tube curved at rest bends softer: by (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 - nu^2)), where
+// its section ovalises by cos 2 theta alone (von Karman), by the ring's where it takes any shape.
+void curved() {
+  title(
+      "Tubes curved at rest, bent a little in their plane: L/R 40; E I of the straight tube over the middle "
+      "fifth's",
+      "| mesh | around | angle at rest | t/R | l | softer by | ring | von Karman |");
+  constexpr double length = 400, nu = 0.3;
+  std::vector<std::pair<int, TubeMesh>> cases;
+  cases.emplace_back(32, structured(length, radius, 32));
+  cases.emplace_back(48, structured(length, radius, 48));
+  cases.emplace_back(48, blue_noise(length, radius, 48));
+  for (const auto& [around, mesh] : cases)
+    for (const auto& [degrees, t] : {std::pair{90.0, 1.0}, {90.0, 0.5}, {180.0, 0.5}}) {
+      const HeldTube tube(mesh, length, radius, t, nu, degrees);
+      const double k0 = degrees * pi / 180 / length;
+      const HeldAnswer answer = solve(tube, pure_bending(1e-4 * k0));
+      const double l = t / (k0 * radius * radius * std::sqrt(1 - nu * nu));
+      std::printf(
+          "| %s | %d | %g | %g | %.3f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(), around, degrees,
+          t / radius, l, middle_curvature(tube, answer.positions) * tube.inertia() / answer.moment.y(),
+          curved_tube_softening(radius, t, nu, k0), (12 * l * l + 10) / (12 * l * l + 1), remark(answer));
+      std::fflush(stdout);
+    }
+}
+
+}  // namespace
+}  // namespace vasorod::bench
+
+int main(int count, char** arguments) {
+  using namespace vasorod::bench;
+  const std::vector<std::pair<std::string, void (*)()>> parts{
+      {"stretch", stretch}, {"twist", twist},   {"shear", shear},          {"ring", ring},
+      {"bending", bending}, {"curved", curved}, {"refinement", refinement}};
+  const std::vector<std::string> asked(arguments + 1, arguments + count);
+  for (const std::string& name : asked)
+    if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.first == name; })) {
+      std::fprintf(stderr, "wall_accuracy: no part is called %s\n", name.c_str());
+      return 2;
+    }
+  for (const auto& [name, part] : parts)
+    if (asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end()) part();
+}

@@ -99,6 +99,7 @@ void paper(benchmark::State& state) {
   state.SetLabel(to_string(last.status));
 }
 BENCHMARK(paper)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
+BENCHMARK(paper)->Name("paper_million")->Arg(521)->Iterations(1)->Unit(benchmark::kSecond);
 
 void paper_again(benchmark::State& state) {  // another bend, the factor kept
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));

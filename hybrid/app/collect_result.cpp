@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "app/collect_vessel.h"
@@ -141,6 +142,13 @@ void add_contact(const Prediction& prediction, Result& result) {
     const auto name = [&](int body) {
       return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name;
     };
+    if (pair.held_depth > 0) {
+      std::ostringstream note;
+      note << "contact of " << name(pair.a) << " and " << name(pair.b) << ": their rigid ends are held "
+           << pair.held_depth
+           << " inside each other, where no wall can yield; contact beside them is left out";
+      result.certificate.notes.push_back(note.str());
+    }
     if (pair.swallowed > 0)
       result.certificate.notes.push_back(
           "contact of " + name(pair.a) + " and " + name(pair.b) + ": " + std::to_string(pair.swallowed) +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/held_overlap.h"
 #include "contact/seam_band.h"
 
 namespace vasorod {
@@ -10,6 +11,9 @@ namespace {
 
 // Vertices with a gap below this many mean edges take part in a minimisation, pressed or not.
 constexpr double reach = 1.0;
+
+// Where rigid ends are held inside each other the walls may stay so over this many depths beside them.
+constexpr double held_band = 2;
 
 // The slave is the body that can move; of two that can, the one with the finer mesh: its pressures resolve
 // the patch.
@@ -42,17 +46,30 @@ void PaperContacts::create(Pair& pair, const ScaledBodies& scaled) {
         slave_seam.push_back(vertex_a);
         master_seam.push_back(vertex_b);
       }
-  const auto side = [&](int index, const std::vector<int>& seam) {
+  const auto held = [&](int index) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    return ContactSide{body.rest, body.offset,
-                       seam.empty() ? std::vector<char>{} : seam_band(body.rest, seam, body.thickness)};
+    return HeldBody{body.rest, body.carried, body.fixed, body.offset};
+  };
+  const HeldOverlap overlap = held_overlap(held(pair.slave), held(pair.master));
+  pair.held_depth = overlap.depth;
+  const auto side = [&](int index, const std::vector<int>& seam, const std::vector<int>& overlapping) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    std::vector<char> out;
+    if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
+    if (!overlapping.empty()) {
+      const std::vector<char> beside = seam_band(body.rest, overlapping, held_band * overlap.depth);
+      out.resize(beside.size(), 0);
+      for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
+    }
+    return ContactSide{body.rest, body.offset, std::move(out)};
   };
   double k = std::numeric_limits<double>::infinity();
   for (const int index : {pair.slave, pair.master}) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
     if (!body.obstacle) k = std::min(k, stiffness_ * (body.k.bending + body.k.stretching) / body.mean_area);
   }
-  pair.contact.emplace(side(pair.slave, slave_seam), side(pair.master, master_seam), k);
+  pair.contact.emplace(side(pair.slave, slave_seam, overlap.in_a),
+                       side(pair.master, master_seam, overlap.in_b), k);
 }
 
 ContactState PaperContacts::refresh(const ScaledBodies& scaled) {

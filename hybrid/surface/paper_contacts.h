@@ -46,6 +46,9 @@ class PaperContacts {
   /// ContactPair::swallowed of a pair.
   int swallowed(int pair) const;
 
+  /// How deep a pair's rigid ends are held inside each other, scaled length; contact beside them is left out.
+  double held_depth(int pair) const { return pairs_[static_cast<size_t>(pair)].held_depth; }
+
   /// Smallest gap of a pair at the bodies' current positions, scaled length; infinite when nothing faces.
   double smallest_gap(int pair, const ScaledBodies& scaled);
 
@@ -53,6 +56,7 @@ class PaperContacts {
   struct Pair {
     int slave = 0, master = 0;
     bool in_reach = false;  ///< has been, at any time
+    double held_depth = 0;
     std::optional<ContactPair> contact;
     std::vector<int> pressed;
   };

@@ -89,8 +89,10 @@ struct ContactSolution {
   bool within_reach = false;  ///< false: the pair never came near; the numbers below are zero
   Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;
-  int swallowed = 0;  ///< vertices so deep in the other body that contact no longer knows their side: the
-                      ///< sections were carried through it, and the pressure is too small
+  int swallowed = 0;      ///< vertices so deep in the other body that contact no longer knows their side: the
+                          ///< sections were carried through it, and the pressure is too small
+  double held_depth = 0;  ///< how deep rigid ends of the two are held inside each other: no wall can yield
+                          ///< there, contact beside them is left out
   double smallest_gap =
       std::numeric_limits<double>::infinity();  ///< between outer walls, counted from rest where they
                                                 ///< overlap there; infinite where no walls face

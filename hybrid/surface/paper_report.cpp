@@ -49,6 +49,7 @@ void report_contacts(const PaperProblem& problem, const ScaledBodies& scaled,
     ContactSolution& mine = solution.contacts[p];
     mine.within_reach = contacts.within_reach(static_cast<int>(p));
     mine.swallowed = contacts.swallowed(static_cast<int>(p));
+    mine.held_depth = contacts.held_depth(static_cast<int>(p)) * scaled.length;
     mine.smallest_gap = contacts.smallest_gap(static_cast<int>(p), scaled) * scaled.length;
   }
 }

@@ -22,6 +22,10 @@ inline void add_tube(CoupledProblem& problem, const HeldTube& tube, const std::s
                      const Mat3& turn = Mat3::Identity()) {
   const Points points = (tube.surface.points * turn.transpose()).rowwise() + shift.transpose();
   problem.surfaces.bodies.push_back(body_of(tube, name, points));
+  std::vector<char>& fixed = problem.surfaces.bodies.back().fixed;
+  fixed.assign(static_cast<size_t>(points.rows()), 0);
+  for (const HeldSection& s : sections)
+    for (const int v : s.ring) fixed[static_cast<size_t>(v)] = s.rigid;
   WallInput wall = tube.wall;
   wall.rest.points = points;
   for (Vec3& axis : wall.axis) axis = turn * axis;

@@ -82,6 +82,23 @@ TEST(CoupledContact, TheForceDoesNotDependOnThePenalty) {
   EXPECT_NEAR(forces[0], forces[1], 1e-3 * forces[0]);
 }
 
+// The pressures times areas, along the cylinder's normals where they act, against what the ends hold.
+TEST(CoupledContact, ThePressuresAddUpToTheSupports) {
+  const HeldTube tube(length, radius, thickness, 32, 38);
+  CoupledSolver solver(pressed(3));
+  const CoupledSolution s = solver.solve();
+  expect_settled(s);
+  const Eigen::VectorXd areas = vertex_areas(tube.surface);
+  const double center = -radius - thickness / 2 - 0.01 - 12;
+  Vec3 sum = Vec3::Zero();
+  for (Eigen::Index i = 0; i < areas.size(); ++i) {
+    const Vec3 x = s.surface.bodies[0].positions.row(i);
+    sum +=
+        s.surface.bodies[0].pressure[i] * areas[i] * Vec3(x.x() - center, 0, x.z() - length / 2).normalized();
+  }
+  EXPECT_NEAR(sum.x(), -support(s, 0).x(), 1e-3 * sum.x());
+}
+
 // A short tube hung at its ends' mean positions sinks onto a plate: a ring under a line load P per length
 // against a vertical load spread round it. With a_n cos(n theta) without stretch the energy is pi/2 (E I /
 // R^3) (n^2 - 1)^2 a_n^2, so the contact line rises against the ring's mean by P R^3 / (pi E I) sum_{n >= 2}
@@ -128,6 +145,32 @@ TEST(CoupledContact, TwoTubesPushEachOtherEquallyHard) {
   EXPECT_LT((support(s, 0) + support(s, 1)).norm(), 1e-6 * force);
   const Points rest = (other.surface.points * across.transpose()).rowwise() + aside.transpose();
   EXPECT_GT((s.surface.bodies[1].positions - rest).cwiseAbs().maxCoeff(), 0.1);
+}
+
+// Side by side, the rigid ends of one are taken 3 into the other's: there is no answer there, but there is
+// one between the ends, and the way to it does not matter.
+TEST(CoupledContact, ParallelTubesWhoseRigidEndsOverlapPressInBetween) {
+  const HeldTube one(length, radius, thickness, 28, 38), other(length, radius, 0.8, 24, 32);
+  const Vec3 down(-3, 0, 0), beside(-2 * radius - 1.01, 0, 0);
+  std::vector<double> forces;
+  for (const std::vector<double>& times : {std::vector{1.0}, std::vector{0.5, 1.0}}) {
+    CoupledProblem problem;
+    add_tube(problem, one, "one", Vec3::Zero(), {moved(one.start(), down), moved(one.end(), down)});
+    add_tube(problem, other, "other", beside, {other.start(), other.end()});
+    problem.surfaces.contacts = all_contacts(problem.surfaces.bodies);
+    carry_by_sections(problem);
+    CoupledOptions options;
+    options.times = times;
+    CoupledSolver solver(std::move(problem), options);
+    const CoupledSolution s = solver.solve();
+    expect_settled(s);
+    EXPECT_NEAR(s.surface.contacts[0].held_depth, 3 - 0.01, 0.05);
+    EXPECT_GT(s.surface.contacts[0].smallest_gap, -2e-3);
+    forces.push_back(s.surface.contacts[0].force.x());
+    EXPECT_GT(forces.back(), 0);
+    EXPECT_LT((support(s, 0) + support(s, 1)).norm(), 1e-6 * forces.back());
+  }
+  EXPECT_NEAR(forces[1], forces[0], 1e-3 * forces[0]);
 }
 
 TEST(CoupledSeam, TwoTubesJoinedAtTheirRimsPullLikeOne) {

@@ -11,7 +11,7 @@ namespace {
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr int modes = 12, points = 720;
+constexpr int modes = 12, points = 144;
 constexpr int most_iterations = 200;
 constexpr double step_tolerance = 1e-12, difference = 1e-6;
 constexpr double closure_weight = 1e3;  // the ring closes to 1e-6 of its energy's scale
@@ -40,38 +40,44 @@ class Ring {
   }
 
   struct Shape {
-    VectorXd y, z, angle_slope;  // at the middles of equal arcs
-    double gap = 0;              // int cos phi: 0 where the ring is closed
+    VectorXd y, z, angle_slope;  // at equal arcs, from the outermost point on
+    double gap = 0;              // of z: 0 where the ring is closed
   };
   Shape shape(const VectorXd& unknown) const {
     Shape s{VectorXd(points), VectorXd(points), VectorXd(points)};
     const double step = 2 * pi / points;
-    double y = 1, z = 0, sum = 0;
+    double y = 0, z = 0, phi = 0;
     for (int i = 0; i < points; ++i) {
-      const double theta = (i + 0.5) * step;
-      double phi = theta, slope = 1;
-      for (int n = 1; n <= modes; ++n) {
-        phi += unknown[n - 1] * std::sin(n * theta);
-        slope += n * unknown[n - 1] * std::cos(n * theta);
-      }
-      s.y[i] = y - step / 2 * std::sin(phi);
-      s.z[i] = z + step / 2 * std::cos(phi);
-      s.angle_slope[i] = slope;
-      y -= step * std::sin(phi);
-      z += step * std::cos(phi);
-      sum += s.y[i] / points;
+      s.y[i] = y;
+      s.z[i] = z;
+      s.angle_slope[i] = angle_slope(unknown, i * step);
+      const double middle = angle(unknown, (i + 0.5) * step), next = angle(unknown, (i + 1) * step);
+      y -= step / 6 * (std::sin(phi) + 4 * std::sin(middle) + std::sin(next));  // Simpson
+      z += step / 6 * (std::cos(phi) + 4 * std::cos(middle) + std::cos(next));
+      phi = next;
     }
-    s.y.array() -= sum;
+    s.y.array() -= s.y.mean();
     s.gap = z;
     return s;
   }
 
-  double rest(int i) const { return std::cos((i + 0.5) * 2 * pi / points); }
+  double rest(int i) const { return std::cos(i * 2 * pi / points); }
   double strain(const Shape& s, double c, int i) const {
     return (k_ * s.y[i] + scale_ * c - k0_ * rest(i)) / (1 + k0_ * rest(i));
   }
 
  private:
+  static double angle(const VectorXd& unknown, double theta) {
+    double phi = theta;
+    for (int n = 1; n <= modes; ++n) phi += unknown[n - 1] * std::sin(n * theta);
+    return phi;
+  }
+  static double angle_slope(const VectorXd& unknown, double theta) {
+    double slope = 1;
+    for (int n = 1; n <= modes; ++n) slope += n * unknown[n - 1] * std::cos(n * theta);
+    return slope;
+  }
+
   VectorXd residual(const VectorXd& unknown) const {
     const Shape s = shape(unknown);
     VectorXd r(2 * points + 1);

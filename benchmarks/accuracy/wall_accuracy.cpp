@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "accuracy/bent_ring.h"
-#include "accuracy/held_tube.h"
+#include "accuracy/gauges.h"
 #include "accuracy/refinement.h"
 #include "geometry/triangle_surface.h"
 #include "surface/cholesky.h"
@@ -34,25 +34,8 @@ std::vector<TubeMesh> meshes(double length, int around) {
           blue_noise(length, radius, around)};
 }
 
-const char* remark(const HeldAnswer& answer) {
-  return answer.settled ? "" : " (not a certified minimum)";
-}
-
-/// Means over the middle half: the axial strain between the two halves of it, and the radius' change over R.
-std::pair<double, double> middle_half(const HeldTube& tube, const Points& positions) {
-  double z[2] = {}, rest[2] = {}, wider = 0;
-  int count[2] = {};
-  for (Eigen::Index i = 0; i < positions.rows(); ++i) {
-    const double s = tube.mesh.s[i] / tube.shape.length;
-    if (s < 0.25 || s > 0.75) continue;
-    const int upper = s > 0.5;
-    z[upper] += positions(i, 2);
-    rest[upper] += tube.mesh.s[i];
-    wider += std::hypot(positions(i, 0), positions(i, 1)) / tube.shape.radius - 1;
-    ++count[upper];
-  }
-  const double far = z[1] / count[1] - z[0] / count[0], far_rest = rest[1] / count[1] - rest[0] / count[0];
-  return {far / far_rest - 1, wider / (count[0] + count[1])};
+const char* remark(bool settled) {
+  return settled ? "" : " (not a certified minimum)";
 }
 
 void stretch() {
@@ -72,7 +55,7 @@ void stretch() {
           std::printf("%.5f", -wider / (nu * strain));
         else
           std::printf("narrowing %.0e of R", std::abs(wider));
-        std::printf("%s |\n", remark(answer));
+        std::printf("%s |\n", remark(answer.settled));
       }
 }
 
@@ -84,16 +67,12 @@ void twist() {
     EndMotion end;
     end.change[5] = 3e-4 / radius;
     const HeldAnswer answer = solve(tube, end);
-    const double off =
-        (answer.positions.leftCols<2>().rowwise().norm().array() / radius - 1).abs().maxCoeff();
     std::printf("| %s | %.6f | %.1e%s |\n", mesh.name.c_str(),
-                answer.moment.z() / (tube.shear_modulus() * 2 * tube.inertia() * end.change[5]), off,
-                remark(answer));
+                answer.moment.z() / (tube.shear_modulus() * 2 * tube.inertia() * end.change[5]),
+                off_cylinder(tube, answer.positions), remark(answer.settled));
   }
 }
 
-// Transverse force on a cantilever. The shear strain is what the sections' centres move beyond what their
-// rotation carries them (Simpson: the rotation is quadratic in s), between .4 and .6 of the length.
 void shear() {
   title(
       "Transverse force on the end of a cantilever: L 100, t 1, structured; from the sections between .4 and "
@@ -101,22 +80,9 @@ void shear() {
       "| around | E I, from the change of curvature | k of k G A | k, Cowper |");
   for (const int around : {24, 48}) {
     const HeldTube tube(structured(100, radius, around), 100, radius, 1);
-    EndMotion end;
-    end.held.fill(false);
-    end.force = Vec3(1e-6, 0, 0);
-    const HeldAnswer answer = solve(tube, end);
-    const SectionMean a = section_mean(tube, answer.positions, 40);
-    const SectionMean b = section_mean(tube, answer.positions, 60);
-    const SectionMean m = section_mean(tube, answer.positions, (a.s + b.s) / 2);
-    const auto turn = [](const SectionMean& section) { return log_rotation(section.rotation).y(); };
-    const double gauge = b.s - a.s;
-    const double strain = (b.centre.x() - a.centre.x()) / gauge - (turn(a) + 4 * turn(m) + turn(b)) / 6;
-    const double force = answer.force.x(), middle = (turn(b) - turn(a)) / gauge;
-    const double moment = force * (100 - (a.s + b.s) / 2);
-    const double q = (radius - 0.5) / (radius + 0.5), q2 = std::pow(1 + q * q, 2), nu = tube.poisson;
-    std::printf("| %d | %.5f | %.5f | %.5f%s |\n", around, moment / middle / tube.inertia(),
-                force / (strain * tube.shear_modulus() * tube.area()),
-                6 * (1 + nu) * q2 / ((7 + 6 * nu) * q2 + (20 + 12 * nu) * q * q), remark(answer));
+    const ShearGauge gauge = transverse_force(tube);
+    std::printf("| %d | %.5f | %.5f | %.5f%s |\n", around, gauge.bending, gauge.coefficient,
+                cowper_coefficient(radius, 1, tube.poisson), remark(gauge.settled));
   }
 }
 
@@ -186,21 +152,6 @@ void ring() {
   }
 }
 
-/// Turn of the middle fifth about the binormal over its length.
-double middle_curvature(const HeldTube& tube, const Points& positions) {
-  const SectionMean a = section_mean(tube, positions, 0.4 * tube.shape.length);
-  const SectionMean b = section_mean(tube, positions, 0.6 * tube.shape.length);
-  return log_rotation(a.rotation.transpose() * b.rotation).y() / (b.s - a.s);
-}
-
-/// Rotations held and y; x and z free: a pure moment.
-EndMotion pure_bending(double curvature) {
-  EndMotion end;
-  end.change[4] = curvature;
-  end.held = {false, true, false, true, true, true};
-  return end;
-}
-
 void bending() {
   title(
       "Pure bending: L/R 40, t/R .1, ends glued; the turn is chosen so that the middle fifth has the "
@@ -227,7 +178,7 @@ void bending() {
       std::printf("| %s | %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(),
                   around, got, answer.moment.y() / (tube.inertia() * got * unit),
                   exact.moment / (pi * std::pow(radius, 3) * t * k_b * unit), middle.flattening,
-                  exact.flattening, middle.widening, exact.widening, remark(answer));
+                  exact.flattening, middle.widening, exact.widening, remark(answer.settled));
       std::fflush(stdout);
     }
   }
@@ -251,10 +202,11 @@ void curved() {
       const double k0 = degrees * pi / 180 / length;
       const HeldAnswer answer = solve(tube, pure_bending(1e-4 * k0));
       const double l = t / (k0 * radius * radius * std::sqrt(1 - nu * nu));
-      std::printf(
-          "| %s | %d | %g | %g | %.3f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(), around, degrees,
-          t / radius, l, middle_curvature(tube, answer.positions) * tube.inertia() / answer.moment.y(),
-          curved_tube_softening(radius, t, nu, k0), (12 * l * l + 10) / (12 * l * l + 1), remark(answer));
+      std::printf("| %s | %d | %g | %g | %.3f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(), around, degrees,
+                  t / radius, l,
+                  middle_curvature(tube, answer.positions) * tube.inertia() / answer.moment.y(),
+                  curved_tube_softening(radius, t, nu, k0), (12 * l * l + 10) / (12 * l * l + 1),
+                  remark(answer.settled));
       std::fflush(stdout);
     }
 }

@@ -18,6 +18,9 @@ namespace vasorod {
 
 namespace {
 
+// Volume over area^1.5: a ball has 0.09, a tube of 1000 radii's length 0.006.
+constexpr double flat = 1e-6;
+
 Vec3 point_of(const TriangleSurface& surface, int i) {
   return surface.points.row(i);
 }
@@ -189,7 +192,10 @@ void check_ends(const std::string& file, const TriangleSurface& surface, Role ro
 }
 
 void check_outward(const std::string& file, const TriangleSurface& surface) {
-  if (!(lidded_volume(surface) > 0))
+  const double volume = lidded_volume(surface), area = total_area(surface);
+  if (std::abs(volume) < flat * area * std::sqrt(area))
+    refuse(file, "a flat surface that encloses nothing", "a tubular vessel");
+  if (!(volume > 0))
     refuse(file, "an inverted surface, its triangles clockwise seen from outside",
            "all triangles counter-clockwise seen from outside");
 }

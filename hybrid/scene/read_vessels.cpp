@@ -78,10 +78,10 @@ void read_material(const Field& field, VesselSpec& vessel) {
         .refuse("it without a wall", "wall.thickness for the tube's start");
   if (vessel.tube && vessel.wall) {
     const TubeSpec& tube = *vessel.tube;
-    if (vessel.wall->thickness >= 2 * tube.radius ||
-        tube.end_thickness.value_or(vessel.wall->thickness) >= 2 * tube.end_radius.value_or(tube.radius))
-      field.refuse("a wall of at least twice the tube's mid-wall radius",
-                   "a thinner wall, so that a lumen is left");
+    if (vessel.wall->thickness > tube.radius ||
+        tube.end_thickness.value_or(vessel.wall->thickness) > tube.end_radius.value_or(tube.radius))
+      field.refuse("a wall thicker than the tube's mid-wall radius",
+                   "one at most as thick, so that a lumen is left");
   }
 }
 

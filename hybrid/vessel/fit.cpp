@@ -6,6 +6,7 @@
 #include "geometry/triangle_surface.h"
 #include "surface/rod_search.h"
 #include "vessel/centerline.h"
+#include "vessel/check_fit.h"
 #include "vessel/rest_rod.h"
 #include "vessel/vessel.h"
 
@@ -96,24 +97,6 @@ double mean_radius(const RodTree& tree) {
   return sum / length;
 }
 
-// Sections must not reach the centre of curvature. A branch's first element may: its axis turns at the fork.
-void check_bend(const RodTree& tree) {
-  const RodSearch search(tree);
-  for (size_t k = 0; k < tree.elements.size(); ++k) {
-    const RodElement& e = tree.elements[k];
-    if (search.at_fork(static_cast<int>(k))) continue;
-    const double radius =
-        std::max(tree.radius[static_cast<size_t>(e.first)], tree.radius[static_cast<size_t>(e.second)]);
-    const double curvature = e.rest_strain.segment<2>(3).norm();
-    if (radius * curvature > 0.95)
-      throw InputError(
-          "near " + place(tree.rest[static_cast<size_t>(e.first)].position) +
-          " the axis turns on a radius of " + std::to_string(1 / curvature) +
-          " where the vessel's own radius is " + std::to_string(radius) +
-          ": sections reach the centre of curvature, expected a vessel bent less sharply than its radius");
-  }
-}
-
 Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
   if (surface.triangles.rows() == 0) throw InputError("the surface has no triangles");
   const std::vector<Edge> edges = edges_of(surface.triangles);
@@ -125,6 +108,7 @@ Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
                          surface.points.row(loops[0].front()));
 
   check_bend(rod.tree);
+  check_inside(rod.tree, surface);
 
   Vessel vessel;
   vessel.surface = surface;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/error.h"
 #include "rod/section.h"
+#include "vessel/check_fit.h"
 
 namespace vasorod {
 namespace {
@@ -48,6 +50,11 @@ void fit(PreparedVessel& prepared) {
   for (double& radius : prepared.vessel.rod.radius) radius += prepared.mid_offset();
   prepared.vessel.mean_radius += prepared.mid_offset();
   prepared.node_thickness = node_thickness(prepared);
+  try {
+    check_thickness(prepared.vessel.rod, prepared.node_thickness);
+  } catch (const InputError& e) {
+    throw InputError("vessel " + prepared.spec.name + ": " + e.what());
+  }
   set_annular_stiffness(prepared.vessel.rod, prepared.node_thickness, wall.young, wall.shear_modulus(),
                         wall.poisson, "vessel " + prepared.spec.name);
 }

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
+#include "geometry/tube.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
 #include "scene/sample_surfaces.h"
@@ -131,6 +133,90 @@ TEST_F(BadInput, SelfIntersection) {
   TriangleSurface crossing = sample_tube();
   crossing.points.row(240) << -15, 0, 20;
   expect_surface_refused(crossing, "crosses itself");
+}
+
+// A surface of `around` x `rows` points wound round an axis, triangles counter-clockwise seen from outside
+// where `at` (angle, share of the length) winds as (cos, sin) does about the way it goes.
+TriangleSurface wound(int around, int rows, const std::function<Vec3(double, double)>& at) {
+  TriangleSurface surface;
+  surface.points.resize(around * (rows + 1), 3);
+  surface.triangles.resize(2 * around * rows, 3);
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < around; ++i)
+      surface.points.row(row * around + i) = at(2 * M_PI * i / around, static_cast<double>(row) / rows);
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      const int a = row * around + i, b = row * around + (i + 1) % around, t = 2 * a;
+      surface.triangles.row(t) << a, b, a + around;
+      surface.triangles.row(t + 1) << b, b + around, a + around;
+    }
+  return surface;
+}
+
+TEST_F(BadInput, SurfacesThatAreNotTubular) {
+  expect_surface_refused(wound(48, 12,
+                               [](double a, double v) {
+                                 return Vec3((5 + 20 * v) * std::cos(a), (5 + 20 * v) * std::sin(a), 0);
+                               }),
+                         "a flat surface that encloses nothing");
+  // A shallow ring round a hole.
+  expect_surface_refused(wound(48, 12,
+                               [](double a, double v) {
+                                 const double r = 11 - 6 * v;
+                                 return Vec3(r * std::cos(a), r * std::sin(a), 0.5 * std::sin(M_PI * v));
+                               }),
+                         "expected a tubular vessel");
+  expect_surface_refused(closed_tube({0}, 12), "one open end");
+}
+
+// The section is a crescent, its centre in the hollow.
+TEST_F(BadInput, ARodThatLeavesItsSurface) {
+  expect_surface_refused(wound(96, 60,
+                               [](double a, double v) {
+                                 const double turn = 0.75 * M_PI * std::cos(a), r = 12 - 2 * std::sin(a);
+                                 return Vec3(r * std::cos(turn), r * std::sin(turn), 100 * v);
+                               }),
+                         "outside the surface, expected a tubular vessel");
+}
+
+TEST_F(BadInput, SectionsLargerThanTheRadiusOfCurvature) {
+  TubeSpec tube;
+  tube.length = 32;  // half a circle of 10.2
+  tube.radius = 10;
+  tube.bend_deg = 180;
+  tube.around = 80;
+  tube.along = 60;
+  expect_surface_refused(tube_surface(tube), " along the axis, near (");
+  expect_surface_refused(tube_surface(tube), "sections reach the centre of curvature");
+  expect_refused(changed(glenn, "length: 40, radius: 3.3", "length: 4, bend_deg: 90, radius: 3.3"),
+                 "where the tube meets itself");
+}
+
+TEST_F(BadInput, WallsThickerThanTheRadius) {
+  expect_refused(changed(glenn, "thickness: 0.4,", "thickness: 3.4,"),
+                 "found a wall thicker than the tube's mid-wall radius");
+  TubeSpec tube;
+  tube.length = 60;
+  tube.radius = 10;
+  tube.end_radius = 4;
+  write_vtp(scratch / "tube.vtp", tube_surface(tube));
+  expect_refused(changed(vessel, "thickness: 1.0", "thickness: 6.0"), "thick where the mid-wall radius is");
+}
+
+TEST_F(BadInput, CoefficientsAndModuliOutOfRange) {
+  const std::string wall = "    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}\n";
+  for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
+           {"    coefficients: {binding: 0, bending: 1, stretching: 1}\n", "coefficients.binding: found 0"},
+           {"    coefficients: {binding: 1, bending: -1, stretching: 1}\n", "coefficients.bending: found -1"},
+           {"    coefficients: {binding: 1, bending: 1, stretching: .inf}\n", "coefficients.stretching"}})
+    expect_refused(changed(glenn, wall, wall + to), words);
+  for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
+           {"{thickness: 0.4, young: 1e31, poisson: 0.45}", "wall.young: found 1e+31"},
+           {"{thickness: 0.4, young: 0.5, poisson: -1}", "wall.poisson: found -1"},
+           {"{thickness: 0.4, young: 0.5, shear: 0, poisson: 0.3}", "wall.shear: found 0"},
+           {"{thickness: 0.4, young: 0.5, shear: 0.2, transverse: {young: 5, poisson: 0.3, coupling: 0.3}}",
+            "or the wall has no positive energy"}})
+    expect_refused(changed(glenn, wall, "    wall: " + to + "\n"), words);
 }
 
 TEST_F(BadInput, PointsThatAreNoNumbers) {

@@ -1,10 +1,18 @@
 // Fidelity coupled as a user runs it: one minimum of the walls, its result folder.
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <Eigen/SVD>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "geometry/rigid_motion.h"
+#include "output/read_vtp.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
 
@@ -49,6 +57,109 @@ TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.01);
   // Away from the ends the sections' means are bent as the motion asks.
   EXPECT_NEAR(result.at("metrics")[0].at("largest_curvature").get<double>(), M_PI / 1800, 0.1 * M_PI / 1800);
+}
+
+struct Centerline {
+  Points position;
+  Eigen::VectorXd s;
+  Points u, v, u0, v0;
+};
+
+Centerline read_centerline(const std::filesystem::path& file) {
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* data = reader->GetOutput();
+  const auto rows = [&](const char* name) {
+    vtkDataArray* array = data->GetPointData()->GetArray(name);
+    Points p(array->GetNumberOfTuples(), 3);
+    for (Eigen::Index i = 0; i < p.rows(); ++i) array->GetTuple(i, p.row(i).data());
+    return p;
+  };
+  Centerline line{Points(data->GetNumberOfPoints(), 3),
+                  Eigen::VectorXd(data->GetNumberOfPoints()),
+                  rows("u"),
+                  rows("v"),
+                  rows("u0"),
+                  rows("v0")};
+  for (Eigen::Index i = 0; i < line.s.size(); ++i) {
+    data->GetPoint(i, line.position.row(i).data());
+    line.s[i] = data->GetPointData()->GetArray("Abscissas")->GetTuple1(i);
+  }
+  return line;
+}
+
+/// The pose that fits a row of the tube's vertices best, against the same row at rest.
+Pose mean_pose(const Points& rest, const Points& now) {
+  const Vec3 from = rest.colwise().mean(), to = now.colwise().mean();
+  const Mat3 spread = (now.rowwise() - to.transpose()).transpose() * (rest.rowwise() - from.transpose());
+  const Eigen::JacobiSVD<Mat3> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 sign = Mat3::Identity();
+  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return {svd.matrixU() * sign * svd.matrixV().transpose(), to};
+}
+
+// A long thin tube pulled, bent and twisted a little at once: what its centerline reports is the mean of its
+// sections, and times the rod's stiffnesses it is the force and the moment there.
+TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
+  const double length = 200, radius = 10, thickness = 1, nu = 0.3;
+  const Vec6 strain = (Vec6() << 0, 0, 1.0005, 0, 2e-4, 2e-4).finished();
+  const Pose target = exp_motion(length * strain);
+  const Vec3 turn = log_rotation(target.rotation) * 180 / M_PI, move = target.position - Vec3(0, 0, length);
+  const ScratchFolder scratch;
+  std::ostringstream scene;
+  scene.precision(17);
+  scene << "scene: consistent\nunits: {length: mm, stress: MPa}\nvessels:\n"
+           "  - name: tube\n    tube: {length: 200, radius: 10, around: 40, along: 148}\n"
+           "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\nends:\n"
+           "  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, rotate_deg: ["
+        << turn.x() << ", " << turn.y() << ", " << turn.z() << "], move: [" << move.x() << ", " << move.y()
+        << ", " << move.z() << "]}\nfidelity: coupled\n";
+  std::ofstream(scratch / "scene.yaml") << scene.str();
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  const json end = json::parse(run.out).at("ends")[1];
+  const auto three = [&](const char* name) {
+    return Vec3(end.at(name)[0].get<double>(), end.at(name)[1].get<double>(), end.at(name)[2].get<double>());
+  };
+  const ReadVessel tube = read_vessel_vtp(scratch / "out" / "tube.vtp");
+  const Centerline line = read_centerline(scratch / "out" / "tube_centerline.vtp");
+
+  // The rows at a quarter and at three quarters of the length, and the centerline between them.
+  const int around = 40, first = 37, last = 111;
+  const auto row = [&](const Points& p, int k) -> Points { return p.middleRows(k * around, around); };
+  const Pose a = mean_pose(row(tube.rest, first), row(tube.current, first)),
+             b = mean_pose(row(tube.rest, last), row(tube.current, last));
+  const Vec6 mean = log_motion(a.inverse() * b) / (length * (last - first) / 148);
+  Vec3 u = Vec3::Zero(), v = Vec3::Zero();
+  double bend = 0;
+  int nodes = 0;
+  for (Eigen::Index i = 0; i < line.s.size(); ++i) {
+    if (line.s[i] < 0.25 * length || line.s[i] > 0.75 * length) continue;
+    const Vec3 du = line.u.row(i) - line.u0.row(i), dv = line.v.row(i) - line.v0.row(i);
+    u += du;
+    v += dv;
+    bend += du.head<2>().norm();
+    ++nodes;
+  }
+  ASSERT_GT(nodes, 10);
+  const double stretch = v.z() / nodes, twist = u.z() / nodes;
+  bend /= nodes;
+  EXPECT_NEAR(stretch, mean[2] - 1, 2e-3 * stretch);
+  EXPECT_NEAR(twist, mean[5], 2e-3 * twist);
+  EXPECT_NEAR(bend, mean.segment<2>(3).norm(), 2e-3 * bend);
+  EXPECT_LT(v.head<2>().norm() / nodes, 1e-2 * stretch);
+
+  const double area = 2 * M_PI * radius * thickness, shear_modulus = 1 / (2 * (1 + nu));
+  const double inertia = M_PI * std::pow(radius, 3) * thickness * (1 + std::pow(thickness / radius, 2) / 4);
+  const Vec3 middle = (a.position + b.position) / 2, axis = (b.position - a.position).normalized();
+  const Vec3 moment = three("moment") + (three("center") - middle).cross(three("force"));
+  EXPECT_NEAR(three("force").dot(axis), area * stretch, 1e-2 * area * stretch) << "E A";
+  EXPECT_NEAR(moment.dot(axis), shear_modulus * 2 * inertia * twist,
+              1e-2 * shear_modulus * 2 * inertia * twist)
+      << "G J";
+  EXPECT_NEAR((moment - moment.dot(axis) * axis).norm(), inertia * bend, 1e-2 * inertia * bend) << "E I";
 }
 
 TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {

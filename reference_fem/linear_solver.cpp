@@ -5,6 +5,7 @@
 #include <Eigen/UmfPackSupport>
 
 #include "reference_fem/distributed_solver.h"
+#include "surface/blas.h"
 
 namespace vasorod::fem {
 namespace {
@@ -17,6 +18,7 @@ class OneProcess final : public LinearSolver::Method {
 
   bool factor(const Sparse& whole, bool symmetric, int multipliers,
               LinearSolver::Fallback fallback) override {
+    const OneCholmodThread one_thread;
     definite = false;
     constraints.resize(0, 0);
     if (symmetric && multipliers > 0) {
@@ -36,6 +38,7 @@ class OneProcess final : public LinearSolver::Method {
   bool positive_definite() const override { return definite; }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const override {
+    const OneCholmodThread one_thread;
     if (!definite) return lu->solve(right);
     return constraints.cols() > 0 ? solve_constrained(right) : Eigen::VectorXd(cholesky.solve(right));
   }

@@ -17,8 +17,7 @@
 #include "output/write_json.h"
 #include "reference_fem/clock.h"
 #include "reference_fem/solve_scene.h"
-
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+#include "surface/blas.h"
 
 namespace {
 
@@ -47,7 +46,7 @@ bool launched_as_team() {
 int solve(Arguments& arguments) {
   using namespace vasorod;
   const double start = fem::now();
-  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(arguments.threads);
+  set_blas_threads(arguments.threads);
   const fem::Team& team = arguments.options.team;
   if (team.first()) require_replaceable(arguments.output);
   const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
@@ -65,7 +64,7 @@ int solve(Arguments& arguments) {
 
   Result result = fem::solve_scene(scene, options);
   result.program = "vasorod-fem " VASOROD_VERSION;
-  result.environment.blas = openblas_set_num_threads != nullptr ? "openblas" : "other";
+  result.environment.blas = blas_name();
   result.environment.threads = arguments.threads;
   result.seconds["read"] = read;
   result.seconds["total"] = fem::now() - start;

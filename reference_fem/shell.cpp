@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference_fem/point_tangent.h"
+#include "reference_fem/product.h"
 
 namespace vasorod::fem {
 
@@ -149,7 +150,7 @@ bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
         weighted.middleRows<3>(3 * at).noalias() = tangents[static_cast<size_t>(at)]
                                                        .block<3, 3>(3 * i, 3 * k)
                                                        .lazyProduct(slopes.middleRows<3>(3 * at));
-      block.noalias() = slopes.transpose() * weighted;
+      transposed_product(slopes, weighted, block);
       for (const auto& [row, column, part] :
            {std::array<Eigen::Index, 3>{i, k, 0}, {i, 3 + k, 1}, {3 + i, k, 2}, {3 + i, 3 + k, 3}}) {
         const auto piece = block.block((part / 2) * n, (part % 2) * n, n, n);

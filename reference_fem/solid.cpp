@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "reference_fem/point_tangent.h"
+#include "reference_fem/product.h"
 #include "reference_fem/section.h"
 
 namespace vasorod::fem {
@@ -117,7 +118,7 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
                                                       .block<3, 3>(3 * i, 3 * k)
                                                       .lazyProduct(gradient.middleRows<3>(3 * q));
       auto block = terms.tangent.block(i * n, k * n, n, n);
-      block.noalias() = gradient.transpose() * weighted;
+      transposed_product(gradient, weighted, block);
       if (k > i) terms.tangent.block(k * n, i * n, n, n) = block.transpose();
     }
   if (projection_) {  // J changes by cof F : dF

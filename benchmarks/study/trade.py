@@ -11,7 +11,7 @@ from runs import AROUND, FIDELITIES, hybrid, reference
 from tables import provenance, write_table
 
 CASE = "bend_t1_0.5"
-REPEATS = 3  # the least processor time of these counts
+REPEATS = 3  # the least processor time of these counts; see store.ENOUGH
 SHELLS = ((2, (12, 16)), (2, (16, 24)), (3, (6, 8)), (3, (8, 12)), (3, (12, 16)), (4, (6, 8)), (4, (8, 12)))
 SOLIDS = ((2, (12, 16)), (2, (16, 24)), (3, (8, 12)), (3, (12, 16)), (4, (6, 8)))
 CALCULIX = {"S8R": ((12, 20), (16, 28), (24, 40), (36, 60)), "C3D20R": ((12, 20), (16, 28), (24, 40), (36, 60))}

@@ -33,15 +33,17 @@ def chosen_reference(store, case):
 
 
 def rows_of(store, case, records):
-    """One row per run of the case; a run that failed keeps its sentence instead of numbers."""
+    """One row per run of the case; a run that failed keeps its sentence instead of numbers. Beyond the model's range there may be no
+    reference that converged: then only how each run ended is told."""
     reference, record = chosen_reference(store, case)
-    if reference is None:
+    if reference is None and case.counted:
         return []
-    records.append(record)
+    if record is not None:
+        records.append(record)
     rows = []
     demand = demand_of(store, case)
     others = hybrid_runs(case)
-    if reference.identity != accuracy_shell(case).identity:
+    if reference is None or reference.identity != accuracy_shell(case).identity:
         others.append(accuracy_shell(case))
     for run in others:
         record = store.record(run.identity)
@@ -50,10 +52,12 @@ def rows_of(store, case, records):
         records.append(record)
         settings = run.identity.split("/")[1].split("-")
         row = {"case": case.name, "family": case.family, "ratio": case.ratio, "counted": int(case.counted), "model": settings[0],
-               "around": int(settings[1]) if settings[1].isdigit() else None, "reference": reference.identity.split("/")[1],
+               "around": int(settings[1]) if settings[1].isdigit() else None, "reference": reference and reference.identity.split("/")[1],
                "thickness_over_radius": case.wall["thickness"] / case.tube["radius"],
                "length_over_radius": case.tube["length"] / case.tube["radius"], **demand}
-        if converged(store, record):
+        if reference is None:
+            row.update({name: None for name in COLUMNS}, failure="nothing to compare with" if converged(store, record) else failure_of(store, record))
+        elif converged(store, record):
             numbers = compared(store, case, run, reference)
             row.update({name: numbers[name] for name in COLUMNS}, failure=None)
         else:

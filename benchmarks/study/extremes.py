@@ -123,7 +123,7 @@ def reference_section(sensitivity, accuracy):
         lines.append([load, modulus, value_range([row["factor"] for row in mine]), len(mine), len(mine) - len(failed),
                       "; ".join(f"x {row['factor']:g}: {row['failure']}" for row in failed) or "-",
                       f"{worst['u_reaction']:.1g} at x {worst['factor']:g}" if worst else "-"])
-    beyond = sorted({(row["case"], row["reference"]) for row in accuracy if not row["counted"]})
+    beyond = sorted({(row["case"], row["reference"]) for row in accuracy if not row["counted"] and row["reference"]})
     text = ["## Reference\n", "The 7-parameter shell over the moduli alone: how many of its runs converged on both meshes, and the largest error of the reaction it states.\n",
             markdown(("load", "modulus", "factors", "runs", "converged", "ended otherwise", "largest u_num of the reaction"), lines)]
     if beyond:

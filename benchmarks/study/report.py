@@ -112,7 +112,7 @@ def accuracy_section(rows, notes, irregular):
     counted = [row for row in rows if row["counted"]]
     present = [m for m in MODELS if any(row["model"] == m and row["force"] is not None for row in rows)]
     surfaces = [m for m in present if m != "rod"]
-    references = sorted({row["reference"] for row in rows})
+    references = sorted({row["reference"] for row in rows if row["reference"]})
     text = ["## Accuracy\n",
             "Material points against the finite-element reference, Biot law on both sides: `vasorod compare` finds each rest point of the model "
             "on the reference's rest surface and takes the distance of the displacements. The reference of each case is the 7-parameter shell or the "

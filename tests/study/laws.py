@@ -1,0 +1,28 @@
+"""The law reaches the solver and is told apart from the kinematics: a pulled tube answers by S = C:E as a bar does. Usage: laws.py SOURCE_FOLDER VASOROD."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
+import laws  # noqa: E402
+from cases import case_named  # noqa: E402
+from measure import converged, moved_end, norm, result_of  # noqa: E402
+from store import Store  # noqa: E402
+
+with tempfile.TemporaryDirectory() as scratch:
+    store = Store(scratch, {"vasorod": sys.argv[2]})
+    case = case_named("stretch_t1_1.05")
+    force = {}
+    for law in laws.HYBRID_LAWS:
+        run = laws.coupled(case, law)
+        assert converged(store, store.ensure(run)), law
+        force[law] = norm(moved_end(result_of(store, run.identity))[0])
+    stretch = 1.05  # E l (l^2 - 1) / 2 over E (l - 1); the glued ends are held in either law
+    assert abs(force["svk"] / force["biot"] - stretch * (stretch + 1) / 2) < 3e-3, force
+
+for case in map(case_named, laws.CASES):
+    runs = laws.all_runs(case)
+    assert len({run.identity for run in runs}) == len(runs) == len(laws.LAWS) + len(laws.HYBRID_LAWS), case.name
+    assert [run.arguments[run.arguments.index("--law") + 1] for run in runs if run.program == "vasorod-fem"] == list(laws.LAWS)
+assert laws.all_runs(case_named("bend_t2_0.9")) == []

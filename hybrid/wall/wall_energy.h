@@ -97,6 +97,14 @@ class WallEnergy {
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
   void set_relief(double share);
+  // Parts of the Hessian.
+  struct TriangleDerivatives;
+  TriangleDerivatives derivatives(const Eigen::VectorXd& q, const Geometry& g, int triangle,
+                                  const Deformation& f) const;
+  void add_triangle(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
+                    double* values) const;
+  void add_hinges(const Eigen::VectorXd& q, const Geometry& g, const std::vector<double>& by_angle,
+                  double* values) const;
   void add_partners(const Eigen::VectorXd& q, double* values) const;
 
   std::string name_;

@@ -97,111 +97,136 @@ struct Adder {
 
 }  // namespace
 
+// d (C, theta or b) / d own vertices, and d theta_k or b_k / d what stands across edge k.
+struct WallEnergy::TriangleDerivatives {
+  Mat69 own = Mat69::Zero();
+  std::array<Vec3, 3> across;
+};
+
+WallEnergy::TriangleDerivatives WallEnergy::derivatives(const Eigen::VectorXd& q, const Geometry& g,
+                                                        int triangle, const Deformation& f) const {
+  const auto v = triangles_.row(triangle);
+  const Sides& sides = sides_[static_cast<size_t>(triangle)];
+  TriangleDerivatives d;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 slope = triangle_rest_[static_cast<size_t>(triangle)].gradients.col(i);
+    d.own.block<1, 3>(0, 3 * i) = 2 * slope[0] * f.col(0).transpose();
+    d.own.block<1, 3>(1, 3 * i) = 2 * slope[1] * f.col(1).transpose();
+    d.own.block<1, 3>(2, 3 * i) = slope[0] * f.col(1).transpose() + slope[1] * f.col(0).transpose();
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int edge = sides.edge[static_cast<size_t>(k)];
+    const WallEdge& wall_edge = edges_[static_cast<size_t>(edge)];
+    Vec3& outer = d.across[static_cast<size_t>(k)];
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (wall_edge.glued) {
+      const Vec3 m = q.segment<3>(wall_edge.unknown);
+      d.own.block<1, 3>(3 + k, 3 * i) = d.own.block<1, 3>(3 + k, 3 * j) = m.transpose();
+      d.own.block<1, 3>(3 + k, 3 * k) = -2 * m.transpose();
+      outer = point(q, v[i]) + point(q, v[j]) - 2 * point(q, v[k]);
+    } else if (!wall_edge.rim) {
+      const int which = sides.sign[k] > 0 ? 0 : 1;
+      const int tail = which == 0 ? i : j, head = which == 0 ? j : i;
+      const HingeSide mine = side(q, g, edge, which), other = side(q, g, edge, 1 - which);
+      d.own.block<1, 3>(3 + k, 3 * tail) = (mine.gradient(0) + other.gradient(0)).transpose();
+      d.own.block<1, 3>(3 + k, 3 * head) = (mine.gradient(1) + other.gradient(1)).transpose();
+      d.own.block<1, 3>(3 + k, 3 * k) = mine.gradient(2).transpose();
+      outer = other.gradient(2);
+    } else {
+      outer.setZero();
+    }
+  }
+  return d;
+}
+
 const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q) {
   const Geometry g = geometry(q);
   double* values = hessian_.valuePtr();
   std::fill(values, values + hessian_.nonZeros(), 0.0);
-  Adder adder{values, node_stride_};
   std::vector<double> by_angle(edges_.size(), 0);
-  for (size_t t = 0; t < sides_.size(); ++t) {
-    const int triangle = static_cast<int>(t);
-    const TriangleRest& rest = triangle_rest_[t];
-    const Sides& sides = sides_[t];
-    const auto& node = places_[t].node;
-    const auto& place = places_[t].place;
-    const Deformation f = deformation(q, triangle);
-    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, triangle, f), true);
-    const auto v = triangles_.row(triangle);
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const Deformation f = deformation(q, t);
+    const TriangleEnergy e =
+        triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
+    const Sides& sides = sides_[static_cast<size_t>(t)];
+    for (int k = 0; k < 3; ++k)
+      if (const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]); !edges_[edge].rim)
+        by_angle[edge] += e.gradient[3 + k];
+    add_triangle(static_cast<size_t>(t), e, derivatives(q, g, t, f), values);
+  }
+  add_hinges(q, g, by_angle, values);
+  add_partners(q, values);
+  return hessian_;
+}
 
-    // d (C, theta or b) / d own vertices, and d theta_k or b_k / d what stands across edge k
-    Mat69 own = Mat69::Zero();
-    std::array<Vec3, 3> across;
-    for (int i = 0; i < 3; ++i) {
-      const Vec2 d = rest.gradients.col(i);
-      own.block<1, 3>(0, 3 * i) = 2 * d[0] * f.col(0).transpose();
-      own.block<1, 3>(1, 3 * i) = 2 * d[1] * f.col(1).transpose();
-      own.block<1, 3>(2, 3 * i) = d[0] * f.col(1).transpose() + d[1] * f.col(0).transpose();
-    }
-    for (int k = 0; k < 3; ++k) {
-      const int edge = sides.edge[static_cast<size_t>(k)];
-      const WallEdge& wall_edge = edges_[static_cast<size_t>(edge)];
-      Vec3& outer = across[static_cast<size_t>(k)];
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      if (wall_edge.glued) {
-        const Vec3 m = q.segment<3>(wall_edge.unknown);
-        own.block<1, 3>(3 + k, 3 * i) = own.block<1, 3>(3 + k, 3 * j) = m.transpose();
-        own.block<1, 3>(3 + k, 3 * k) = -2 * m.transpose();
-        outer = point(q, v[i]) + point(q, v[j]) - 2 * point(q, v[k]);
-      } else if (!wall_edge.rim) {
-        by_angle[static_cast<size_t>(edge)] += e.gradient[3 + k];
-        const int which = sides.sign[k] > 0 ? 0 : 1;
-        const int tail = which == 0 ? i : j, head = which == 0 ? j : i;
-        const HingeSide mine = side(q, g, edge, which), other = side(q, g, edge, 1 - which);
-        own.block<1, 3>(3 + k, 3 * tail) = (mine.gradient(0) + other.gradient(0)).transpose();
-        own.block<1, 3>(3 + k, 3 * head) = (mine.gradient(1) + other.gradient(1)).transpose();
-        own.block<1, 3>(3 + k, 3 * k) = mine.gradient(2).transpose();
-        outer = other.gradient(2);
-      } else {
-        outer.setZero();
-      }
-    }
-
-    const Mat69 half = e.hessian.topLeftCorner<6, 6>() * own;
-    Mat9 block = own.transpose() * half;
-    Eigen::Matrix2d tension;
-    tension << 2 * e.gradient[0], e.gradient[2], e.gradient[2], 2 * e.gradient[1];
-    const Mat3 scalar = rest.gradients.transpose() * tension * rest.gradients;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
-      const size_t si = static_cast<size_t>(i);
-      adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))], block.block<3, 3>(3 * i, 3 * i));
-      for (int j = 0; j < i; ++j)
-        adder.add<3, 3>(node[si], node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(i, j))],
-                        block.block<3, 3>(3 * i, 3 * j));
-    }
-    for (int k = 0; k < 3; ++k) {
-      const int outer = node[static_cast<size_t>(3 + k)], xi = node[static_cast<size_t>(6 + k)];
-      const WallEdge& edge = edges_[static_cast<size_t>(sides.edge[static_cast<size_t>(k)])];
-      if (outer >= 0) {
-        const Vec3& a = across[static_cast<size_t>(k)];
-        const Row9 row = half.row(3 + k);
-        for (int j = 0; j < 3; ++j) {
-          Mat3 b = a * row.segment<3>(3 * j);
-          // b_k is bilinear in the rim's normal and the vertices.
-          if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
-          adder.add<3, 3>(outer, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(3 + k, j))], b);
-        }
-        for (int l = 0; l <= k; ++l) {
-          const int other = node[static_cast<size_t>(3 + l)];
-          if (other < 0) continue;
-          const Mat3 b = e.hessian(3 + k, 3 + l) * a * across[static_cast<size_t>(l)].transpose();
-          const int at = place[static_cast<size_t>(pair(3 + k, 3 + l))];
-          if (l == k)
-            adder.add_diagonal(outer, at, b);
-          else
-            adder.add<3, 3>(outer, other, at, b);
-        }
-      }
-      if (xi < 0) continue;
-      const double sign = sides.sign[k];
-      const Row9 row = sign * e.hessian.block<1, 6>(6 + k, 0) * own;
-      for (int j = 0; j < 3; ++j)
-        adder.add<1, 3>(xi, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(6 + k, j))],
-                        row.segment<3>(3 * j));
-      for (int l = 0; l < 3; ++l) {
-        const int other = node[static_cast<size_t>(3 + l)];
-        if (other < 0) continue;
-        adder.add<1, 3>(xi, other, place[static_cast<size_t>(pair(6 + k, 3 + l))],
-                        sign * e.hessian(6 + k, 3 + l) * across[static_cast<size_t>(l)].transpose());
+// One triangle's energy in its nine scalars, in what they depend on.
+void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleDerivatives& d,
+                              double* values) const {
+  Adder adder{values, node_stride_};
+  const TriangleRest& rest = triangle_rest_[t];
+  const Sides& sides = sides_[t];
+  const auto& node = places_[t].node;
+  const auto& place = places_[t].place;
+  const Mat69 half = e.hessian.topLeftCorner<6, 6>() * d.own;
+  Mat9 block = d.own.transpose() * half;
+  Eigen::Matrix2d tension;
+  tension << 2 * e.gradient[0], e.gradient[2], e.gradient[2], 2 * e.gradient[1];
+  const Mat3 scalar = rest.gradients.transpose() * tension * rest.gradients;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
+    const size_t si = static_cast<size_t>(i);
+    adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))], block.block<3, 3>(3 * i, 3 * i));
+    for (int j = 0; j < i; ++j)
+      adder.add<3, 3>(node[si], node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(i, j))],
+                      block.block<3, 3>(3 * i, 3 * j));
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int outer = node[static_cast<size_t>(3 + k)], xi = node[static_cast<size_t>(6 + k)];
+    const WallEdge& edge = edges_[static_cast<size_t>(sides.edge[static_cast<size_t>(k)])];
+    if (outer >= 0) {
+      const Vec3& a = d.across[static_cast<size_t>(k)];
+      const Row9 row = half.row(3 + k);
+      for (int j = 0; j < 3; ++j) {
+        Mat3 b = a * row.segment<3>(3 * j);
+        // b_k is bilinear in the rim's normal and the vertices.
+        if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
+        adder.add<3, 3>(outer, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(3 + k, j))], b);
       }
       for (int l = 0; l <= k; ++l) {
-        if (node[static_cast<size_t>(6 + l)] < 0) continue;
-        values[place[static_cast<size_t>(pair(6 + k, 6 + l))]] +=
-            sign * sides.sign[l] * e.hessian(6 + k, 6 + l);
+        const int other = node[static_cast<size_t>(3 + l)];
+        if (other < 0) continue;
+        const Mat3 b = e.hessian(3 + k, 3 + l) * a * d.across[static_cast<size_t>(l)].transpose();
+        const int at = place[static_cast<size_t>(pair(3 + k, 3 + l))];
+        if (l == k)
+          adder.add_diagonal(outer, at, b);
+        else
+          adder.add<3, 3>(outer, other, at, b);
       }
     }
+    if (xi < 0) continue;
+    const double sign = sides.sign[k];
+    const Row9 row = sign * e.hessian.block<1, 6>(6 + k, 0) * d.own;
+    for (int j = 0; j < 3; ++j)
+      adder.add<1, 3>(xi, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(6 + k, j))],
+                      row.segment<3>(3 * j));
+    for (int l = 0; l < 3; ++l) {
+      const int other = node[static_cast<size_t>(3 + l)];
+      if (other < 0) continue;
+      adder.add<1, 3>(xi, other, place[static_cast<size_t>(pair(6 + k, 3 + l))],
+                      sign * e.hessian(6 + k, 3 + l) * d.across[static_cast<size_t>(l)].transpose());
+    }
+    for (int l = 0; l <= k; ++l) {
+      if (node[static_cast<size_t>(6 + l)] < 0) continue;
+      values[place[static_cast<size_t>(pair(6 + k, 6 + l))]] +=
+          sign * sides.sign[l] * e.hessian(6 + k, 6 + l);
+    }
   }
-  // The angles' own second derivatives stay within each side's triangle.
+}
+
+// The angles' own second derivatives, which stay within each side's triangle.
+void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g, const std::vector<double>& by_angle,
+                            double* values) const {
+  Adder adder{values, node_stride_};
   for (size_t t = 0; t < sides_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = sides_[t].edge[static_cast<size_t>(k)];
@@ -224,8 +249,6 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
                             block);
         }
     }
-  add_partners(q, values);
-  return hessian_;
 }
 
 // Partners' shears times each other.

@@ -18,6 +18,8 @@ namespace {
 // At half the limit one minimum is left; from there in small steps, each extrapolated from the two before.
 constexpr double follow_from = 0.7, first_shares[] = {0.25, 0.5}, share_step = 0.05;
 constexpr int most_steps = 40;
+// A section free to flatten kinks first: with t / R 0.1 and L / R 10 between 0.40 and 0.45 of the limit.
+constexpr double soft_share = 0.5;
 
 size_t index(int i) {
   return static_cast<size_t>(i);
@@ -32,8 +34,12 @@ double share_of_limit(const Prediction& prediction) {
     Validity validity;
     add_validity(vessel.prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), validity);
     const double nu = vessel.prepared.spec.wall->poisson;
-    share = std::max(
-        {share, validity.twist_ratio, validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu)});
+    const double own =
+        std::max(validity.twist_ratio, validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu));
+    const auto& ends = vessel.conditions.ends;
+    const bool soft =
+        std::any_of(ends.begin(), ends.end(), [](const ConditionedEnd& end) { return !end.rigid; });
+    share = std::max(share, soft ? own / soft_share : own);
   }
   return share;
 }

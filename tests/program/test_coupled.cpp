@@ -183,6 +183,18 @@ TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.3);
 }
 
+// A section free to flatten kinks earlier: the same tube between soft ends between 0.40 and 0.45 of that
+// curvature.
+TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
+  std::string scene =
+      tube("soft", isotropic, "section: soft, rotate_deg: [0, 12.7302, 0], move: [11.0646, 0, -0.8206]");
+  const std::string held = "end: start, hold: true";
+  scene.replace(scene.find(held), held.size(), held + ", section: soft");
+  const json result = solve(scene, 1);
+  EXPECT_EQ(result.at("status"), "buckled");
+  EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.2);
+}
+
 // Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both vessels
 // balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {

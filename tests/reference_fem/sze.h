@@ -238,7 +238,7 @@ inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::arr
     }
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
   for (const auto& [node, share] : line) supports.dead_load[3 * node + 2] = -1000 * share / sum;
-  return follow(solid, supports, loads, 0.025, 0.05, [=](const Eigen::VectorXd& u) {
+  return follow(solid, supports, loads, 0.025, 0.1, [=](const Eigen::VectorXd& u) {
     double mean = 0;
     for (const auto& [node, share] : line) mean -= share / sum * u[3 * node + 2];
     return std::array<double, 2>{mean, 0};

@@ -1,10 +1,14 @@
-// The scenes of benchmarks/cases/reference: solid and shell against the recorded output beside them, and
-// against each other, which must be the closer the thinner the wall.
+// The scenes of benchmarks/cases/reference: closed forms; solid and shell against the recorded output beside
+// them, and against each other, which must be the closer the thinner the wall.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "reference_fem/solve_scene.h"
 
@@ -49,6 +53,71 @@ TEST(Cases, SolidAndShellAgreeTheBetterTheThinnerTheWall) {
                   solid.reaction, shell.reaction, gap,
                   (shell.displacement - solid.displacement).rowwise().norm().maxCoeff() / 10);
     }
+  }
+}
+
+Result solid_of(const std::string& name, LawKind law) {
+  SolveOptions options;
+  options.law = law;
+  options.refine = 0;
+  options.around = 8;
+  const Scene scene = read_scene(folder + name + ".yaml", {.accept_pressure = true});
+  options.along = static_cast<int>(std::lround(scene.vessels[0].tube->length / 10));
+  Result r = solve_scene(scene, options);
+  EXPECT_TRUE(r.status == Status::converged || r.status == Status::equilibrium_only) << name;
+  return r;
+}
+
+/// E I and k of tip(L) / P = L^3 / 3 E I + L / k G A + c, G = 1 / 2.6.
+std::array<double, 2> cantilever_fit(LawKind law) {
+  Eigen::Matrix3d powers;
+  Vec3 compliance;
+  const std::array<int, 3> lengths{40, 60, 90};
+  for (int i = 0; i < 3; ++i) {
+    const double L = lengths[static_cast<std::size_t>(i)];
+    const Result r = solid_of("cantilever-" + std::to_string(lengths[static_cast<std::size_t>(i)]), law);
+    compliance[i] = r.ends[1].center[0] / 1e-7;
+    powers.row(i) << L * L * L, L, 1;
+  }
+  const Vec3 fit = powers.inverse() * compliance;
+  return {1 / (3 * fit[0]), 1 / (fit[1] * 125.6637061436 / 2.6)};
+}
+
+/// Mean outward displacement of the section at half the length.
+double widening(const VesselResult& vessel) {
+  double sum = 0;
+  int count = 0;
+  const double middle = (vessel.rest.col(2).minCoeff() + vessel.rest.col(2).maxCoeff()) / 2;
+  for (Eigen::Index i = 0; i < vessel.rest.rows(); ++i) {
+    if (std::abs(vessel.rest(i, 2) - middle) > 1e-6) continue;
+    const Vec3 rest = vessel.rest.row(i), moved = vessel.current.row(i);
+    sum += (moved - rest).head<2>().dot(rest.head<2>().normalized());
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(Cases, ClosedForms) {
+  const std::map<std::string, LawKind> laws{
+      {"biot", LawKind::biot}, {"svk", LawKind::svk}, {"neo-hookean", LawKind::neo_hookean}};
+  const auto cases = nlohmann::json::parse(std::ifstream(folder + "closed_forms.json"));
+  std::optional<std::array<double, 2>> fit;
+  for (const auto& [what, row] : cases.items()) {
+    const std::string scene = row["scene"];
+    const LawKind law = laws.at(row["law"]);
+    double found = 0;
+    if (scene == "cantilever") {
+      if (!fit) fit = cantilever_fit(law);
+      found = (*fit)[what[0] == 'E' ? 0 : 1];
+    } else {
+      const Result r = solid_of(scene, law);
+      found = scene == "lame"  ? widening(r.vessels[0])
+              : scene == "bar" ? r.ends[1].force[2]
+                               : r.ends[1].moment[2];
+    }
+    const double exact = row["value"];
+    std::printf("%s: %.9g (%.9g), relative %.1e\n", what.c_str(), found, exact, found / exact - 1);
+    EXPECT_NEAR(found / exact, 1, row["within"].get<double>()) << what;
   }
 }
 

@@ -22,12 +22,6 @@ std::vector<MaterialLaw> laws() {
           MaterialLaw(LawKind::neo_hookean, Moduli::isotropic(1, 0.3)), MaterialLaw::split(0.4, 7.0)};
 }
 
-Mat3 tensor(const Vec6& v) {
-  Mat3 m;
-  m << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
-  return m;
-}
-
 Mat3 rotation() {
   return Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
 }
@@ -45,7 +39,7 @@ TEST(Law, StressIsTheDerivativeOfTheEnergy) {
   const double h = 1e-5;
   for (const MaterialLaw& law : laws())
     for (const Mat3& F : gradients()) {
-      const Mat3 P = F * tensor(law.evaluate(F).stress);
+      const Mat3 P = F * stress_tensor(law.evaluate(F).stress);
       for (int i = 0; i < 3; ++i)
         for (int J = 0; J < 3; ++J) {
           Mat3 plus = F, minus = F;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "reference_fem/finite_differences.h"
+#include "reference_fem/in_one_step.h"
 #include "reference_fem/sze.h"
 #include "reference_fem/tube.h"
 #include "reference_fem/tube_ends.h"
@@ -79,6 +80,47 @@ TEST(Shell, HasTheVolumeOfTheSolid) {
     energy += terms.energy;
   }
   EXPECT_NEAR(energy / law.evaluate(2 * Mat3::Identity()).energy / volume, 1, 1e-5);
+}
+
+// A flat plate of distorted cells, its edge nodes moved by one gradient: the same inside, the thickness that
+// of plane stress.
+TEST(Shell, PatchTestOnDistortedCells) {
+  Mat3 H = Mat3::Zero();
+  H.topLeftCorner<2, 2>() << 0.15, 0.2, -0.05, -0.1;
+  const double h = 0.3;
+  const auto plate = [](const Vec3& p) {
+    return Vec3(p[0] + 0.15 * std::sin(3 * p[1]) * p[0] * (1 - p[0]), p[1] + 0.2 * p[0] * p[1] * (1 - p[1]),
+                0);
+  };
+  for (const LawKind kind : {LawKind::biot, LawKind::svk})
+    for (const int degree : {1, 2, 3}) {
+      const MaterialLaw law(kind, Moduli::isotropic(1.3, 0.3));
+      double low = -0.5, high = 0.5;  // no stress across the plate
+      for (int i = 0; i < 60; ++i) {
+        H(2, 2) = (low + high) / 2;
+        (law.evaluate(Mat3::Identity() + H).stress[2] < 0 ? low : high) = H(2, 2);
+      }
+      const Shell shell = sze::make_shell(
+          {{3, 2, 1}, false, degree}, plate, [](const Vec3&) { return Vec3(0, 0, 1); }, h, 1.3, 0.3, kind);
+      const Mesh& mesh = shell.mesh();
+      Supports supports;
+      for (int i = 0; i < mesh.node_count(); ++i) {
+        const Vec3 u = H * mesh.nodes.row(i).transpose();
+        const bool edge = mesh.parameters.row(i).head<2>().minCoeff() < 1e-9 ||
+                          mesh.parameters.row(i).head<2>().maxCoeff() > 1 - 1e-9;
+        for (int c = 0; c < 3 && edge; ++c) supports.prescribed.emplace_back(7 * i + c, u[c]);
+      }
+      const auto [state, assembly] = in_one_step(shell, supports, 1e-11);
+      double worst = 0;
+      for (int i = 0; i < mesh.node_count(); ++i) {
+        const Vec3 X = mesh.nodes.row(i);
+        worst = std::max({worst, (state.u.segment<3>(7 * i) - H * X).norm(),
+                          (state.u.segment<3>(7 * i + 3) - H * Vec3(0, 0, 1)).norm(),
+                          h * std::abs(state.u[7 * i + 6])});
+      }
+      EXPECT_LT(worst, 1e-9) << to_string(kind) << " " << degree;
+      EXPECT_NEAR(assembly.energy, h * law.evaluate(Mat3::Identity() + H).energy, 1e-10);
+    }
 }
 
 TEST(Shell, SzeCantileverUnderEndShear) {

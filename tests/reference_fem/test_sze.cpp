@@ -64,7 +64,7 @@ TEST(Sze, PinchedSemiCylinder) {
 }
 
 TEST(Sze, PinchedSemiCylinderAsASolid) {
-  compare_semi_cylinder(sze::solid_semi_cylinder(semi_cylinder_loads, {8, 8, 1}, 4));
+  compare_semi_cylinder(sze::solid_semi_cylinder(semi_cylinder_loads, {10, 10, 1}, 3));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace vasorod::fem {
 namespace {
 
 constexpr double radius = 10, thickness = 2, half_length = 50;
-constexpr double full_angle = 75;  ///< degrees between the ends; beyond about 79 the walls would touch
+constexpr double full_angle = 75;  ///< degrees between the ends; a little beyond the walls would touch
 
 /// A point of the path; angle between the ends in degrees, moment and energy of the whole tube.
 struct Bent {

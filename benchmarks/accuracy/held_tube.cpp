@@ -53,6 +53,31 @@ CarriedBody carried(const HeldTube& tube, const Vec6& strain) {
   return body;
 }
 
+}  // namespace
+
+WallInput wall_of(const HeldTube& tube) {
+  WallInput wall;
+  wall.rest = tube.rest;
+  wall.thickness.setConstant(tube.rest.points.rows(), tube.thickness);
+  for (Eigen::Index t = 0; t < tube.rest.triangles.rows(); ++t) {
+    double middle = 0;
+    for (int k = 0; k < 3; ++k) middle += tube.mesh.s[tube.rest.triangles(t, k)] / 3;
+    wall.axis.push_back(tube_axis(tube.shape, middle).director(3));
+  }
+  wall.material = WallMaterial::isotropic(1, tube.poisson);
+  return wall;
+}
+
+SurfaceBody body_of(const HeldTube& tube) {
+  SurfaceBody body;
+  body.name = "tube";
+  body.rest = tube.rest;
+  body.thickness = tube.thickness;
+  body.offset = body.thickness / 2;
+  body.k = {1, 0.1, 0.4 * body.thickness};
+  return body;
+}
+
 HeldSection rim(const HeldTube& tube, double s) {
   HeldSection section;
   section.label = s > 0 ? "end" : "start";
@@ -62,19 +87,10 @@ HeldSection rim(const HeldTube& tube, double s) {
   return section;
 }
 
-}  // namespace
-
 HeldAnswer solve(const HeldTube& tube, const EndMotion& motion) {
   const Vec6 strain = rest_strain(tube);
   CoupledVessel vessel;
-  vessel.wall.rest = tube.rest;
-  vessel.wall.thickness.setConstant(tube.rest.points.rows(), tube.thickness);
-  for (Eigen::Index t = 0; t < tube.rest.triangles.rows(); ++t) {
-    double middle = 0;
-    for (int k = 0; k < 3; ++k) middle += tube.mesh.s[tube.rest.triangles(t, k)] / 3;
-    vessel.wall.axis.push_back(tube_axis(tube.shape, middle).director(3));
-  }
-  vessel.wall.material = WallMaterial::isotropic(1, tube.poisson);
+  vessel.wall = wall_of(tube);
   HeldSection end = rim(tube, tube.shape.length);
   const Pose target = carried(tube, strain + motion.change).sections[1];
   end.motion.rotate = log_rotation(target.rotation);
@@ -84,13 +100,7 @@ HeldAnswer solve(const HeldTube& tube, const EndMotion& motion) {
   vessel.sections = {rim(tube, 0), end};
 
   CoupledProblem problem;
-  SurfaceBody body;
-  body.name = "tube";
-  body.rest = tube.rest;
-  body.thickness = tube.thickness;
-  body.offset = body.thickness / 2;
-  body.k = {1, 0.1, 0.4 * body.thickness};
-  problem.surfaces.bodies.push_back(body);
+  problem.surfaces.bodies.push_back(body_of(tube));
   problem.vessels.push_back(std::make_unique<CoupledVessel>(std::move(vessel)));
   problem.carried = [&](double t) {
     return std::vector<CarriedBody>{carried(tube, strain + t * motion.change)};

@@ -20,6 +20,11 @@ struct HeldTube {
   double shear_modulus() const { return 1 / (2 * (1 + poisson)); }
 };
 
+WallInput wall_of(const HeldTube& tube);
+SurfaceBody body_of(const HeldTube& tube);
+/// The end at s = 0 or at the length, held where it is.
+HeldSection rim(const HeldTube& tube, double s);
+
 struct HeldAnswer {
   bool settled = false;  ///< converged and certified
   Points positions;

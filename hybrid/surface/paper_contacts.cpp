@@ -57,7 +57,8 @@ void PaperContacts::create(Pair& pair, const ScaledBodies& scaled) {
     std::vector<char> out;
     if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
     if (!overlapping.empty()) {
-      const std::vector<char> beside = seam_band(body.rest, overlapping, held_band * overlap.depth);
+      const std::vector<char> beside = seam_band(
+          body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge);  // it adds two edges
       out.resize(beside.size(), 0);
       for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
     }

@@ -1,0 +1,121 @@
+// Runs one kernel so many times: `kernel_instructions NAME RUNS`, for instructions.py, which counts the
+// instructions of a run with callgrind: 0 runs are the set-up alone. Without arguments it lists the names.
+// The surfaces are tubes R 8, t 1.6, L 40 with 64 vertices around, bent by half the Brazier curvature; the
+// rod is the 45 degree bend of 100 elements.
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "../chain.h"
+#include "contact/contact_pair.h"
+#include "geometry/tube.h"
+#include "surface/paper_energy.h"
+#include "wall/wall_energy.h"
+
+namespace {
+
+using namespace vasorod;
+
+constexpr double radius = 8, thickness = 1.6, length = 40, nu = 0.3;
+
+TubeSpec straight() {
+  TubeSpec tube;
+  tube.length = length;
+  tube.radius = radius;
+  tube.around = 64;
+  tube.along = 58;
+  return tube;
+}
+
+TubeSpec bent() {
+  TubeSpec tube = straight();
+  const double curvature = 0.5 * 0.471 * thickness / (radius * radius * std::sqrt(1 - nu * nu));
+  tube.bend_deg = curvature * length * 180 / std::numbers::pi;
+  return tube;
+}
+
+using Kernel = std::function<void()>;
+
+struct Wall {
+  std::unique_ptr<WallEnergy> energy;
+  Eigen::VectorXd q, gradient;
+  Wall() {
+    WallInput in;
+    in.rest = tube_surface(straight());
+    in.thickness.setConstant(in.rest.points.rows(), thickness);
+    in.axis.assign(static_cast<std::size_t>(in.rest.triangles.rows()), Vec3::UnitZ());
+    in.material = WallMaterial::isotropic(1, nu);
+    energy = std::make_unique<WallEnergy>(in);
+    q = energy->rest();
+    const Points points = tube_surface(bent()).points;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) q.segment<3>(3 * i) = points.row(i);
+  }
+};
+
+Kernel wall_gradient() {
+  const auto wall = std::make_shared<Wall>();
+  return [wall] { wall->energy->gradient(wall->q, wall->gradient); };
+}
+
+Kernel wall_hessian() {
+  const auto wall = std::make_shared<Wall>();
+  return [wall] { wall->energy->hessian(wall->q); };
+}
+
+// Another such tube beside it, 1 apart: all closest features found anew.
+Kernel contact_search() {
+  const TriangleSurface slave = tube_surface(straight());
+  TriangleSurface master = slave;
+  master.points.col(0).array() += 2 * radius + thickness + 1;
+  const auto pair = std::make_shared<ContactPair>(ContactSide{slave, thickness / 2, {}},
+                                                  ContactSide{master, thickness / 2, {}}, 1.0);
+  return [=] { pair->refresh(slave.points, master.points, 4); };
+}
+
+Kernel paper_gradient() {
+  struct Paper {
+    PaperSystem system;
+    Points points;
+    PaperGradient gradient;
+  };
+  const auto paper = std::make_shared<Paper>();
+  const TriangleSurface rest = tube_surface(straight());
+  const auto count = static_cast<std::size_t>(rest.points.rows());
+  paper->points = tube_surface(bent()).points;
+  append_body(paper->system, rest, paper->points, std::vector<Mat3>(count, Mat3::Identity()), {0.1, 1, 0.3},
+              std::vector<char>(count, 0));
+  return [paper] { paper_energy_gradient(paper->system, paper->points, paper->gradient); };
+}
+
+Kernel rod_solve() {
+  const auto tree = std::make_shared<RodTree>(
+      bench::chain(25 * std::numbers::pi, {0, .01, 0}, 100, bench::stiffness(5e6, 1e7, 1e7 / 12, 833333.3)));
+  return [tree] { solve_rod(*tree, bench::cantilever(*tree, {0, 600, 0})); };
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::map<std::string, Kernel (*)()> kernels{{"wall_gradient", wall_gradient},
+                                                    {"wall_hessian", wall_hessian},
+                                                    {"contact_search", contact_search},
+                                                    {"paper_gradient", paper_gradient},
+                                                    {"rod_solve", rod_solve}};
+  if (count == 1) {
+    for (const auto& [name, make] : kernels) std::printf("%s\n", name.c_str());
+    return 0;
+  }
+  const auto found = kernels.find(arguments[1]);
+  if (found == kernels.end() || count != 3) {
+    std::fprintf(stderr,
+                 "kernel_instructions: found no kernel and number of runs, expected one of its names\n");
+    return 2;
+  }
+  const Kernel kernel = found->second();
+  for (int run = std::atoi(arguments[2]); run > 0; --run) kernel();
+  return 0;
+}

@@ -195,6 +195,40 @@ TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.2);
 }
 
+// Two tubes side by side, the held ends of one moved into the other's: settled, with the reason why contact
+// beside the ends is missing.
+TEST(Coupled, ParallelTubesWhoseHeldEndsOverlapSettleAndSaySo) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << R"(scene: parallel
+units: {length: mm, stress: MPa}
+vessels:
+  - name: one
+    tube: {length: 60, radius: 8, around: 28, along: 38}
+    wall: {thickness: 1.2, young: 1.0, poisson: 0.3}
+  - name: other
+    tube: {length: 60, radius: 8, around: 24, along: 32, position: [-17.01, 0, 0]}
+    wall: {thickness: 0.8, young: 1.0, poisson: 0.3}
+ends:
+  - {vessel: one, end: start, move: [-3, 0, 0]}
+  - {vessel: one, end: end, move: [-3, 0, 0]}
+  - {vessel: other, end: start, hold: true}
+  - {vessel: other, end: end, hold: true}
+fidelity: coupled
+)";
+  for (const std::string fidelity : {"coupled", "paper"}) {
+    SCOPED_TRACE(fidelity);
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / "out").string() + "' --json --fidelity " + fidelity));
+    ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    const json result = json::parse(run.out);
+    EXPECT_EQ(result.at("status"), "converged");
+    EXPECT_GT(result.at("contact")[0].at("force")[0].get<double>(), 0);
+    for (const auto& vessel : result.at("balance")) EXPECT_LT(vessel.at("residual").get<double>(), 1e-6);
+    const std::string notes = result.at("certificate").at("notes").dump();
+    EXPECT_NE(notes.find("rigid ends are held 2.97"), std::string::npos) << notes;
+  }
+}
+
 // Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both vessels
 // balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {

@@ -53,10 +53,14 @@ std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>&
   if (outside(length, scope.length))
     return "the table is of tubes with L/R " + digits(scope.length[0]) + " to " + digits(scope.length[1]) +
            ", this one has " + digits(length);
-  // curved at rest by a hundredth of the local wrinkling curvature, a section already flattens to first order
-  for (const ElementChange& change : element_changes(vessel.rod, *rods.front().poses))
+  for (const ElementChange& change : element_changes(vessel.rod, *rods.front().poses)) {
+    // made from pulled tubes, it says nothing of a wall on its way to wrinkling, at a strain of -0.605 t / R
+    if (change.change[2] < -0.1 * 0.605 * thickness) return "the table is of tubes that are not pressed";
+    // curved at rest by a hundredth of the local wrinkling curvature, a section already flattens to first
+    // order
     if ((change.strain - change.change).segment<2>(3).norm() * vessel.mean_radius > 0.01 * 0.605 * thickness)
       return "the table is of tubes that are straight at rest";
+  }
   return {};
 }
 

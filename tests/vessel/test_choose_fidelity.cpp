@@ -56,8 +56,9 @@ class ChooseFidelity : public testing::Test {
   RodPoses poses;
   Scene scene;
 
-  FidelityChoice choose(double wanted, double bend, std::span<const AccuracyRow> rows = table) {
-    poses = strained(tube.vessel.rod, change_of(0, Vec3(0, bend * 0.605 / 100, 0)));
+  FidelityChoice choose(double wanted, double bend, std::span<const AccuracyRow> rows = table,
+                        double stretch = 0) {
+    poses = strained(tube.vessel.rod, change_of(stretch, Vec3(0, bend * 0.605 / 100, 0)));
     scene.file = "bend.yaml";
     scene.accuracy = wanted;
     scene.vessels.assign(1, tube.spec);
@@ -107,6 +108,12 @@ TEST_F(ChooseFidelity, OutsideOfTheTableTheDearestWithoutAPromise) {
   EXPECT_FALSE(thick.promised);
   EXPECT_NE(thick.reason.find("t/R"), std::string::npos) << thick.reason;
   tube.spec.wall->thickness = 1;
+
+  EXPECT_TRUE(choose(0.05, 0.05, rows, 0.02).promised);
+  const FidelityChoice pressed = choose(0.05, 0.05, rows, -0.02);
+  EXPECT_FALSE(pressed.promised);
+  EXPECT_NE(pressed.reason.find("not pressed"), std::string::npos) << pressed.reason;
+  EXPECT_TRUE(choose(0.05, 0.05, rows, -0.001).promised);  // what a bend along an arc may leave
 
   scene.glenn.emplace();
   EXPECT_NE(choose(0.02, 0.2, rows).reason.find("not of operations"), std::string::npos);

@@ -118,10 +118,10 @@ def reference_section(sensitivity, accuracy):
     lines = []
     for load, modulus in dict.fromkeys((row["load"], row["modulus"]) for row in shell):
         mine = [row for row in shell if (row["load"], row["modulus"]) == (load, modulus)]
-        failed = [row for row in mine if row["failure"]]
-        worst = max((row for row in mine if not row["failure"] and row["u_reaction"] is not None), key=lambda row: row["u_reaction"], default=None)
+        failed = [row for row in mine if row["force"] is None]
+        worst = max((row for row in mine if row["u_reaction"] is not None), key=lambda row: row["u_reaction"], default=None)
         lines.append([load, modulus, value_range([row["factor"] for row in mine]), len(mine), len(mine) - len(failed),
-                      "; ".join(f"x {row['factor']:g}: {row['failure']}" for row in failed) or "-",
+                      "; ".join(f"x {row['factor']:g}: {row['failure'] or 'not converged'}" for row in failed) or "-",
                       f"{worst['u_reaction']:.1g} at x {worst['factor']:g}" if worst else "-"])
     beyond = sorted({(row["case"], row["reference"]) for row in accuracy if not row["counted"] and row["reference"]})
     text = ["## Reference\n", "The 7-parameter shell over the moduli alone: how many of its runs converged on both meshes, and the largest error of the reaction it states.\n",

@@ -2,7 +2,7 @@
 together, that of G scaling G_axial alone (design.md, section 3). Base: the isotropic wall's moduli with nu_LT = 0."""
 
 from cases import case_named
-from measure import converged, moved_end, norm, own_error, result_of, shapes
+from measure import converged, failure_of, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference
 
 FACTORS = tuple(10 ** (k / 5 - 2) for k in range(21))
@@ -60,7 +60,7 @@ def point(store, load, modulus, factor, fidelity, run, base, records):
            "energy": None, "bending_energy": None, "stretching_energy": None, "binding_energy": None, "flattening": None, "u_shape": None,
            "u_reaction": None, "failure": None}
     if not (converged(store, record) and converged(store, base_record)):
-        row["failure"] = record["sentence"] or base_record["sentence"]
+        row["failure"] = failure_of(store, base_record if converged(store, record) else record)
         return row
     result = result_of(store, run.identity)
     force, moment = moved_end(result)

@@ -6,7 +6,7 @@ from tables import provenance, write_table
 
 COLUMNS = ("rms", "largest", "centerline_rms", "centerline_largest", "force", "moment", "reaction_signed", "flattening",
            "flattening_reference", "u_shape", "u_reaction")
-DEMANDS = ("demand_stretch", "demand_twist", "demand_bend")
+DEMANDS = ("demand_stretch", "demand_twist", "demand_bend", "demand_press")
 
 
 def demand_of(store, case):
@@ -16,7 +16,7 @@ def demand_of(store, case):
         return {name: None for name in DEMANDS}
     result = result_of(store, run.identity)
     return {"demand_stretch": max(abs(v - 1) for v in result["metrics"][0]["stretch"]), "demand_twist": result["validity"]["twist_ratio"],
-            "demand_bend": result["validity"]["wrinkling_ratio"]}
+            "demand_bend": result["validity"]["wrinkling_ratio"], "demand_press": max(0.0, 1 - min(result["metrics"][0]["stretch"]))}
 
 
 def hybrid_runs(case):

@@ -32,5 +32,7 @@ committed = (SOURCE / "hybrid" / "vessel" / "accuracy_table.cpp").read_text()
 assert promise.source_text(accuracy, "benchmarks/baselines/accuracy.csv") == committed, "study.py promise was not run after the last study.py tables"
 kept = promise.held_out(accuracy)
 assert len(kept) >= 6, "too few cases check the promise"
+beyond = {measured["case"] for measured, _ in promise.held_out(accuracy, within=False)}
+assert beyond == {"fresh_press_t0.6"} and not beyond & {measured["case"] for measured, _ in kept}, beyond  # pressed tubes are out of scope
 for measured, error in kept:
     assert measured["rms"] <= error, f"{measured['case']}, {measured['model']}-{measured['around']:.0f}: promised {error}, measured {measured['rms']}"

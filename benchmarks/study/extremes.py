@@ -12,7 +12,7 @@ from tables import markdown, provenance, read_table, write_table
 sys.path.insert(0, str(REPOSITORY / "benchmarks" / "extremes"))
 import wall_extremes  # noqa: E402
 
-TIME_LIMIT = 120  # seconds a run may take
+TIME_LIMIT = 60  # seconds a run may take
 MOST_COUPLED = 100_000  # vertices: the factor of more does not fit beside other programs on a small machine
 
 
@@ -66,9 +66,10 @@ def make_tables(store, baselines):
         rows = rod_rows((store.folder(record["identity"]) / "output.txt").read_text())
         write_table(baselines / "extremes_rod.csv", rows, ["The rod solver pushed, a line per group of cases", *provenance([record])])
     rows, records = [], []
-    for case, fidelity in wall_cases():
-        record = store.record(wall_run(case, fidelity).identity)
-        if record is None:
+    found = [(case, fidelity, store.record(wall_run(case, fidelity).identity)) for case, fidelity in wall_cases()]
+    unfinished = {(case.family, fidelity) for case, fidelity, record in found if record is None}
+    for case, fidelity, record in found:
+        if (case.family, fidelity) in unfinished:  # a share of some runs says nothing of the range
             continue
         records.append(record)
         ending, sentence = ending_of(store, record)

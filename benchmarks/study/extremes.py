@@ -88,8 +88,8 @@ def provenance_text(notes):
 
 
 def rod_section(rows, notes):
-    lines = [[row["group"], row["range"], row["cases"], row["certified"], row["most_iterations"], row["other"] or "-"] for row in rows]
-    certified, cases = sum(row["certified"] for row in rows), sum(row["cases"] for row in rows)
+    lines = [[row["group"], row["range"], int(row["cases"]), int(row["certified"]), row["most_iterations"], row["other"] or "-"] for row in rows]
+    certified, cases = int(sum(row["certified"] for row in rows)), int(sum(row["cases"] for row in rows))
     return ["## Rod\n", f"Certified: {share(certified, cases)}. Certified means `converged`: the residual and the inertia of the true Hessian say minimum.\n",
             markdown(("group", "range tried", "cases", "certified", "most iterations (of)", "ended otherwise"), lines), provenance_text(notes)]
 
@@ -105,10 +105,13 @@ def wall_section(rows, notes):
                       f"{slowest['seconds']:.1f} s ({slowest['case']})", f"{max(row['peak_bytes'] for row in mine) / 2**20:.0f}"])
         endings += [[fidelity, f"{family}: {row['case']}", row["ending"], f"{row['seconds']:.1f}", row["sentence"] or "-"] for row in mine if row["ending"] != "converged"]
     good = sum(row["ending"] == "converged" for row in rows)
+    left = dict.fromkeys(f"{fidelity}, {case.family}" for case, fidelity in wall_cases()
+                         if (fidelity, case.family) not in {(row["fidelity"], row["family"]) for row in rows})
+    missing = [f"Not run in full since the last change, so left out: {'; '.join(left)}.\n"] if left else []
     return ["## Walls\n", f"Whole programs on a tube with L / R = 10; `converged`: {share(good, len(rows))}. Past Brazier's curvature or the wrinkling twist `buckled` and "
             "`unstable` are the right answers. Named otherwise: another status, or a refusal with one sentence; failed: a crash, or a number that is not finite.\n",
             markdown(("fidelity", "family", "range tried", "runs", "converged", "named otherwise", "failed", "slowest, processor time", "most MiB"), lines),
-            "### Every run that did not converge\n", markdown(("fidelity", "case", "ending", "s", "sentence"), endings), provenance_text(notes)]
+            *missing, "### Every run that did not converge\n", markdown(("fidelity", "case", "ending", "s", "sentence"), endings), provenance_text(notes)]
 
 
 def reference_section(sensitivity, accuracy):

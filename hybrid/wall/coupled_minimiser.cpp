@@ -16,6 +16,8 @@ constexpr double worn_order = 1.3;
 // After so many points of negative curvature the branch that short steps were to keep to is lost.
 constexpr int patience_on_branch = 3;
 constexpr int inverse_iterations = 12;
+// Negative curvature below this share of the rest Hessian's along the same direction is rounding.
+constexpr double neutral_curvature = 1e-6;
 // Forces this small against stiffness times coordinates are what cancellation leaves.
 constexpr double rounding = 1e-14;
 
@@ -104,38 +106,39 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
     analysed_outer_.assign(outer.begin(), outer.end());
     analysed_inner_.assign(inner.begin(), inner.end());
   }
-  Matrix metric;
+  metric_.resize(0, 0);
   for (;;) {
     ++factorisations;
     if (shift == 0) {
       if (factor_.factorise(hessian_)) return true;
     } else {
-      if (metric.size() == 0) {
-        metric = rest_;
-        turn_matrix(turns_, metric);
-        for (int i = 0; i < metric.cols(); ++i) metric.coeffRef(i, i) += 1e-6 * mean_stiffness_;
+      if (metric_.size() == 0) {
+        metric_ = rest_;
+        turn_matrix(turns_, metric_);
+        for (int i = 0; i < metric_.cols(); ++i) metric_.coeffRef(i, i) += 1e-6 * mean_stiffness_;
       }
       // hessian_'s pattern contains the metric's.
-      if (factor_.factorise(hessian_ + shift * metric)) return true;
+      if (factor_.factorise(hessian_ + shift * metric_)) return true;
     }
     shift = shift == 0 ? first_shift : shift_growth * shift;
     if (shift > largest_shift || factorisations >= most) return false;
   }
 }
 
-// From an equilibrium whose Hessian is not positive definite: inverse iteration with the shifted factor finds
-// the softest direction; down it goes as far as the energy falls.
-bool CoupledMinimiser::leave_saddle(VectorXd& z) {
+// From an equilibrium whose Hessian H is not positive definite: inverse iteration with the shifted factor
+// finds the direction where v.H v is most negative against v.K0 v; down it goes as far as the energy falls.
+CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
   VectorXd v(z.size()), next(z.size());
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i % 7919));
   for (int k = 0; k < inverse_iterations; ++k) {
+    next = metric_.selfadjointView<Eigen::Lower>() * v;
+    factor_.solve(next.data(), v.data(), 1);
     v.normalize();
-    factor_.solve(v.data(), next.data(), 1);
-    v.swap(next);
   }
   v.normalize();
   const VectorXd hv = hessian_.selfadjointView<Eigen::Lower>() * v;
-  if (!(v.dot(hv) < 0)) return false;
+  const double stiffness = v.dot(metric_.selfadjointView<Eigen::Lower>() * v);
+  if (v.dot(hv) > -neutral_curvature * stiffness) return Saddle::neutral;
   VectorXd g;
   double ignored = 0;
   const double energy = evaluate(z, g, ignored);
@@ -149,7 +152,7 @@ bool CoupledMinimiser::leave_saddle(VectorXd& z) {
     best_step = step;
   }
   z += best_step * v;
-  return best_step > 0;
+  return best_step > 0 ? Saddle::left : Saddle::kept;
 }
 
 CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMinimiserOptions& options) {
@@ -191,7 +194,9 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z, const CoupledMin
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     const bool at_rest = factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest && !fresh) {
-      if (!leave_saddle(z)) {
+      const Saddle saddle = leave_saddle(z);
+      if (saddle != Saddle::left) {
+        summary.neutral = saddle == Saddle::neutral;
         summary.residual = factored_at;
         return summary;
       }

@@ -35,6 +35,7 @@ struct CoupledMinimiserSummary : StagedSummary {
   int rest_iterations = 0, factorisations = 0;
   bool positive = false;     ///< the Hessian at the result is positive definite
   bool left_saddle = false;  ///< an equilibrium on the way was none to stay at
+  bool neutral = false;      ///< nothing is negative but rounding: a direction costs nothing
 };
 
 class CoupledMinimiser {
@@ -60,10 +61,12 @@ class CoupledMinimiser {
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most);
-  bool leave_saddle(Eigen::VectorXd& z);
+  enum class Saddle { left, neutral, kept };
+  Saddle leave_saddle(Eigen::VectorXd& z);
 
   CoupledSystem& system_;
   Eigen::SparseMatrix<double> rest_, hessian_;
+  Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty where H needed no shift
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
   std::vector<int> order_;                            // of elimination

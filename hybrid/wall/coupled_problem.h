@@ -61,6 +61,7 @@ enum class CoupledStatus {
   equilibrium_only,  ///< in equilibrium under a dead moment that has no energy
   unstable,          ///< in equilibrium, with a direction of negative curvature that could not be left
   buckled,           ///< the branch from rest lost its stability on the way; this is the minimum below it
+  not_unique,        ///< in equilibrium, with a direction that costs nothing
   iteration_limit,
   interrupted
 };

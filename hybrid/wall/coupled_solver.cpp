@@ -81,10 +81,16 @@ class CoupledSolver::Data {
       buckled |= left_saddle_;
       if (stepped && predicted.rows() == stack_.system->vertex_count())
         buckled |= (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
-      if (solution_.status != CoupledStatus::converged && solution_.status != CoupledStatus::equilibrium_only)
+      if (solution_.status != CoupledStatus::converged &&
+          solution_.status != CoupledStatus::equilibrium_only &&
+          solution_.status != CoupledStatus::not_unique)
         return;
       solution_.reached = t;
     }
+    if (solution_.status == CoupledStatus::not_unique)
+      solution_.notes.push_back(
+          "a direction is left that costs nothing, as when wrinkles may turn about the axis: the result is "
+          "one of many");
     if (buckled) {
       solution_.status = CoupledStatus::buckled;
       solution_.notes.push_back(
@@ -161,7 +167,8 @@ class CoupledSolver::Data {
                    worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall, stack_.z) <=
                        options.balance_tolerance)) {
         if (options.certify && !summary.positive) {
-          if (tolerance <= options.tolerance) return CoupledStatus::unstable;
+          if (tolerance <= options.tolerance)
+            return summary.neutral ? CoupledStatus::not_unique : CoupledStatus::unstable;
           tolerance = options.tolerance;
           continue;
         }
@@ -224,6 +231,8 @@ std::string to_string(CoupledStatus status) {
       return "unstable";
     case CoupledStatus::buckled:
       return "buckled";
+    case CoupledStatus::not_unique:
+      return "not_unique";
     case CoupledStatus::iteration_limit:
       return "iteration_limit";
     case CoupledStatus::interrupted:

@@ -96,6 +96,7 @@ def rod_section(rows, notes):
 
 def wall_section(rows, notes):
     lines, endings = [], []
+    rows = [{**row, "case": f"{row['case']:.0f}" if isinstance(row["case"], float) else row["case"]} for row in rows]  # numbers of vertices
     for fidelity, family in dict.fromkeys((row["fidelity"], row["family"]) for row in rows):
         mine = [row for row in rows if (row["fidelity"], row["family"]) == (fidelity, family)]
         good = [row for row in mine if row["ending"] == "converged"]

@@ -1,6 +1,6 @@
 """The accuracy table: every fidelity at three resolutions, and the shell, against the solid on every case."""
 
-from measure import compared, converged, failure_of, result_of
+from measure import converged, failure_of, outcome, result_of
 from runs import AROUND, FIDELITIES, accuracy_reference, accuracy_shell, hybrid
 from tables import provenance, write_table
 
@@ -32,6 +32,18 @@ def chosen_reference(store, case):
     return None, None
 
 
+def measured(store, cases, runs_of, records):
+    """Every finished run of the cases that have a reference: (case, what runs_of(case) calls it, run, its record, reference). `records` takes
+    the runs' and the references'."""
+    for case in cases:
+        reference, reference_record = chosen_reference(store, case)
+        for name, run in runs_of(case).items():
+            record = store.record(run.identity)
+            if reference is not None and record is not None:
+                records += [record, reference_record]
+                yield case, name, run, record, reference
+
+
 def rows_of(store, case, records):
     """One row per run of the case; a run that failed keeps its sentence instead of numbers. Beyond the model's range there may be no
     reference that converged: then only how each run ended is told."""
@@ -57,11 +69,8 @@ def rows_of(store, case, records):
                "length_over_radius": case.tube["length"] / case.tube["radius"], **demand}
         if reference is None:
             row.update({name: None for name in COLUMNS}, failure="nothing to compare with" if converged(store, record) else failure_of(store, record))
-        elif converged(store, record):
-            numbers = compared(store, case, run, reference)
-            row.update({name: numbers[name] for name in COLUMNS}, failure=None)
         else:
-            row.update({name: None for name in COLUMNS}, failure=failure_of(store, record))
+            row.update(outcome(store, case, run, reference, COLUMNS))
         rows.append(row)
     return rows
 

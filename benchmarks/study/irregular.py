@@ -8,8 +8,8 @@ from pathlib import Path
 
 import yaml
 
-from accuracy import COLUMNS, chosen_reference
-from measure import compared, converged, failure_of, result_of
+from accuracy import COLUMNS, measured
+from measure import converged, outcome, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
 from tables import provenance, write_table
@@ -44,30 +44,22 @@ def run(case, kind):
                {"scene.yaml": text, "tube.vtp": lambda: mesh_of(case, kind)[0]})
 
 
+def runs_of(case):
+    """By kind. A surface that is read has one thickness, so tapered walls are left out."""
+    return {kind: run(case, kind) for kind in MESHES} if case.counted and "end_thickness" not in case.tube else {}
+
+
 def all_runs(case):
-    """A surface that is read has one thickness, so tapered walls are left out."""
-    return [run(case, kind) for kind in MESHES] if case.counted and "end_thickness" not in case.tube else []
+    return list(runs_of(case).values())
 
 
 def make_table(store, cases, path):
     rows, records = [], []
-    for case in cases:
-        reference, reference_record = chosen_reference(store, case)
-        for one, kind in zip(all_runs(case), MESHES):
-            record = store.record(one.identity)
-            if reference is None or record is None:
-                continue
-            records += [record, reference_record]
-            row = {"case": case.name, "family": case.family, "ratio": case.ratio, "counted": 1, "model": "coupled", "mesh": kind, "around": MESHES[kind],
-                   "vertices": None, "smallest_angle": mesh_of(case, kind)[1], "reference": reference.identity.split("/")[1], **{name: None for name in COLUMNS},
-                   "failure": None}
-            if converged(store, record):
-                numbers = compared(store, case, one, reference)
-                row.update({name: numbers[name] for name in COLUMNS}, vertices=result_of(store, one.identity)["model"]["vertices"])
-            else:
-                row["failure"] = failure_of(store, record)
-            rows.append(row)
+    for case, kind, one, record, reference in measured(store, cases, runs_of, records):
+        vertices = result_of(store, one.identity)["model"]["vertices"] if converged(store, record) else None
+        rows.append({"case": case.name, "family": case.family, "ratio": case.ratio, "counted": 1, "model": "coupled", "mesh": kind, "around": MESHES[kind],
+                     "vertices": vertices, "smallest_angle": mesh_of(case, kind)[1], "reference": reference.identity.split("/")[1],
+                     **outcome(store, case, one, reference, COLUMNS)})
     if rows:
-        unique = {record["identity"]: record for record in records}.values()
         write_table(path, rows, ["`coupled` on irregular surfaces against the finite-element reference, law Biot; u_: the reference's own error",
-                                 *provenance(unique)])
+                                 *provenance(records)])

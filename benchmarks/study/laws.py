@@ -2,7 +2,7 @@
 another law against the shell of Biot's. The two are never added up."""
 
 from cases import case_named
-from measure import compared, converged, failure_of
+from measure import outcome
 from runs import hybrid, reference
 from tables import provenance, write_table
 
@@ -29,7 +29,7 @@ def all_runs(case):
 
 
 def make_table(store, path):
-    rows, records = [], {}
+    rows, records = [], []
     for case in map(case_named, CASES):
         pairs = [("kinematics", law, coupled(case, law), shell(case, law)) for law in HYBRID_LAWS]
         pairs += [("law", law, shell(case, law), shell(case, "biot")) for law in LAWS if law != "biot"]
@@ -37,15 +37,8 @@ def make_table(store, path):
             both = [store.record(run.identity) for run in (one, other)]
             if None in both:
                 continue
-            records.update((record["identity"], record) for record in both)
-            row = {"case": case.name, "difference": difference, "law": law, **{name: None for name in COLUMNS}, "failure": None}
-            failed = next((record for record in both if not converged(store, record)), None)
-            if failed is None:
-                numbers = compared(store, case, one, other)
-                row.update({name: numbers[name] for name in COLUMNS})
-            else:
-                row["failure"] = failure_of(store, failed)
-            rows.append(row)
+            records += both
+            rows.append({"case": case.name, "difference": difference, "law": law, **outcome(store, case, one, other, COLUMNS)})
     if rows:
         write_table(path, rows, ["Kinematics: coupled against the shell of the same law. Law: the shell of that law against the shell of Biot's",
-                                 *provenance(records.values())])
+                                 *provenance(records)])

@@ -73,3 +73,12 @@ def compared(store, case, run, reference_run):
     return {**shapes(store, run.identity, reference_run.identity, radius, length), **reactions(a, b, radius),
             "flattening": a["metrics"][0]["flattening"] if has_surface else None, "flattening_reference": b["metrics"][0]["flattening"],
             **own_error(b)}
+
+
+def outcome(store, case, run, other, columns):
+    """These columns of one run's errors against another's and `failure`: the sentence of the one that did not converge, and then no numbers."""
+    failed = next((record for record in (store.record(one.identity) for one in (run, other)) if not converged(store, record)), None)
+    if failed is not None:
+        return {**{name: None for name in columns}, "failure": failure_of(store, failed)}
+    numbers = compared(store, case, run, other)
+    return {**{name: numbers[name] for name in columns}, "failure": None}

@@ -3,8 +3,8 @@ straight tubes; all other cases check that its promise is kept (see held_out).""
 
 import math
 
-from accuracy import chosen_reference
-from measure import compared, converged, failure_of, result_of
+from accuracy import measured
+from measure import converged, outcome, result_of
 from runs import Run, hybrid_arguments
 from tables import provenance, read_table, write_table
 
@@ -128,30 +128,23 @@ def promise_run(case, wanted):
     return Run(f"{case.name}/accuracy-{wanted:g}", "vasorod", hybrid_arguments(), {"scene.yaml": changed.text})
 
 
+def runs_of(case):
+    """By what is asked for."""
+    return {wanted: promise_run(case, wanted) for wanted in WANTED} if case.family == "fresh" else {}
+
+
 def all_runs(case):
-    return [promise_run(case, wanted) for wanted in WANTED] if case.family == "fresh" else []
+    return list(runs_of(case).values())
 
 
 def make_table(store, cases, path):
     """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and how far that is from the reference."""
     rows, records = [], []
-    for case in cases:
-        reference, reference_record = chosen_reference(store, case)
-        for run, wanted in zip(all_runs(case), WANTED):
-            record = store.record(run.identity)
-            if reference is None or record is None:
-                continue
-            records += [record, reference_record]
-            row = {"case": case.name, "wanted": wanted, "chosen": None, "rms": None, "u_shape": None, "failure": None}
-            if converged(store, record):
-                numbers = compared(store, case, run, reference)
-                row.update(chosen=result_of(store, run.identity)["fidelity"], rms=numbers["rms"], u_shape=numbers["u_shape"])
-            else:
-                row["failure"] = failure_of(store, record)
-            rows.append(row)
+    for case, wanted, run, record, reference in measured(store, cases, runs_of, records):
+        chosen = result_of(store, run.identity)["fidelity"] if converged(store, record) else None
+        rows.append({"case": case.name, "wanted": wanted, "chosen": chosen, **outcome(store, case, run, reference, ("rms", "u_shape"))})
     if rows:
-        unique = {record["identity"]: record for record in records}.values()
-        write_table(path, rows, ["What accuracy: x chose on cases its table was not made from; rms: measured distance over R", *provenance(unique)])
+        write_table(path, rows, ["What accuracy: x chose on cases its table was not made from; rms: measured distance over R", *provenance(records)])
 
 
 def write_promise(baselines, target):

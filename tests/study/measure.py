@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 from cases import case_named  # noqa: E402
-from measure import moved_end, own_error, reactions, result_of, shapes  # noqa: E402
+from measure import moved_end, outcome, own_error, reactions, result_of, shapes  # noqa: E402
 from runs import hybrid  # noqa: E402
 from store import Store  # noqa: E402
 
@@ -21,6 +21,21 @@ assert abs(errors["reaction_signed"] - (13.9 / 13.36 - 1)) < 1e-12, errors
 notes = {"certificate": {"notes": ["law: biot", "u_num of displacements over R (RMS): 1.91e-04 (GCI, r = 1.5)", "u_num of reactions, relative: 8.71e-04 (GCI"]}}
 assert own_error(notes) == {"u_shape": 1.91e-4, "u_reaction": 8.71e-4}
 assert own_error({"certificate": {"notes": []}}) == {"u_shape": None, "u_reaction": None}
+
+
+class Endings:
+    """A store of runs that ended one way or another."""
+    def record(self, identity):
+        return {"reference": {"exit": 0}, "refused": {"exit": 2, "sentence": "found 3, expected 4"}, "killed": {"exit": -9, "sentence": ""}}[identity]
+
+
+class Named:
+    def __init__(self, identity):
+        self.identity = identity
+
+
+for pair, sentence in ((("refused", "reference"), "found 3, expected 4"), (("reference", "killed"), "exit -9")):  # whichever of the two it was
+    assert outcome(Endings(), None, *map(Named, pair), ("rms", "force")) == {"rms": None, "force": None, "failure": sentence}, pair
 
 with tempfile.TemporaryDirectory() as scratch:
     store = Store(scratch, {"vasorod": sys.argv[2]})

@@ -2,32 +2,25 @@
 //   contact_accuracy [plate] [penalty] [refinement] [tubes]
 // without arguments all of them. E 1, nu 0.3; the tubes R 8, L 60, t 1.2 between rigid ends are pressed 3
 // onto a rigid cylinder of radius 12 across them, or onto another tube.
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "accuracy/pressed_tubes.h"
+#include "accuracy/printed.h"
 
 namespace vasorod::bench {
 namespace {
 
-void title(const char* text, const char* columns) {
-  std::printf("\n### %s\n\n%s\n", text, columns);
-  for (const char* c = columns; *c != 0; ++c)
-    if (*c == '|') std::printf(c[1] == 0 ? "|\n" : "| --- ");
-}
-
 void plate() {
-  title("A short tube (R 8, t .2, L 4, ends held in the mean) sunk onto a plate: force over the thin ring's",
-        "| around | vertices | sunk by | force / closed form | pressures' sum over the force |");
+  print_head(
+      "A short tube (R 8, t .2, L 4, ends held in the mean) sunk onto a plate: force over the thin ring's",
+      "| around | vertices | sunk by | force / closed form | pressures' sum over the force |");
   for (const auto& [around, sink] :
        {std::pair{32, 0.1}, {64, 0.1}, {128, 0.1}, {64, 0.02}, {128, 0.02}, {128, 0.005}}) {
     const RingOnPlate ring = ring_on_plate(around, sink);
     std::printf("| %d | %d | %g | %.4f | %.9f%s |\n", around, ring.vertices, sink,
-                ring.force / ring.closed_form, ring.pressure_sum / ring.force,
-                ring.settled ? "" : " (not settled)");
+                ring.force / ring.closed_form, ring.pressure_sum / ring.force, remark(ring.settled));
     std::fflush(stdout);
   }
 }
@@ -40,25 +33,27 @@ void row(const std::string& first, const PressedTubes& pressed, double reference
               100 * (pressed.force.norm() / reference - 1));
   if (pressed.pressure_misfit) std::printf("%.1e", *pressed.pressure_misfit);
   std::printf(" | %.1e | %.1e | %.1e%s |\n", pressed.support_misfit, pressed.newton_misfit,
-              pressed.penetration, pressed.settled ? "" : " (not settled)");
+              pressed.penetration, remark(pressed.settled));
   std::fflush(stdout);
 }
 
 void penalty() {
-  title("Pressed onto a cylinder, 48 around: the penalty",
-        "| penalty times vertex area over k_b + k_s | vertices | force | to 10 | pressures and supports | "
-        "force and "
-        "supports | a's and b's | penetration / edge |");
+  print_head(
+      "Pressed onto a cylinder, 48 around: the penalty",
+      "| penalty times vertex area over k_b + k_s | vertices | force | to 10 | pressures and supports | "
+      "force and "
+      "supports | a's and b's | penetration / edge |");
   const double reference = pressed_on_cylinder(48, 10).force.norm();
   for (const double stiffness : {1.0, 3.0, 10.0, 30.0, 100.0})
     row(std::to_string(static_cast<int>(stiffness)), pressed_on_cylinder(48, stiffness), reference);
 }
 
 void refinement() {
-  title("Pressed onto a cylinder: the mesh",
-        "| around | vertices | force | to the finest | pressures and supports | force and supports | a's and "
-        "b's | "
-        "penetration / edge |");
+  print_head(
+      "Pressed onto a cylinder: the mesh",
+      "| around | vertices | force | to the finest | pressures and supports | force and supports | a's and "
+      "b's | "
+      "penetration / edge |");
   const PressedTubes finest = pressed_on_cylinder(134, 10);
   for (const int around : {34, 48, 67, 96}) {
     const PressedTubes pressed = pressed_on_cylinder(around, 10);
@@ -68,11 +63,12 @@ void refinement() {
 }
 
 void tubes() {
-  title("Two tubes that both yield, 3 into each other",
-        "| tubes, around | vertices | force | to the finer | pressures and supports | force and supports | "
-        "a's and b's | "
-        "penetration / "
-        "edge |");
+  print_head(
+      "Two tubes that both yield, 3 into each other",
+      "| tubes, around | vertices | force | to the finer | pressures and supports | force and supports | "
+      "a's and b's | "
+      "penetration / "
+      "edge |");
   for (const auto& [name, meeting] :
        {std::pair{"across", Meeting::across},
         {"side by side, soft ends", Meeting::side_by_side},
@@ -88,14 +84,6 @@ void tubes() {
 
 int main(int count, char** arguments) {
   using namespace vasorod::bench;
-  const std::vector<std::pair<std::string, void (*)()>> parts{
-      {"plate", plate}, {"penalty", penalty}, {"refinement", refinement}, {"tubes", tubes}};
-  const std::vector<std::string> asked(arguments + 1, arguments + count);
-  for (const std::string& name : asked)
-    if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.first == name; })) {
-      std::fprintf(stderr, "contact_accuracy: no part is called %s\n", name.c_str());
-      return 2;
-    }
-  for (const auto& [name, part] : parts)
-    if (asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end()) part();
+  return run_parts({{"plate", plate}, {"penalty", penalty}, {"refinement", refinement}, {"tubes", tubes}},
+                   count, arguments);
 }

@@ -87,6 +87,10 @@ HeldSection rim(const HeldTube& tube, double s) {
   return section;
 }
 
+bool settled(const CoupledSolution& solution) {
+  return solution.status == CoupledStatus::converged && solution.smallest_curvature_positive;
+}
+
 HeldAnswer solve(const HeldTube& tube, const EndMotion& motion) {
   const Vec6 strain = rest_strain(tube);
   CoupledVessel vessel;
@@ -106,8 +110,7 @@ HeldAnswer solve(const HeldTube& tube, const EndMotion& motion) {
     return std::vector<CarriedBody>{carried(tube, strain + t * motion.change)};
   };
   const CoupledSolution solution = CoupledSolver(std::move(problem)).solve();
-  return {solution.status == CoupledStatus::converged && solution.smallest_curvature_positive,
-          solution.surface.bodies[0].positions, solution.sections[0][1].force,
+  return {settled(solution), solution.surface.bodies[0].positions, solution.sections[0][1].force,
           solution.sections[0][1].moment};
 }
 

@@ -25,8 +25,11 @@ SurfaceBody body_of(const HeldTube& tube);
 /// The end at s = 0 or at the length, held where it is.
 HeldSection rim(const HeldTube& tube, double s);
 
+/// Converged and certified.
+bool settled(const CoupledSolution& solution);
+
 struct HeldAnswer {
-  bool settled = false;  ///< converged and certified
+  bool settled = false;
   Points positions;
   Vec3 force, moment;  ///< the end's on the wall, moment about its centre
 };

@@ -81,7 +81,7 @@ CoupledSolution solve_pressed(CoupledProblem problem, const CoupledOptions& opti
 
 PressedTubes judged(const CoupledSolution& solution, double mean_edge) {
   PressedTubes pressed;
-  pressed.settled = solution.status == CoupledStatus::converged && solution.smallest_curvature_positive;
+  pressed.settled = settled(solution);
   const ContactSolution& contact = solution.surface.contacts.front();
   pressed.force = contact.force;
   const double size = contact.force.norm();
@@ -164,7 +164,7 @@ RingOnPlate ring_on_plate(int around, double sink) {
   add_obstacle(problem, std::move(plate));
   const CoupledSolution solution = solve_pressed(std::move(problem), {});
   RingOnPlate ring;
-  ring.settled = solution.status == CoupledStatus::converged && solution.smallest_curvature_positive;
+  ring.settled = settled(solution);
   ring.vertices = static_cast<int>(tube.rest.points.rows());
   ring.force = solution.surface.contacts.front().force.x();
   ring.closed_form =

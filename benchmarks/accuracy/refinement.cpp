@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "accuracy/printed.h"
+
 namespace vasorod::bench {
 namespace {
 
@@ -62,12 +64,11 @@ std::vector<RefinedMesh> refined_meshes() {
 }
 
 void refinement() {
-  std::printf(
-      "\n### Refinement: L 100, t 1, bent to half the Brazier curvature between rigid ends; against the "
-      "structured mesh with %d around\n\n"
-      "| mesh | around | vertices | moment | to the reference | largest distance, %% of R | order |\n"
-      "| --- | --- | --- | --- | --- | --- | --- |\n",
-      finest);
+  print_head(
+      "Refinement: L 100, t 1, bent to half the Brazier curvature between rigid ends; against the structured "
+      "mesh with " +
+          std::to_string(finest) + " around",
+      "| mesh | around | vertices | moment | to the reference | largest distance, % of R | order |");
   const BentTube reference(structured(length, radius, finest));
   for (const auto& [name, make, levels] : refined_meshes()) {
     std::vector<double> moments;
@@ -80,7 +81,7 @@ void refinement() {
                   100 * largest_distance(bent, reference, finest) / radius);
       if (moments.size() == 3)
         std::printf("%.2f", std::log2((moments[1] - moments[0]) / (moments[2] - moments[1])));
-      std::printf("%s |\n", bent.answer.settled ? "" : " (not a certified minimum)");
+      std::printf("%s |\n", remark(bent.answer.settled));
       std::fflush(stdout);
     }
   }

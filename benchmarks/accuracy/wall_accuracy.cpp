@@ -1,20 +1,17 @@
 // The wall of `coupled` against closed forms, printed as Markdown (docs/wall.md):
 //   wall_accuracy [stretch] [twist] [shear] [ring] [bending] [curved] [refinement]
 // without arguments all of them. Tubes R 10, E 1; t is the thickness.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "accuracy/bent_ring.h"
 #include "accuracy/gauges.h"
+#include "accuracy/plane_ring.h"
+#include "accuracy/printed.h"
 #include "accuracy/refinement.h"
-#include "geometry/triangle_surface.h"
-#include "surface/cholesky.h"
-#include "wall/wall_energy.h"
 
 namespace vasorod::bench {
 namespace {
@@ -22,25 +19,15 @@ namespace {
 using std::numbers::pi;
 constexpr double radius = 10;
 
-void title(const char* text, const char* columns) {
-  std::printf("\n### %s\n\n%s\n", text, columns);
-  for (const char* c = columns; *c != 0; ++c)
-    if (*c == '|') std::printf(c[1] == 0 ? "|\n" : "| --- ");
-}
-
 /// Regular, shifted and blue-noise, `around` vertices around.
 std::vector<TubeMesh> meshes(double length, int around) {
   return {structured(length, radius, around), shifted(length, radius, around),
           blue_noise(length, radius, around)};
 }
 
-const char* remark(bool settled) {
-  return settled ? "" : " (not a certified minimum)";
-}
-
 void stretch() {
-  title("Stretch: L 100, t 1, ends glued, 48 around; strain and radius from the middle half",
-        "| mesh | nu | stretched to | force / (E A strain) | narrowing / (nu strain) |");
+  print_head("Stretch: L 100, t 1, ends glued, 48 around; strain and radius from the middle half",
+             "| mesh | nu | stretched to | force / (E A strain) | narrowing / (nu strain) |");
   for (const TubeMesh& mesh : meshes(100, 48))
     for (const double nu : {0.0, 0.3, 0.45})
       for (const double by : {1e-4, 0.05}) {
@@ -60,8 +47,8 @@ void stretch() {
 }
 
 void twist() {
-  title("Twist: L 100, t 1, surface shear 3e-4, 48 around",
-        "| mesh | torque / (G J twist) | largest change of the radius / R |");
+  print_head("Twist: L 100, t 1, surface shear 3e-4, 48 around",
+             "| mesh | torque / (G J twist) | largest change of the radius / R |");
   for (const TubeMesh& mesh : meshes(100, 48)) {
     const HeldTube tube(mesh, 100, radius, 1);
     EndMotion end;
@@ -74,7 +61,7 @@ void twist() {
 }
 
 void shear() {
-  title(
+  print_head(
       "Transverse force on the end of a cantilever: L 100, t 1, structured; from the sections between .4 and "
       ".6 L",
       "| around | E I, from the change of curvature | k of k G A | k, Cowper |");
@@ -86,74 +73,22 @@ void shear() {
   }
 }
 
-/// Energy of a tube in plane strain under the radial load cos 2 theta over the thin ring's.
-double ring_energy(const TubeMesh& mesh, double length, double t) {
-  const HeldTube tube(mesh, length, radius, t);
-  WallInput in;
-  in.rest = tube.rest;
-  in.thickness.setConstant(in.rest.points.rows(), t);
-  in.axis.assign(static_cast<std::size_t>(in.rest.triangles.rows()), Vec3::UnitZ());
-  in.material = WallMaterial::isotropic(1, tube.poisson);
-  WallEnergy wall(in);
-  const auto nearest = [&](double angle) {
-    Eigen::Index at = 0;
-    (in.rest.points.rowwise() - Vec3(radius * std::cos(angle), radius * std::sin(angle), 0).transpose())
-        .rowwise()
-        .squaredNorm()
-        .minCoeff(&at);
-    return static_cast<std::size_t>(3 * at);
-  };
-  std::vector<char> held(static_cast<std::size_t>(wall.unknowns()), 0);
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(wall.unknowns());
-  const Eigen::VectorXd areas = vertex_areas(in.rest);
-  for (int i = 0; i < wall.vertices(); ++i) {
-    held[static_cast<std::size_t>(3 * i + 2)] = 1;
-    const double angle = mesh.angle[i];
-    load.segment<3>(3 * i) = areas[i] / areas.sum() * 2 * pi * radius * length * std::cos(2 * angle) *
-                             Vec3(std::cos(angle), std::sin(angle), 0);
-  }
-  for (const std::size_t i : {nearest(0) + 1, nearest(pi / 2), nearest(pi) + 1}) held.at(i) = 1;
-  const Eigen::SparseMatrix<double>& full = wall.hessian(wall.rest());
-  std::vector<int> number(held.size(), -1);
-  int n = 0;
-  for (std::size_t i = 0; i < held.size(); ++i)
-    if (!held[i]) number[i] = n++;
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n), displacement(n);
-  for (int c = 0; c < full.cols(); ++c) {
-    const int column = number[static_cast<std::size_t>(c)];
-    if (column < 0) continue;
-    right[column] = load[c];
-    for (Eigen::SparseMatrix<double>::InnerIterator it(full, c); it; ++it)
-      if (const int row = number[static_cast<std::size_t>(it.row())]; row >= 0)
-        entries.emplace_back(row, column, it.value());
-  }
-  Eigen::SparseMatrix<double> stiffness(n, n);
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-  Cholesky cholesky;
-  cholesky.analyse(stiffness);
-  if (!cholesky.factorise(stiffness)) return std::nan("");
-  cholesky.solve(right.data(), displacement.data(), 1);
-  const double d = t * t * t / (12 * (1 - tube.poisson * tube.poisson));
-  return right.dot(displacement) / 2 / (length * pi * std::pow(radius, 5) / (18 * d));
-}
-
 void ring() {
-  title("Ring under cos 2 theta in plane strain: L 100, rims free; energy over the thin ring's",
-        "| mesh | around | t/R .02 | t/R .05 | t/R .2 |");
+  print_head("Ring under cos 2 theta in plane strain: L 100, rims free; energy over the thin ring's",
+             "| mesh | around | t/R .02 | t/R .05 | t/R .2 |");
   std::vector<std::pair<int, TubeMesh>> rows;
   for (const int around : {24, 48})
     for (TubeMesh& mesh : meshes(100, around)) rows.emplace_back(around, std::move(mesh));
   for (const int around : {48, 96}) rows.emplace_back(around, structured(100, radius, around, 5));
   for (const auto& [around, mesh] : rows) {
     std::printf("| %s | %d |", mesh.name.c_str(), around);
-    for (const double t : {0.2, 0.5, 2.0}) std::printf(" %.4f |", ring_energy(mesh, 100, t));
+    for (const double t : {0.2, 0.5, 2.0}) std::printf(" %.4f |", ring_energy({mesh, 100, radius, t}));
     std::printf("\n");
   }
 }
 
 void bending() {
-  title(
+  print_head(
       "Pure bending: L/R 40, t/R .1, ends glued; the turn is chosen so that the middle fifth has the "
       "curvature",
       "| mesh | around | k_b | M / (E I k) | ring | flattening | ring | widening | ring |");
@@ -187,7 +122,7 @@ void bending() {
 // A tube curved at rest bends softer: by (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 - nu^2)), where
 // its section ovalises by cos 2 theta alone (von Karman), by the ring's where it takes any shape.
 void curved() {
-  title(
+  print_head(
       "Tubes curved at rest, bent a little in their plane: L/R 40; E I of the straight tube over the middle "
       "fifth's",
       "| mesh | around | angle at rest | t/R | l | softer by | ring | von Karman |");
@@ -216,15 +151,12 @@ void curved() {
 
 int main(int count, char** arguments) {
   using namespace vasorod::bench;
-  const std::vector<std::pair<std::string, void (*)()>> parts{
-      {"stretch", stretch}, {"twist", twist},   {"shear", shear},          {"ring", ring},
-      {"bending", bending}, {"curved", curved}, {"refinement", refinement}};
-  const std::vector<std::string> asked(arguments + 1, arguments + count);
-  for (const std::string& name : asked)
-    if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.first == name; })) {
-      std::fprintf(stderr, "wall_accuracy: no part is called %s\n", name.c_str());
-      return 2;
-    }
-  for (const auto& [name, part] : parts)
-    if (asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end()) part();
+  return run_parts({{"stretch", stretch},
+                    {"twist", twist},
+                    {"shear", shear},
+                    {"ring", ring},
+                    {"bending", bending},
+                    {"curved", curved},
+                    {"refinement", refinement}},
+                   count, arguments);
 }

@@ -7,7 +7,7 @@ import sys
 from measure import result_of
 from runs import Run
 from store import REPOSITORY
-from tables import markdown, provenance, read_table, write_table
+from tables import markdown, provenance, provenance_text, read_table, value_or_range, write_table
 
 sys.path.insert(0, str(REPOSITORY / "benchmarks" / "extremes"))
 import wall_extremes  # noqa: E402
@@ -83,15 +83,11 @@ def share(part, whole):
     return f"{part} of {whole} ({100 * part / whole:.1f} %)"
 
 
-def provenance_text(notes):
-    return "Made from: " + "; ".join(notes[1:]) + ".\n"
-
-
 def rod_section(rows, notes):
-    lines = [[row["group"], row["range"], int(row["cases"]), int(row["certified"]), row["most_iterations"], row["other"] or "-"] for row in rows]
+    lines = [[row["group"], row["range"], int(row["cases"]), int(row["certified"]), row["most_iterations"], f"{row['seconds']:.3f}", row["other"] or "-"] for row in rows]
     certified, cases = int(sum(row["certified"] for row in rows)), int(sum(row["cases"] for row in rows))
     return ["## Rod\n", f"Certified: {share(certified, cases)}. Certified means `converged`: the residual and the inertia of the true Hessian say minimum.\n",
-            markdown(("group", "range tried", "cases", "certified", "most iterations (of)", "ended otherwise"), lines), provenance_text(notes)]
+            markdown(("group", "range tried", "cases", "certified", "most iterations (of)", "processor seconds", "ended otherwise"), lines), provenance_text(notes)]
 
 
 def wall_section(rows, notes):
@@ -125,7 +121,7 @@ def reference_section(sensitivity, accuracy):
         mine = [row for row in shell if (row["load"], row["modulus"]) == (load, modulus)]
         failed = [row for row in mine if row["force"] is None]
         worst = max((row for row in mine if row["u_reaction"] is not None), key=lambda row: row["u_reaction"], default=None)
-        lines.append([load, modulus, value_range([row["factor"] for row in mine]), len(mine), len(mine) - len(failed),
+        lines.append([load, modulus, value_or_range([row["factor"] for row in mine], "{:g}".format), len(mine), len(mine) - len(failed),
                       "; ".join(f"x {row['factor']:g}: {row['failure'] or 'not converged'}" for row in failed) or "-",
                       f"{worst['u_reaction']:.1g} at x {worst['factor']:g}" if worst else "-"])
     beyond = sorted({(row["case"], row["reference"]) for row in accuracy if not row["counted"] and row["reference"]})
@@ -134,10 +130,6 @@ def reference_section(sensitivity, accuracy):
     if beyond:
         text.append("Beyond the model's range it converged on: " + ", ".join(f"{case} ({run})" for case, run in beyond) + ".\n")
     return text
-
-
-def value_range(values):
-    return f"{min(values):g} to {max(values):g}"
 
 
 def write_page(baselines, docs):

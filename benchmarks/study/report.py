@@ -2,7 +2,7 @@
 
 import figures
 import promise
-from tables import markdown, read_table
+from tables import markdown, provenance_text, read_table, value_or_range
 
 MODELS = ("rod", "skin", "paper", "coupled", "shell")
 IMAGES = "images/comparison"
@@ -14,15 +14,6 @@ def percent(value, digits=2):
 
 def signed(value):
     return "-" if value is None else f"{100 * value:+.2f}"
-
-
-def provenance_text(notes):
-    return "Made from: " + "; ".join(notes[1:]) + ".\n"
-
-
-def value_or_range(values, form):
-    low, high = form(min(values)), form(max(values))
-    return low if low == high else f"{low} to {high}"
 
 
 def case_table(rows, models, column, form):

@@ -19,13 +19,18 @@ def shown(value):
 
 
 def provenance(records):
-    """One line per program: its hash, the commits it was run at, how many runs."""
+    """One line per program: its hash, the commits it was run at, how many runs, each counted once."""
     seen = {}
-    for record in records:
+    for record in {record["identity"]: record for record in records}.values():
         entry = seen.setdefault((record["program"], record["program_sha256"][:12]), [set(), 0])
         entry[0].add(record["commit"])
         entry[1] += 1
     return [f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}" for (name, digest), (commits, count) in sorted(seen.items())]
+
+
+def provenance_text(notes):
+    """A read table's provenance below what is made from it."""
+    return "Made from: " + "; ".join(notes[1:]) + ".\n"
 
 
 def write_table(path, rows, notes=()):
@@ -48,6 +53,11 @@ def read_table(path):
     rows = [{key: None if text == "" else number(text) for key, text in row.items()}
             for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
     return rows, notes
+
+
+def value_or_range(values, form):
+    low, high = form(min(values)), form(max(values))
+    return low if low == high else f"{low} to {high}"
 
 
 def markdown(header, rows):

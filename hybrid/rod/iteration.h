@@ -23,7 +23,8 @@ class RodIteration {
   /// and can be searched along a large step. True when the last step was below the tolerance.
   bool newton();
   /// Goes down the energy with stretch and shear softened to `cap`; true when a full step was below
-  /// `tolerance`. Leaves the true stiffness, and the soft one's stress in the state.
+  /// `tolerance`. Leaves the true stiffness, and the soft one's stress in the state. A state without slope
+  /// that is no minimum is left down its lowest mode, at most `kicks` times.
   bool descend(double cap, double tolerance, int kicks = 0);
   /// Soft rod first, then the true one with the soft one's forces as stress; where that is too wide a jump,
   /// tenfold steps.

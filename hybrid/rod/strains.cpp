@@ -5,6 +5,7 @@
 #include "rod/index.h"
 
 namespace vasorod {
+
 std::vector<Vec6> element_strains(const RodTree& tree, const RodPoses& poses) {
   std::vector<Vec6> strains;
   strains.reserve(tree.elements.size());

@@ -7,8 +7,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 from tables import markdown, provenance, read_table, write_table  # noqa: E402
 
-records = [{"program": "vasorod", "program_sha256": "a" * 64, "commit": commit} for commit in ("c2", "c1", "c1")]
-notes = ["what it is, with a comma", *provenance(records)]
+records = [{"identity": f"case/{k}", "program": "vasorod", "program_sha256": "a" * 64, "commit": commit} for k, commit in enumerate(("c2", "c1", "c1"))]
+notes = ["what it is, with a comma", *provenance([*records, records[0]])]
 assert notes[1] == "vasorod aaaaaaaaaaaa: 3 runs at c1, c2", notes
 rows = [{"case": "bend", "rms": 1.23456789e-5, "largest": None, "failure": 'found "x", expected y'}, {"case": "twist", "rms": 0.25, "largest": 3, "failure": None}]
 with tempfile.TemporaryDirectory() as scratch:

@@ -7,6 +7,7 @@
 
 #include "accuracy/bent_ring.h"
 #include "accuracy/gauges.h"
+#include "accuracy/plane_ring.h"
 #include "accuracy/refinement.h"
 
 namespace vasorod::bench {
@@ -41,6 +42,12 @@ TEST(WallAccuracy, ALongTubeHasTheRodsStiffnessesWithinOnePercent) {
   EXPECT_TRUE(shear.settled);
   EXPECT_NEAR(shear.bending, 1, 1e-2) << "E I";
   EXPECT_NEAR(shear.coefficient / cowper_coefficient(radius, 1, nu), 1, 1e-2) << "k G A";
+}
+
+TEST(WallAccuracy, ARingIsWithinTwoPercentOfTheThinRing) {
+  for (const TubeMesh& mesh : meshes(80, 48))
+    for (const double t : {0.2, 0.5})
+      EXPECT_NEAR(ring_energy({mesh, 80, radius, t}), 1, 0.02) << mesh.name << " " << t;
 }
 
 TEST(WallAccuracy, PureBendingOvalisesAndSoftensAsTheRing) {

@@ -4,6 +4,7 @@
 // solve once with the constant matrix of `paper`, and with the rest Hessian K0 of `coupled`. Counters:
 // vertices, iterations, residual.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -96,6 +97,9 @@ void paper(benchmark::State& state) {
   state.counters["vertices"] = static_cast<double>(problem.bodies[0].rest.points.rows());
   state.counters["iterations"] = last.iterations;
   state.counters["residual"] = last.residual;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;  // of the program so far
   state.SetLabel(to_string(last.status));
 }
 BENCHMARK(paper)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);

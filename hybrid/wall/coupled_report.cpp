@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "surface/paper_report.h"
-#include "wall/fold.h"
 
 namespace vasorod {
 namespace {
@@ -44,14 +43,16 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w, 
 }
 
 // Where a wall folds sharper than a right angle over one edge its mesh cannot follow it (stops.h).
-void name_fold(const SurfaceBody& body, const Points& positions, CoupledSolution& solution) {
-  const Fold fold = sharpest_fold({positions, body.rest.triangles});
-  if (fold.cosine > 0 || sharpest_fold(body.rest).cosine < 0) return;
+void name_fold(const std::string& name, const WallEnergy& wall, const WallReport& now,
+               const ScaledBodies& scaled, CoupledSolution& solution) {
+  constexpr double right_angle = std::numbers::pi / 2;
+  if (now.sharpest_fold < right_angle || wall.report(wall.rest()).sharpest_fold > right_angle) return;
+  const Vec3 place = now.fold_place * scaled.length + scaled.origin;
   std::ostringstream note;
   note.precision(4);
-  note << "the wall of " << body.name << " is folded by "
-       << std::lround(std::acos(std::max(-1.0, fold.cosine)) * 180 / std::numbers::pi)
-       << " degrees over one edge at (" << fold.place.x() << ", " << fold.place.y() << ", " << fold.place.z()
+  note << "the wall of " << name << " is folded by "
+       << std::lround(now.sharpest_fold * 180 / std::numbers::pi) << " degrees over one edge at ("
+       << place.x() << ", " << place.y() << ", " << place.z()
        << "): its mesh is too coarse for what happens there";
   solution.notes.push_back(note.str());
 }
@@ -147,7 +148,7 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled, c
     const WallReport energies = system->walls()[index(w)].energy->report(s.q[index(w)]);
     solution.membrane_energy += energies.membrane * scaled.energy();
     solution.bending_energy += (energies.bending + energies.coupling) * scaled.energy();
-    name_fold(problem.surfaces.bodies[b], mine.positions, solution);
+    name_fold(problem.surfaces.bodies[b].name, *system->walls()[index(w)].energy, energies, scaled, solution);
   }
   surface.stretching_energy = solution.membrane_energy;
   surface.bending_energy = solution.bending_energy;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/triangle_surface.h"
+
 namespace vasorod {
 
 namespace {
@@ -11,19 +13,21 @@ namespace {
 constexpr double defect_steps = 20;  // defects closer than this part of an edge are equal: the order decides
 
 // How far an edge's two triangles are from a parallelogram, in steps.
-int defect(const Points& points, const InnerEdge& e) {
+int defect(const Points& points, const Edge& e) {
   const Vec3 middle = (points.row(e.a) + points.row(e.b)).transpose() / 2;
-  const Vec3 across = (points.row(e.apex[0]) + points.row(e.apex[1])).transpose() / 2;
+  const Vec3 across = (points.row(e.opposite[0]) + points.row(e.opposite[1])).transpose() / 2;
   const double length = (points.row(e.a) - points.row(e.b)).norm();
   return static_cast<int>(std::min(1e6, std::round(defect_steps * (middle - across).norm() / length)));
 }
 
 }  // namespace
 
-std::vector<int> shear_pairs(const Points& points, int triangles, const std::vector<InnerEdge>& edges) {
-  std::vector<int> partner(static_cast<size_t>(triangles), -1), free(partner.size(), 0);
+std::vector<int> shear_pairs(const TriangleSurface& surface) {
+  std::vector<Edge> edges = edges_of(surface.triangles);
+  std::erase_if(edges, [](const Edge& e) { return e.boundary(); });
+  std::vector<int> partner(static_cast<size_t>(surface.triangles.rows()), -1), free(partner.size(), 0);
   std::vector<std::vector<int>> around(partner.size());
-  for (const InnerEdge& e : edges)
+  for (const Edge& e : edges)
     for (size_t w = 0; w < 2; ++w) {
       around[static_cast<size_t>(e.triangle[w])].push_back(e.triangle[1 - w]);
       ++free[static_cast<size_t>(e.triangle[w])];
@@ -31,7 +35,7 @@ std::vector<int> shear_pairs(const Points& points, int triangles, const std::vec
   std::vector<size_t> order(edges.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::vector<int> defects;
-  for (const InnerEdge& e : edges) defects.push_back(defect(points, e));
+  for (const Edge& e : edges) defects.push_back(defect(surface.points, e));
   std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return defects[i] < defects[j]; });
 
   std::vector<int> leaves;  // with one free neighbour left

@@ -6,20 +6,14 @@
 // triangle has at most one partner.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "geometry/types.h"
 
 namespace vasorod {
 
-struct InnerEdge {
-  std::array<int, 2> triangle, apex;  ///< on both sides
-  int a, b;                           ///< its vertices
-};
-
 /// Per triangle its partner, or -1. Among neighbours the nearest to a parallelogram goes first, but none is
 /// left alone that has one free neighbour (Karp and Sipser 1981).
-std::vector<int> shear_pairs(const Points& points, int triangles, const std::vector<InnerEdge>& edges);
+std::vector<int> shear_pairs(const TriangleSurface& surface);
 
 }  // namespace vasorod

@@ -1,18 +1,12 @@
 #include "wall/wall_energy.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "wall/membrane_strain.h"
 
 namespace vasorod {
-namespace {
-
-Vec3 metric(const Eigen::Matrix<double, 3, 2>& f) {
-  return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
-}
-
-}  // namespace
 
 WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
   Geometry g;
@@ -52,10 +46,10 @@ WallEnergy::Deformation WallEnergy::deformation(const Eigen::VectorXd& q, int tr
 TriangleState WallEnergy::state(const Eigen::VectorXd& q, const Geometry& g, int triangle,
                                 const Deformation& f) const {
   TriangleState s;
-  s.metric = metric(f);
+  s.metric = metric_of(f);
   if (triangle_rest_[static_cast<size_t>(triangle)].relief > 0) {
     const int partner = partner_[static_cast<size_t>(triangle)];
-    s.partner_shear = membrane_strain(law_, metric(deformation(q, partner))).strain[2];
+    s.partner_shear = membrane_strain(law_, metric_of(deformation(q, partner))).strain[2];
   }
   const Sides& sides = sides_[static_cast<size_t>(triangle)];
   for (int k = 0; k < 3; ++k) {
@@ -165,6 +159,10 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     report.force.push_back(e.stress.head<3>() / rest.area);
     report.moment.push_back(dyads.transpose().inverse() * e.stress.tail<3>() / rest.area);
   }
+  const auto sharpest = std::min_element(g.half_cosine.begin(), g.half_cosine.end());
+  report.sharpest_fold = 2 * std::acos(std::min(1.0, *sharpest));
+  const WallEdge& edge = edges_[static_cast<size_t>(sharpest - g.half_cosine.begin())];
+  report.fold_place = (point(q, edge.a) + point(q, edge.b)) / 2;
   return report;
 }
 

@@ -45,6 +45,8 @@ struct WallReport {
   /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12), change of the
   /// second fundamental form (1/length), and what is conjugate to them per rest area: force/length, force.
   std::vector<Vec3> strain, bend, force, moment;
+  double sharpest_fold = 0;  ///< angle between two triangles, radians
+  Vec3 fold_place = Vec3::Zero();
 };
 
 class WallEnergy {
@@ -116,7 +118,7 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
-  std::vector<int> partner_;           // per triangle, shear_pairs.h
+  std::vector<int> partner_;           // per triangle, shear_pairs.h; empty until a material asks for it
   std::vector<WallSection> sections_;  // geometry alone; the material is put in by set_material
   Eigen::VectorXd rest_;
   Eigen::SparseMatrix<double> hessian_;

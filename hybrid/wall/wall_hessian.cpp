@@ -19,6 +19,19 @@ constexpr int pair(int i, int j) {
 using Row9 = Eigen::Matrix<double, 1, 9>;
 using Mat69 = Eigen::Matrix<double, 6, 9>;
 
+// d C / d the triangle's vertices.
+Eigen::Matrix<double, 3, 9> metric_by_vertices(const TriangleRest& rest,
+                                               const Eigen::Matrix<double, 3, 2>& f) {
+  Eigen::Matrix<double, 3, 9> d;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 slope = rest.gradients.col(i);
+    d.block<1, 3>(0, 3 * i) = 2 * slope[0] * f.col(0).transpose();
+    d.block<1, 3>(1, 3 * i) = 2 * slope[1] * f.col(1).transpose();
+    d.block<1, 3>(2, 3 * i) = slope[0] * f.col(1).transpose() + slope[1] * f.col(0).transpose();
+  }
+  return d;
+}
+
 }  // namespace
 
 void WallEnergy::set_pattern() {
@@ -108,12 +121,7 @@ WallEnergy::TriangleDerivatives WallEnergy::derivatives(const Eigen::VectorXd& q
   const auto v = triangles_.row(triangle);
   const Sides& sides = sides_[static_cast<size_t>(triangle)];
   TriangleDerivatives d;
-  for (int i = 0; i < 3; ++i) {
-    const Vec2 slope = triangle_rest_[static_cast<size_t>(triangle)].gradients.col(i);
-    d.own.block<1, 3>(0, 3 * i) = 2 * slope[0] * f.col(0).transpose();
-    d.own.block<1, 3>(1, 3 * i) = 2 * slope[1] * f.col(1).transpose();
-    d.own.block<1, 3>(2, 3 * i) = slope[0] * f.col(1).transpose() + slope[1] * f.col(0).transpose();
-  }
+  d.own.topRows<3>() = metric_by_vertices(triangle_rest_[static_cast<size_t>(triangle)], f);
   for (int k = 0; k < 3; ++k) {
     const int edge = sides.edge[static_cast<size_t>(k)];
     const WallEdge& wall_edge = edges_[static_cast<size_t>(edge)];
@@ -256,19 +264,12 @@ void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
   Adder adder{values, node_stride_};
   const auto by_vertices = [&](size_t t) -> Row9 {
     const Deformation f = deformation(q, static_cast<int>(t));
-    const Vec3 c(f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1)));
-    const Vec3 d = membrane_strain(law_, c).derivative.row(2);
-    Row9 row;
-    for (int i = 0; i < 3; ++i) {
-      const Vec2 g = triangle_rest_[t].gradients.col(i);
-      row.segment<3>(3 * i) = (2 * d[0] * g[0] + d[2] * g[1]) * f.col(0).transpose() +
-                              (2 * d[1] * g[1] + d[2] * g[0]) * f.col(1).transpose();
-    }
-    return row;
+    return membrane_strain(law_, metric_of(f)).derivative.row(2) * metric_by_vertices(triangle_rest_[t], f);
   };
   for (size_t t = 0; t < triangle_rest_.size(); ++t) {
-    const auto other = static_cast<size_t>(std::max(partner_[t], 0));
-    if (!(triangle_rest_[t].relief > 0) || t > other) continue;
+    if (!(triangle_rest_[t].relief > 0)) continue;
+    const auto other = static_cast<size_t>(partner_[t]);
+    if (t > other) continue;
     const Row9 mine = by_vertices(t), its = by_vertices(other);
     const Places& at = places_[t];
     for (int j = 0; j < 3; ++j) {

@@ -82,7 +82,6 @@ void WallEnergy::number_edges(const WallInput& input) {
   const auto forward = [&](int triangle, int apex, int a) {
     return triangles_(triangle, (corner(triangle, apex) + 1) % 3) == a;
   };
-  std::vector<InnerEdge> inner;
   for (const Edge& edge : edges_of(triangles_)) {
     std::array<int, 2> triangle = edge.triangle, apex = edge.opposite;
     if (!edge.boundary()) {
@@ -110,10 +109,8 @@ void WallEnergy::number_edges(const WallInput& input) {
     edges_.push_back(e);
     edge_triangle_.push_back(triangle);
     edge_apex_.push_back(apex);
-    if (!e.rim) inner.push_back({triangle, apex, e.a, e.b});
     ++(e.glued ? glued_edges_ : free_edges_);
   }
-  partner_ = shear_pairs(input.rest.points, static_cast<int>(triangles_.rows()), inner);
   int xi = 3 * vertices_, normal = xi + free_edges_;
   for (WallEdge& e : edges_) {
     e.unknown = e.glued ? normal : xi;
@@ -195,13 +192,15 @@ void WallEnergy::set_material(const WallMaterial& material) {
 void WallEnergy::set_relief(double share) {
   // y_2's stiffness where all other strains follow freely.
   const auto softest = [](const Mat6& k) { return 1 / k.ldlt().solve(Vec6::Unit(2))[2]; };
+  for (TriangleRest& rest : triangle_rest_) rest.relief = 0;
+  if (share < least_share) return;
+  if (partner_.empty())
+    partner_ = shear_pairs({Eigen::Map<const Points>(rest_.data(), vertices_, 3), triangles_});
   for (size_t t = 0; t < triangle_rest_.size(); ++t) {
-    double& relief = triangle_rest_[t].relief;
-    relief = 0;
-    if (partner_[t] < 0 || share < least_share) continue;
+    if (partner_[t] < 0) continue;
     const double mine = softest(triangle_rest_[t].stiffness);
     const double its = softest(triangle_rest_[static_cast<size_t>(partner_[t])].stiffness);
-    relief = share * mine * its / (mine + its);
+    triangle_rest_[t].relief = share * mine * its / (mine + its);
   }
 }
 

@@ -13,7 +13,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <array>
-#include <cstdlib>
 #include <fstream>
 
 #include "geometry/triangle_surface.h"
@@ -152,13 +151,6 @@ VesselSpec vessel_of(const std::filesystem::path& file) {
   vessel.name = "vessel";
   vessel.surface = file;
   return vessel;
-}
-
-std::filesystem::path anatomy_folder() {
-  const char* given = std::getenv("VASOROD_ANATOMY");
-  const std::filesystem::path folder =
-      given != nullptr ? given : std::filesystem::path(VASOROD_SOURCE_DIR) / ".." / "shared" / "anatomy";
-  return std::filesystem::exists(folder / "svc.vtp") ? folder : std::filesystem::path();
 }
 
 }  // namespace vasorod

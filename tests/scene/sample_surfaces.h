@@ -29,7 +29,4 @@ void write_obj(const std::filesystem::path& file, const TriangleSurface& surface
 /// A vessel that reads `file`, in a scene in millimetres.
 VesselSpec vessel_of(const std::filesystem::path& file);
 
-/// The folder with the real anatomy, empty where it is absent.
-std::filesystem::path anatomy_folder();
-
 }  // namespace vasorod

@@ -4,6 +4,7 @@
 
 #include "geometry/error.h"
 #include "geometry/triangle_surface.h"
+#include "real_anatomy.h"
 #include "scene/sample_surfaces.h"
 #include "scene/scratch_folder.h"
 #include "scene/self_intersections.h"
@@ -240,11 +241,9 @@ TEST_F(ReadSurface, RemeshRefusesEdgesThatMakeNoTube) {
   EXPECT_NE(refusal(vessel).find("remesh"), std::string::npos);
 }
 
-TEST_F(ReadSurface, TheRealAnatomyComesThrough) {
-  const auto anatomy = anatomy_folder();
-  if (anatomy.empty()) GTEST_SKIP() << "the anatomy beside the project is absent (or set VASOROD_ANATOMY)";
+TEST_F(ReadSurface, RealAnatomyComesThrough) {
   for (const auto& [name, ends] : {std::pair{"svc.vtp", 2U}, std::pair{"pulmonary_artery.vtp", 3U}}) {
-    VesselSpec vessel = vessel_of(anatomy / name);
+    VesselSpec vessel = vessel_of(testing::real_anatomy() / name);
     const auto coarse = load_surface(vessel, scene);
     EXPECT_GT(coarse.report.collapsed_edges, 0);
     vessel.remesh = 1.5;

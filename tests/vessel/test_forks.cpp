@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "real_anatomy.h"
 #include "scene/read_surface.h"
 #include "shapes.h"
 #include "surface/rod_search.h"
@@ -11,7 +12,6 @@ namespace vasorod {
 namespace {
 
 const std::filesystem::path infant = std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant";
-const std::filesystem::path adult = std::filesystem::path(VASOROD_SOURCE_DIR) / ".." / "shared" / "anatomy";
 
 TriangleSurface read(const std::filesystem::path& file, std::optional<double> edge = {}) {
   Scene scene;
@@ -97,8 +97,8 @@ TEST(Forks, MoveWithTheSurface) {
   EXPECT_EQ(here.branch_of, there.branch_of);
 }
 
-TEST(Forks, RealVesselsAreFitted) {
-  if (!std::filesystem::exists(adult)) GTEST_SKIP() << "no real anatomy at " << adult;
+TEST(Forks, RealAnatomyIsFitted) {
+  const std::filesystem::path adult = testing::real_anatomy();
   const Vessel svc = fit_vessel("svc", read(adult / "svc.vtp"));
   EXPECT_EQ(svc.ends.size(), 2U);
   expect_sound(svc);

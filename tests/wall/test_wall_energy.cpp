@@ -219,6 +219,19 @@ TEST(WallEnergy, NumberingDoesNotMatter) {
   EXPECT_NEAR(wall.value(q), renumbered.value(p), 1e-13);
 }
 
+TEST(WallEnergy, ReportNamesTheSharpestFold) {
+  const Folded folded;
+  const WallEnergy wall(folded.input);
+  for (const double angle : {0.7, 2.5}) {
+    Eigen::VectorXd q = wall.rest();
+    q.segment<3>(9) << std::cos(angle), 0.6, std::sin(angle);
+    const WallReport r = wall.report(q);
+    EXPECT_NEAR(r.sharpest_fold, angle, 1e-12);
+    EXPECT_LT((r.fold_place - Vec3(0, 0.5, 0)).norm(), 1e-12);
+  }
+  EXPECT_NEAR(wall.report(wall.rest()).sharpest_fold, 0, 1e-7);
+}
+
 TEST(WallEnergy, ReportAddsUp) {
   const WallEnergy wall(slit_wall(fibred));
   const Eigen::VectorXd q = disturbed(wall, 0.05, 6);

@@ -10,24 +10,27 @@
 namespace vasorod {
 namespace {
 
-// The smallest distance between two parallel lines in the section's plane that hold the curve between them.
-double smallest_width(const SectionLoop& loop, const Pose& section) {
-  constexpr int directions = 36;
-  double smallest = std::numeric_limits<double>::infinity();
+constexpr int directions = 36;  // in half a turn
+using Widths = Eigen::Array<double, directions, 1>;
+
+// Per direction of the section's frame the distance between the two lines across it that hold the curve.
+Widths section_widths(const SectionLoop& loop, const Pose& section) {
+  Widths widths;
   for (int k = 0; k < directions; ++k) {
     const double angle = M_PI * k / directions;
     const Vec3 direction = std::cos(angle) * section.director(1) + std::sin(angle) * section.director(2);
     const Eigen::VectorXd along = loop.points * direction;
-    smallest = std::min(smallest, along.maxCoeff() - along.minCoeff());
+    widths[k] = along.maxCoeff() - along.minCoeff();
   }
-  return smallest;
+  return widths;
 }
 
 struct SectionShape {
-  double width = 0, lumen = 0;
+  Widths widths;
+  double lumen;
 };
 
-// Mid-wall width and lumen area of the section at a pose; nothing where it is not one closed curve of about
+// Mid-wall widths and lumen area of the section at a pose; nothing where it is not one closed curve of about
 // the rod's radius.
 std::optional<SectionShape> section_shape(const PreparedVessel& vessel, const TriangleSurface& surface,
                                           const Pose& section, double radius) {
@@ -37,7 +40,7 @@ std::optional<SectionShape> section_shape(const PreparedVessel& vessel, const Tr
   const SectionLoop& loop = loops[static_cast<size_t>(around)];
   const double disk = M_PI * radius * radius, area = inset_area(loop, -vessel.mid_offset());
   if (area < 0.3 * disk || area > 1.7 * disk) return std::nullopt;  // another branch's curve, or a fork's
-  return SectionShape{smallest_width(loop, section) + 2 * vessel.mid_offset(),
+  return SectionShape{section_widths(loop, section) + 2 * vessel.mid_offset(),
                       inset_area(loop, vessel.thickness() / 2 - vessel.mid_offset())};
 }
 
@@ -57,7 +60,9 @@ void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const P
       if (!rest || rest->lumen <= 0) continue;
       const auto now = section_shape(vessel, deformed, poses[node], rod.radius[node]);
       if (!now) continue;
-      if (const double flattening = 1 - now->width / rest->width; flattening > metrics.flattening) {
+      // Direction by direction: a chord of the mesh is as short in both, which their smallest widths are not.
+      if (const double flattening = 1 - (now->widths / rest->widths).minCoeff();
+          flattening > metrics.flattening) {
         metrics.flattening = flattening;
         metrics.where["flattening"] = poses[node].position;
       }

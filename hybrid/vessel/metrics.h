@@ -17,10 +17,10 @@ struct VertexFields {
 VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses);
 
 /// Extremes over the vessel and where they occur. `current`: the deformed surface (points on it are given as
-/// places). Flattening is 1 - H / H_rest, H the smallest width of the mid-wall section (for a round tube
-/// Brazier's 1 - H / 2R); the lumen is the mid-wall section moved in by half the thickness. Sections that are
-/// not one closed curve (at forks, ends and the incision) are left out; with `sections` false both stay at
-/// their rest values: nothing moved.
+/// places). Flattening is the largest 1 - H / H_rest, H the mid-wall section's width in one direction of its
+/// frame (for a round tube Brazier's 1 - H / 2R); the lumen is the mid-wall section moved in by half the
+/// thickness. Sections that are not one closed curve (at forks, ends and the incision) are left out; with
+/// `sections` false both stay at their rest values: nothing moved.
 VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses, const VertexFields& fields,
                              const Points& current, const Eigen::VectorXd& pressure, bool sections);
 

@@ -63,9 +63,24 @@ TEST(Metrics, SqueezedSectionsFlattenAndNarrow) {
     perimeter += std::hypot(8 * std::sin(a), 11 * std::cos(a)) * 2 * M_PI / n;
   }
   const double lumen = M_PI * 8 * 11 - 0.5 * perimeter + M_PI * 0.25;
-  EXPECT_NEAR(metrics.flattening, 0.2, 2e-3);
+  EXPECT_NEAR(metrics.flattening, 0.2, 1e-12);
   EXPECT_NEAR(metrics.smallest_lumen_ratio, lumen / (M_PI * 9.5 * 9.5), 2e-3);
   EXPECT_TRUE(metrics.where.contains("flattening"));
+}
+
+// A segmented surface: no two sections have their vertices at the same angles, and none on a diameter.
+TEST(Metrics, SqueezedSectionsOfAnIrregularMeshFlattenAsMuch) {
+  PreparedVessel tube = judged_tube();
+  Points& rest = tube.vessel.surface.points;
+  for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+    const double shift = std::sin(12.9898 * static_cast<double>(i)) * 0.25 * 2 * M_PI / 48;
+    const Vec3 p = rest.row(i);
+    rest.row(i) << p.x() * std::cos(shift) - p.y() * std::sin(shift),
+        p.x() * std::sin(shift) + p.y() * std::cos(shift), p.z();
+  }
+  Points squeezed = rest;
+  squeezed.col(0) *= 0.99;
+  EXPECT_NEAR(judged(tube, tube.vessel.rod.rest, squeezed).flattening, 0.01, 1e-12);
 }
 
 TEST(Metrics, PressureGivesContactArea) {

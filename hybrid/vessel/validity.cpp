@@ -6,6 +6,7 @@
 
 #include "rod/conditions.h"
 #include "vessel/rod_change.h"
+#include "vessel/vessel_wall.h"
 
 namespace vasorod {
 namespace {
@@ -37,12 +38,27 @@ void judge(const std::string& vessel, const Extreme& extreme, const std::string&
   if (extreme.value >= 0.9) validity.in_range = false;
 }
 
+// What a fibre does to the isotropic wall's limits (validity.h); 1 for that wall.
+struct FibreFactors {
+  double bending;    ///< of Brazier's curvature
+  double wrinkling;  ///< of the axial buckling strain
+  double twist;      ///< of the torsional buckling stress over E_L
+};
+
+FibreFactors fibre_factors(const VesselSpec& spec) {
+  const WallMaterial m = material_of(spec);
+  const double across = m.young_transverse / m.young_axial, bending = std::sqrt(across);
+  return {bending, bending * std::sqrt(std::min(1.0, m.shear_axial / ordinary_shear(m))),
+          std::pow(across, 0.625)};
+}
+
 }  // namespace
 
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std::vector<int>& rigid_nodes,
                   Validity& validity) {
   const RodTree& rod = vessel.vessel.rod;
   const Wall& wall = *vessel.spec.wall;
+  const FibreFactors fibre = fibre_factors(vessel.spec);
   const double t = wall.thickness, root = std::sqrt(1 - wall.poisson * wall.poisson),
                length = length_scale(rod);
   Extreme brazier, wrinkling, twist, strain, softening;
@@ -53,16 +69,17 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const std
     });
     if (at_rigid_end) continue;
     const bool is_long = length / r * std::sqrt(t / r) >= 7;
-    if (is_long) brazier.see(element.bending() * r * r * root / (0.471 * t), element.middle);
-    wrinkling.see(element.bending() * r * r / (0.605 * t), element.middle);
-    const double critical_shear = 0.747 * wall.young * std::pow(t / r, 1.25) * std::sqrt(r / length);
+    if (is_long) brazier.see(element.bending() * r * r * root / (0.471 * t * fibre.bending), element.middle);
+    wrinkling.see(element.bending() * r * r / (0.605 * t * fibre.wrinkling), element.middle);
+    const double critical_shear =
+        0.747 * wall.young * fibre.twist * std::pow(t / r, 1.25) * std::sqrt(r / length);
     twist.see(wall.shear_modulus() * r * std::abs(element.twist()) / critical_shear, element.middle);
     const double outer = r + t / 2;
     strain.see(std::abs(element.change[2]) + element.bending() * outer, element.middle);
     strain.see(std::abs(element.twist()) * outer + element.change.head<2>().norm(), element.middle);
     const double rest_curvature = (element.strain - element.change).segment<2>(3).norm();
     if (element.bending() > 0.1 * rest_curvature && rest_curvature * r > 1e-3) {
-      const double l = t / (rest_curvature * r * r * root);
+      const double l = t * fibre.bending / (rest_curvature * r * r * root);
       softening.see((12 * l * l + 10) / (12 * l * l + 1), element.middle);
     }
   }

@@ -11,6 +11,8 @@ size_t index(Eigen::Index i) {
   return static_cast<size_t>(i);
 }
 
+}  // namespace
+
 WallMaterial material_of(const VesselSpec& spec) {
   const Wall& wall = *spec.wall;
   WallMaterial material;
@@ -23,8 +25,6 @@ WallMaterial material_of(const VesselSpec& spec) {
   material.poisson_lt = wall.coupling;
   return material;
 }
-
-}  // namespace
 
 WallInput wall_of(const PreparedVessel& prepared) {
   const Vessel& vessel = prepared.vessel;

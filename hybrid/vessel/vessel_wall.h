@@ -8,6 +8,9 @@
 
 namespace vasorod {
 
+/// The scene's material for the wall's energy.
+WallMaterial material_of(const VesselSpec& spec);
+
 /// The vessel's surface as a wall: thickness of its sections, the rod's tangent as fibre, the scene's
 /// material.
 WallInput wall_of(const PreparedVessel& vessel);

@@ -30,6 +30,11 @@ void check_material(const WallMaterial& m, const std::string& where) {
            "a number that is not negative, or the wall has no positive energy");
 }
 
+double ordinary_shear(const WallMaterial& m) {
+  const double poisson = m.poisson_lt * std::sqrt(m.young_transverse / m.young_axial);
+  return std::sqrt(m.young_axial * m.young_transverse) / (2 * (1 + poisson));
+}
+
 Mat3 plane_stress(const WallMaterial& m) {
   // S11 = 1/E_L, S22 = 1/E_T, S12 = -nu_LT/E_L, inverted.
   const double nu_tl = m.poisson_lt * m.young_transverse / m.young_axial;

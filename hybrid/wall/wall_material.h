@@ -30,6 +30,10 @@ struct WallMaterial {
 /// 1 - nu_TT - 2 nu_LT^2 E_T / E_L >= 0 (zero: incompressible). `where` begins the sentence.
 void check_material(const WallMaterial& material, const std::string& where);
 
+/// The shear modulus of a wall as isotropic as its Young's moduli allow: sqrt(E_L E_T) / (2 (1 + sqrt(nu_LT
+/// nu_TL))), stress.
+double ordinary_shear(const WallMaterial& material);
+
 /// Plane-stress stiffness in the frame (fibre, across), order (11, 22, 2*12): stress.
 Mat3 plane_stress(const WallMaterial& material);
 

@@ -48,13 +48,6 @@ Vec3 limited(const Vec3& b, double limit) {
 // the thickness integral stops growing: at creases of a coarse mesh, where that curvature means nothing.
 constexpr double largest_thickness_ratio = 0.8;
 
-// The shear modulus of a wall as isotropic as its Young's moduli allow: what parasitic shear does at or below
-// it was measured to be small (docs/wall.md).
-double ordinary_shear(const WallMaterial& m) {
-  const double poisson = m.poisson_lt * std::sqrt(m.young_transverse / m.young_axial);
-  return std::sqrt(m.young_axial * m.young_transverse) / (2 * (1 + poisson));
-}
-
 constexpr double least_share = 1e-9;  // rounding's
 
 }  // namespace

@@ -193,6 +193,19 @@ TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
   EXPECT_LT(result.at("ends")[1].at("moment")[2].get<double>(), 0.9 * smooth);
 }
 
+// With a tenth of the ordinary shear modulus the limit is at a third (Donnell's equations, tests/vessel): half of
+// Brazier's curvature, which a tube with the ordinary one takes smoothly, is past it.
+TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
+  const json result = solve(tube("soft_shear",
+                                 "{thickness: 1.0, young: 1.0, shear: 0.05, "
+                                 "transverse: {young: 1.0, poisson: 0.3, coupling: 0}}",
+                                 "rotate_deg: [0, 14.1447, 0], move: [12.2760, 0, -1.0128]"),
+                            1);
+  EXPECT_EQ(result.at("status"), "buckled");
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
+}
+
 // A section free to flatten kinks earlier: the same tube between soft ends between 0.40 and 0.45 of that
 // curvature.
 TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {

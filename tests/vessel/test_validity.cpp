@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include "judged_tube.h"
 
 namespace vasorod {
@@ -39,6 +43,45 @@ TEST(Validity, ShortTubesAreMeasuredAgainstLocalWrinkling) {
   const Validity validity = judged(tube, change_of(0, Vec3(0, 0.004, 0)));
   EXPECT_EQ(validity.brazier_ratio, 0);
   EXPECT_NEAR(validity.wrinkling_ratio, 0.004 * 100 / 0.605, 1e-8);
+}
+
+// Least axial strain at which a cylinder with a fibre along it wrinkles: Donnell's linear equations, nu_LT =
+// 0, over waves along and around.
+double donnell_strain(double e_l, double e_t, double g, double radius, double t) {
+  double least = std::numeric_limits<double>::infinity();
+  const double scale = 1 / std::sqrt(radius * t), d = t * t * t / 12;
+  for (double a = 0.02; a < 8; a += 0.02)
+    for (double b = 0; b < 6; b += 0.02) {
+      const double a2 = a * a * scale * scale, b2 = b * b * scale * scale;
+      const double bending = d * (e_l * a2 * a2 + 4 * g * a2 * b2 + e_t * b2 * b2);
+      const double membrane = t * a2 * a2 / (radius * radius) / (a2 * a2 / e_t + a2 * b2 / g + b2 * b2 / e_l);
+      least = std::min(least, (bending + membrane) / (a2 * t * e_l));
+    }
+  return least;
+}
+
+// The constant is the isotropic wall's 0.605, nu = 0.3, where Donnell has 3^(-1/2).
+TEST(Validity, AFibreMovesTheWrinklingStrainAsDonnellHasIt) {
+  for (const auto& [e_t, g] : {std::pair{0.5, 0.25}, {0.5, 0.02}, {0.5, 10.0}, {0.1, 0.005}, {4.0, 0.1}}) {
+    PreparedVessel tube = judged_tube(60);
+    tube.spec.wall->transverse_young = e_t;
+    tube.spec.wall->shear = g;
+    const double strain = donnell_strain(0.5, e_t, g, 10, 1) * 0.605 * std::sqrt(3.0);
+    EXPECT_NEAR(judged(tube, change_of(0, Vec3(0, strain / 10, 0))).wrinkling_ratio, 1, 2e-3)
+        << e_t << " " << g;
+  }
+}
+
+// A section that is stiff across flattens later, by the root, and twists later by a power of 5/8.
+TEST(Validity, AFibreMovesBrazierAndTwist) {
+  PreparedVessel tube = judged_tube(300);
+  const Vec6 change = change_of(0, Vec3(0.001, 0, 0.001));
+  tube.spec.wall->shear = 0.5 / 2.6;
+  const Validity before = judged(tube, change);
+  tube.spec.wall->transverse_young = 16 * 0.5;
+  const Validity after = judged(tube, change);
+  EXPECT_NEAR(after.brazier_ratio * 4, before.brazier_ratio, 1e-12);
+  EXPECT_NEAR(after.twist_ratio * std::pow(16, 0.625), before.twist_ratio, 1e-12);
 }
 
 TEST(Validity, TwistIsMeasuredAgainstTorsionalWrinkling) {

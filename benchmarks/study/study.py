@@ -20,6 +20,7 @@ import calculix  # noqa: E402
 import extremes  # noqa: E402
 import irregular  # noqa: E402
 import laws  # noqa: E402
+import parting  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
@@ -40,7 +41,7 @@ PLANS = {  # per case
     "promise": promise.all_runs,
 }
 SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
-WHOLE = {"extremes": extremes.all_runs}  # of no case
+WHOLE = {"extremes": extremes.all_runs, "parting": parting.all_runs}  # of no case
 
 
 def open_store(arguments):
@@ -96,6 +97,7 @@ def tables(arguments):
     irregular.make_table(store, all_cases(), arguments.baselines / "irregular.csv")
     laws.make_table(store, arguments.baselines / "laws.csv")
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
+    parting.make_table(store, arguments.baselines / "parting.csv")
     extremes.make_tables(store, arguments.baselines)
     if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
         regression.accept(store, arguments.baselines, "first")

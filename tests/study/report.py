@@ -53,3 +53,18 @@ wall = [{"fidelity": "paper", "family": "twist", "case": f"{k} turns", "ending":
 text = "\n".join(extremes.wall_section(wall, ["", "x"]))
 assert "| paper | twist | 1 turns to 3 turns | 3 | 1 | 1 | 1 | 3.0 s (3 turns) | 1 |" in text and "converged`: 1 of 3 (33.3 %)" in text, text
 assert len({run.identity for run in extremes.all_runs()}) == len(extremes.all_runs()), "two extremes share a folder"
+
+
+def point(fidelity, factor, force, **changes):
+    return {"load": "bend", "modulus": "E", "factor": factor, "fidelity": fidelity, "variation": 0.01, "force": force, "moment": 0.0, "u_reaction": None, "failure": None, **changes}
+
+
+curves = [point("coupled", 1.0, 1.011), point("coupled", 10.0, 9.8, variation=0.015), point("coupled", 100.0, None, failure="status buckled"), point("coupled", 63.0, None, failure="status buckled"),
+          point("shell", 1.0, 1.0, u_reaction=0.002), point("shell", 10.0, 10.0, u_reaction=0.002)]
+text = report.sensitivity_section(curves, ["", "x"], ([{"load": "offset", "modulus": "E", "factor": 100.0, "thickness": 0.5, "around": 48.0, "force": 1.02, "force_reference": 1.0, "rms": 0.001,
+                                                        "u_reaction": 0.001}], ["", "y"]))
+assert line(text, "| bend | E | coupled | 2 |") == "| bend | E | coupled | 2 | -2.00 at 10 | missed | 0.500 at 10 |", text
+assert line(text, "| bend | E | coupled | 63") == "| bend | E | coupled | 63, 100 | status buckled |", text
+assert line(text, "| 0.05") == "| 0.05 | 48 | 1.0200 | 1.0000 | +2.00 | 0.100 | 0.100 |", text
+curves[1]["force"] = 10.119  # within the reference's own error and 1 %
+assert "| bend | E | coupled | 2 | +1.19 at 10 | held |" in report.sensitivity_section(curves, ["", "x"], None)

@@ -22,8 +22,12 @@ void add_rods(const Prediction& prediction, Result& result) {
     const std::string& name = vessel.prepared.spec.name;
     result.iterations["rod"] += summary.iterations;
     if (prediction.coupled) continue;  // the rod was no more than the walls' start
-    result.status = worse(result.status, status_of(summary.status));
+    const Status status = status_of(summary.status);
+    result.status = worse(result.status, status);
     result.certificate.relative_residual = std::max(result.certificate.relative_residual, summary.residual);
+    if (!prediction.surface && (status == Status::converged || status == Status::unstable))
+      result.certificate.smallest_curvature_positive =
+          result.certificate.smallest_curvature_positive.value_or(true) && summary.negative_directions == 0;
     if (!summary.message.empty())
       result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
     result.energy.rod += summary.energy;

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -21,6 +22,16 @@ struct Common {
   bool quiet = false;
 };
 
+// CLI11's own checks of ranges let not-a-number pass and spell out the largest double.
+CLI::Validator number(const std::string& expected, bool (*good)(double)) {
+  return {[=](std::string& text) {
+            double value = 0;
+            const bool fine = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && good(value);
+            return fine ? std::string() : "found " + text + ", expected " + expected;
+          },
+          "NUMBER"};
+}
+
 void add_output(CLI::App* app, Common* common) {
   app->add_option("-o,--output", common->command.folder, "Result folder: absent, empty or an earlier result")
       ->required();
@@ -36,7 +47,11 @@ void add_solving(CLI::App* app, Common* common) {
   app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")
       ->check(CLI::Range(1, 1024));
   app->add_option("--time-limit", common->time_limit, "Seconds after which the best state so far is written")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number("a number of at least 0", [](double value) { return value >= 0; }));
+}
+
+bool has_command(const CLI::App& app, const std::string& name) {
+  return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
 }
 
 std::optional<Fidelity> fidelity_named(const std::string& name) {
@@ -63,7 +78,7 @@ int run(int argc, char** argv) {
   fit->add_option("--length-unit", common.command.length_unit, "The surface's unit")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")
-      ->check(CLI::PositiveNumber);
+      ->check(number("a number above 0", [](double value) { return value > 0; }));
   add_output(fit, &common);
 
   auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
@@ -72,6 +87,11 @@ int run(int argc, char** argv) {
       ->required();
   compare->add_flag("--json", common.command.json, "Print JSON instead of the table");
 
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (!first.empty() && first[0] != '-' && !has_command(app, first)) {
+    std::cerr << "vasorod: found the command \"" << first << "\", expected solve, fit or compare\n";
+    return 2;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -84,8 +104,11 @@ int run(int argc, char** argv) {
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
     common.command.solve.progress = [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
 
-  if (*solve) return solve_command(common.command);
-  return *fit ? fit_command(common.command) : compare_command(common.command);
+  const int exit_code = *solve ? solve_command(common.command)
+                        : *fit ? fit_command(common.command)
+                               : compare_command(common.command);
+  if (!std::cout.flush()) throw FileError("standard output: cannot be written");
+  return exit_code;
 }
 
 }  // namespace

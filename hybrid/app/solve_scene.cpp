@@ -15,8 +15,22 @@
 namespace vasorod {
 namespace {
 
+std::string line_of(const Scene& scene, const VesselSpec& vessel) {
+  return scene.file.string() + ":" + std::to_string(vessel.line) + ": ";
+}
+
 std::string place(const Scene& scene, const VesselSpec& vessel) {
-  return scene.file.string() + ":" + std::to_string(vessel.line) + ": vessel " + vessel.name + ": ";
+  return line_of(scene, vessel) + "vessel " + vessel.name + ": ";
+}
+
+// What a part that knows no scene file says of its input, with the place it belongs to.
+template <class Work>
+auto placed(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(where + error.what());
+  }
 }
 
 bool has_bare_rods(const Scene& scene) {
@@ -51,7 +65,9 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
       continue;
     }
     options.progress("rod of " + vessel.prepared.spec.name);
-    vessel.rod = solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
+    vessel.rod = placed(place(*prediction.scene, vessel.prepared.spec), [&] {
+      return solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
+    });
     vessel.rod_solved = true;
   }
 }
@@ -74,7 +90,10 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   if (has_bare_rods(scene)) {
     RodSceneOptions rods;
     rods.stop = options.stop;
-    return solve_rod_scene(scene, rods);
+    Result result = solve_rod_scene(scene, rods);
+    result.environment.blas = blas_name();
+    result.environment.threads = options.threads;
+    return result;
   }
 
   Stopwatch watch;
@@ -93,7 +112,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   watch.lap("read");
   for (PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
-    fit(vessel.prepared);
+    placed(line_of(scene, vessel.prepared.spec), [&] { fit(vessel.prepared); });
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   watch.lap("fit");

@@ -54,6 +54,8 @@ void check(const fs::path& place) {
       throw FileError(place.string() +
                       ": is or holds the current folder, which cannot be replaced; expected another");
   }
+  if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(place, error)))
+    throw FileError(place.string() + ": is a link that leads nowhere, expected a folder or nothing");
   const fs::path parent = nearest_existing(place.parent_path());
   if (!fs::is_directory(parent, error)) throw FileError(parent.string() + ": is a file, expected a folder");
   if (access(parent.c_str(), W_OK | X_OK) != 0)

@@ -10,6 +10,7 @@ namespace vasorod {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 double number(const Json& value) {
@@ -26,14 +27,14 @@ bool ours(const Json& value) {
          value.at("program").get_ref<const std::string&>().rfind("vasorod", 0) == 0;
 }
 
-Result result_of(const Json& value) {
+Result result_of(const Json& value, const fs::path& folder) {
   Result result;
   result.scene = value.at("scene").get<std::string>();
   result.program = value.at("program").get<std::string>();
   result.fidelity = value.at("fidelity").get<std::string>();
   const auto status = value.at("status").get<std::string>();
   const auto known = status_named(status);
-  if (!known) throw InputError("status is \"" + status + "\", expected one of those this version knows");
+  if (!known) throw InputError("found the status \"" + status + "\", expected one that this version knows");
   result.status = *known;
   if (const auto units = value.find("units"); units != value.end()) {
     result.length_unit = units->at("length").get<std::string>();
@@ -49,6 +50,11 @@ Result result_of(const Json& value) {
     VesselResult& added = result.vessels.emplace_back();
     added.name = vessel.at("name").get<std::string>();
     added.obstacle = vessel.at("obstacle").get<bool>();
+    for (const char* kind : {"surface", "centerline"})
+      if (const auto name = vessel.find(kind);
+          name != vessel.end() && !fs::exists(folder / name->get<std::string>()))
+        throw InputError("found no " + name->get<std::string>() +
+                         " beside it, expected the files that it lists");
   }
   return result;
 }
@@ -63,9 +69,10 @@ Result read_json(const std::filesystem::path& file) {
   if (!ours(value))
     throw InputError(file.string() + ": has no schema and program of ours, expected a result.json");
   try {
-    return result_of(value);
+    return result_of(value, file.parent_path());
   } catch (const Json::exception& error) {
-    throw InputError(file.string() + ": " + error.what());
+    throw InputError(file.string() + ": found another layout (" + error.what() +
+                     "), expected that of this version");
   } catch (const InputError& error) {
     throw InputError(file.string() + ": " + error.what());
   }

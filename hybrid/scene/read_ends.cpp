@@ -78,11 +78,11 @@ bool same_place(const EndCondition& a, const EndCondition& b) {
   return a.vessel == b.vessel && a.end.kind == b.end.kind && a.end.near == b.end.near && a.end.at == b.end.at;
 }
 
-// Two entries may share an end when one fixes what the other does not load twice; a motion stands alone.
+// Ends that are one although they are named differently show where the vessel is known
+// (vessel/end_conditions.h).
 void check_shared(const Field& entry, const EndCondition& end, const std::vector<EndCondition>& before) {
   for (const EndCondition& other : before) {
-    if (!same_place(end, other)) continue;
-    if (moves(end) || moves(other) || (loads(end) && loads(other)) || (fixes(end) && fixes(other)))
+    if (same_place(end, other) && exclude_each_other(end, other))
       entry.refuse("a second condition for the end of line " + std::to_string(other.line),
                    "one motion, or one load and one fix, for each end");
   }
@@ -132,6 +132,10 @@ std::string to_string(const EndSelector& selector) {
       break;
   }
   return out.str();
+}
+
+bool exclude_each_other(const EndCondition& a, const EndCondition& b) {
+  return moves(a) || moves(b) || (loads(a) && loads(b)) || (fixes(a) && fixes(b));
 }
 
 std::vector<EndCondition> read_ends(const Field& field, const std::vector<VesselSpec>& vessels) {

@@ -106,6 +106,9 @@ struct EndCondition {
   bool soft_section = false;  ///< only the section's mean pose is held
   int line = 0;               ///< in the scene file, for messages
 };
+/// Whether two entries for one end exclude each other: a motion stands alone, and two loads or two fixes of
+/// one end are a slip of the keyboard.
+bool exclude_each_other(const EndCondition& a, const EndCondition& b);
 
 /// The operation (design.md section 2).
 struct GlennSpec {

@@ -49,11 +49,19 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
 
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel) {
   VesselConditions conditions;
+  std::vector<std::pair<int, const EndCondition*>> before;
   for (const EndCondition& entry : scene.ends) {
     if (entry.vessel != name) continue;
     const std::string where = scene.file.string() + ":" + std::to_string(entry.line);
     const int end = find_end(vessel, entry.end, where);
     const int node = vessel.ends[static_cast<size_t>(end)].node;
+    for (const auto& [other_end, other] : before)
+      if (other_end == end && exclude_each_other(entry, *other))
+        throw InputError(where + ": end: found " + to_string(entry.end) + " of " + name +
+                         ", the end that line " + std::to_string(other->line) + " calls " +
+                         to_string(other->end) +
+                         ", expected one motion, or one load and one fix, for each end");
+    before.emplace_back(end, &entry);
 
     auto known = std::find_if(conditions.ends.begin(), conditions.ends.end(),
                               [&](const ConditionedEnd& other) { return other.end == end; });

@@ -27,7 +27,8 @@ struct VesselConditions {
 /// the nearest centre. Throws InputError (with the scene's line) where that is not one end.
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where);
 
-/// All entries of `scene.ends` for this vessel; several entries for one end add up.
+/// All entries of `scene.ends` for this vessel; a load and a fix of one end add up. Throws InputError where
+/// two entries mean one end and exclude each other.
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel);
 
 }  // namespace vasorod

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,8 +32,7 @@ struct RodAssembly {
 std::vector<RodAssembly> assemble_rods(const Scene& scene, int refine = 1);
 
 struct RodSceneOptions {
-  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
-  std::function<bool()> stop;                                   ///< asked once an iteration
+  std::function<bool()> stop;  ///< asked once an iteration
 };
 
 /// Solves a scene whose vessels are bare rods; with Scene::extrapolate by Richardson on n and 2n elements,

@@ -48,6 +48,17 @@ VesselResult affine_tube(int around, int along, const Mat3& gradient, const Vec3
   return vessel;
 }
 
+TEST_F(Compare, AFolderThatLostAFileIsRefusedAndNotComparedByTheRest) {
+  const Result result = test::example_result();
+  compare(result, result);
+  for (const char* name : {"svc.vtp", "svc_centerline.vtp"}) {
+    fs::rename(base_.path / "b" / name, base_.path / name);
+    EXPECT_THROW(compare_results(base_.path / "a", base_.path / "b"), InputError) << name;
+    fs::rename(base_.path / name, base_.path / "b" / name);
+  }
+  EXPECT_NO_THROW(compare_results(base_.path / "a", base_.path / "b"));
+}
+
 TEST_F(Compare, AResultWithItselfDiffersByNothing) {
   const Result result = test::example_result();
   const Comparison c = compare(result, result);

@@ -22,6 +22,8 @@ TEST(ReadJson, ReadsWhatAComparisonNeeds) {
   written.status = Status::not_unique;
   written.ends[0].force.y() = std::numeric_limits<double>::quiet_NaN();
   write(folder.path / "result.json", to_json(written));
+  EXPECT_THROW(read_json(folder.path / "result.json"), InputError) << "its surfaces are missing";
+  for (const char* name : {"svc.vtp", "svc_centerline.vtp", "aorta.vtp"}) write(folder.path / name, "");
   const Result read = read_json(folder.path / "result.json");
   EXPECT_EQ(read.scene, "example");
   EXPECT_EQ(read.fidelity, "skin");

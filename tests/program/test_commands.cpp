@@ -42,6 +42,34 @@ TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
   }
 }
 
+TEST(Commands, NumbersThatAreNoneAreRefusedInASentenceThatCanBeRead) {
+  for (const char* arguments :
+       {"solve x -o y --time-limit nan", "solve x -o y --time-limit inf", "solve x -o y --time-limit=-1",
+        "fit x -o y --remesh nan", "fit x -o y --remesh 0"}) {
+    const auto run = run_program(vasorod(arguments));
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(lines_in(run.err), 1) << run.err;
+    EXPECT_NE(run.err.find("expected a number"), std::string::npos) << run.err;
+    EXPECT_LT(run.err.size(), 160U) << run.err;
+  }
+}
+
+TEST(Commands, AnUnknownCommandIsNamed) {
+  const auto run = run_program(vasorod("paint x"));
+  EXPECT_EQ(run.err, "vasorod: found the command \"paint\", expected solve, fit or compare\n");
+}
+
+TEST(Commands, AStandardOutputThatTakesNothingIsThree) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("rod");
+  const std::string command = vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                      (scratch / "out").string() + "' --json");
+  const auto run = run_program("sh -c \"" + command + " >/dev/full\"");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(lines_in(run.err), 1) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "result.json"));
+}
+
 TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
   const ScratchFolder scratch;
   for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
@@ -61,6 +89,8 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
     EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05,
                 fidelity == "coupled" ? 1e-3 : 1e-6);
     EXPECT_TRUE(result.at("validity").at("in_range").get<bool>());
+    // Rods always have it; on a surface `paper` has to be asked for it.
+    EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive").is_null(), fidelity == "paper");
   }
   const auto compared = run_program(
       vasorod("compare '" + (scratch / "skin").string() + "' '" + (scratch / "paper").string() + "' --json"));
@@ -100,10 +130,20 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
 TEST(Commands, ABareRodTreeHasThePublishedEnergy) {
   const ScratchFolder scratch;
   const auto run = run_program(vasorod("solve '" + source + "/benchmarks/cases/rod/b13-tree.yaml' -o '" +
-                                       (scratch / "out").string() + "' --json"));
+                                       (scratch / "out").string() + "' --json --threads 2"));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto result = nlohmann::json::parse(run.out);
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_EQ(result.at("environment").at("threads"), 2);
+  EXPECT_NE(result.at("environment").at("blas"), "");
+  EXPECT_TRUE(result.at("iterations").contains("surface"));
+  double sum = 0;
+  for (const char* part : {"read", "fit", "factor", "solve", "write"})
+    sum += result.at("seconds").at(part).get<double>();
+  EXPECT_NEAR(result.at("seconds").at("total").get<double>(), sum, 1e-9);
+  for (const auto& metrics : result.at("metrics"))
+    for (const char* extreme : {"smallest_stretch", "largest_stretch", "largest_curvature"})
+      EXPECT_TRUE(metrics.at("where").contains(extreme)) << metrics;
   EXPECT_NEAR(result.at("energy").at("rod").get<double>(), 3.055132910623,
               2e-3);  // case B13 T1, order 2 in the elements
 }
@@ -116,6 +156,36 @@ TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta_centerline.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "report.html"));
+}
+
+// A vessel's name is those of its files, in XML too.
+TEST(Commands, FitNamesItsVesselAsASceneCould) {
+  const ScratchFolder scratch;
+  std::filesystem::copy(source + "/meshes/infant/svc.vtp", scratch / "a&b <c.vtp");
+  const auto run = run_program(
+      vasorod("fit '" + (scratch / "a&b <c.vtp").string() + "' -o '" + (scratch / "out").string() + "'"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "a_b__c.vtp"));
+  EXPECT_EQ(contents_of(scratch / "out" / "scene.pvd").find('&'), std::string::npos);
+}
+
+TEST(Commands, SurfacesOfOneNameInTwoFoldersAreBothListed) {
+  const ScratchFolder scratch;
+  for (const std::string name : {"svc", "aorta"}) {
+    std::filesystem::create_directory(scratch / name);
+    std::filesystem::copy(source + "/meshes/infant/" + name + ".vtp", scratch / name / "wall.vtp");
+  }
+  std::ofstream(scratch / "scene.yaml")
+      << "scene: two\nunits: {length: mm, stress: MPa}\nvessels:\n"
+         "  - {name: svc, surface: svc/wall.vtp, wall: {thickness: 0.5, young: 1, poisson: 0.3}}\n"
+         "  - {name: aorta, surface: aorta/wall.vtp, role: obstacle}\n"
+         "ends:\n  - {vessel: svc, end: start, hold: true}\nfidelity: rod\n";
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto inputs = nlohmann::json::parse(run.out).at("environment").at("inputs");
+  EXPECT_EQ(inputs.size(), 3U) << inputs;
+  EXPECT_NE(inputs.at("svc/wall.vtp"), inputs.at("aorta/wall.vtp"));
 }
 
 TEST(Commands, AFolderThatIsNotOursIsLeftAlone) {

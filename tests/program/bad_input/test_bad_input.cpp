@@ -279,6 +279,26 @@ TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {
       << run.err;
 }
 
+// Names for one end that only the fitted vessel shows to be one.
+TEST_F(BadInput, TwoConditionsForOneEndUnderTwoNames) {
+  write_vtp(scratch / "tube.vtp", sample_tube());
+  for (const std::string second : {"move: [0, 0, 1]", "force: [0, 0, 1]", "fix: [x]"})
+    expect_refused(changed(vessel, "end: end, move: [0, 0, 1]", "end: {near: [0, 0, -1]}, " + second),
+                   ":9: end: found near(0, 0, -1) of tube, the end that line 8 calls start");
+}
+
+TEST_F(BadInput, WhatTheRodRefusesHasFileLineAndVessel) {
+  write_vtp(scratch / "tube.vtp", sample_tube());
+  for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
+           {"rotate_deg: [1e300, 0, 0]", "turn one element"}, {"force: [0, 0, 1]", "rigid motion"}}) {
+    const std::string held = words == "rigid motion" ? "fix: [x]" : "hold: true";
+    expect_refused(changed(changed(vessel, "move: [0, 0, 1]", to), "hold: true", held), words);
+    EXPECT_NE(solve(changed(changed(vessel, "move: [0, 0, 1]", to), "hold: true", held))
+                  .err.find("scene.yaml:4: vessel tube: "),
+              std::string::npos);
+  }
+}
+
 // A folder that holds something else is the file system's no: exit code 3, and nothing in it is touched.
 TEST_F(BadInput, AResultFolderThatIsNotOurs) {
   std::filesystem::create_directory(scratch / "out");

@@ -36,47 +36,90 @@ std::pair<Vec3, Vec3> bounds(const std::vector<Seen>& scene, const Mat3& axes, b
   return {Vec3::Constant(-1), Vec3::Constant(1)};
 }
 
-// How many cells of a coarse grid show a wanted point in front of everything else.
-int visible_cells(const std::vector<Seen>& scene, const Mat3& axes) {
-  constexpr int cells = 64;
-  const auto [low, high] = bounds(scene, axes, true);
-  const double size = std::max({high.x() - low.x(), high.y() - low.y(), 1e-300}) / cells;
+// What is in front in each cell of a coarse grid over what is wanted.
+class FrontGrid {
+ public:
+  FrontGrid(const std::vector<Seen>& scene, const Mat3& axes) : axes_(axes) {
+    const auto [low, high] = bounds(scene, axes, true);
+    low_ = low;
+    size_ = std::max({high.x() - low.x(), high.y() - low.y(), 1e-300}) / cells;
+    constexpr Eigen::Index enough = 6000;  // points of a body: several for each cell it covers
+    for (const Seen& seen : scene)
+      for (Eigen::Index i = 0; i < seen.points->rows(); i += 1 + seen.points->rows() / enough) {
+        double depth = 0;
+        Cell* cell = cell_at(seen.points->row(i).transpose(), depth);
+        if (cell && depth > cell->depth) *cell = {depth, seen.wanted};
+      }
+  }
+
+  int wanted_cells() const {
+    return static_cast<int>(
+        std::count_if(grid_.begin(), grid_.end(), [](const Cell& cell) { return cell.wanted; }));
+  }
+
+  // Whether nothing lies more than two cells in front of a point.
+  bool shows(const Vec3& point) {
+    double depth = 0;
+    const Cell* cell = cell_at(point, depth);
+    return cell && depth > cell->depth - 2 * size_;
+  }
+
+ private:
+  static constexpr int cells = 64;
   struct Cell {
     double depth = -std::numeric_limits<double>::infinity();
     bool wanted = false;
   };
-  std::vector<Cell> grid(static_cast<std::size_t>(cells + 1) * (cells + 1));
-  constexpr Eigen::Index enough = 6000;  // points of a body: several for each cell it covers
-  for (const Seen& seen : scene)
-    for (Eigen::Index i = 0; i < seen.points->rows(); i += 1 + seen.points->rows() / enough) {
-      const Vec3 at = axes * seen.points->row(i).transpose() - low;
-      const double column = at.x() / size, row = at.y() / size;
-      if (!(column >= 0 && column <= cells && row >= 0 && row <= cells)) continue;
-      Cell& cell = grid[static_cast<std::size_t>(row) * (cells + 1) + static_cast<std::size_t>(column)];
-      if (at.z() > cell.depth) cell = {at.z(), seen.wanted};
+  Cell* cell_at(const Vec3& point, double& depth) {
+    const Vec3 at = axes_ * point - low_;
+    const double column = at.x() / size_, row = at.y() / size_;
+    if (!(column >= 0 && column <= cells && row >= 0 && row <= cells)) return nullptr;
+    depth = at.z();
+    return &grid_[static_cast<std::size_t>(row) * (cells + 1) + static_cast<std::size_t>(column)];
+  }
+  Mat3 axes_;
+  Vec3 low_ = Vec3::Zero();
+  double size_ = 1;
+  std::vector<Cell> grid_ = std::vector<Cell>(static_cast<std::size_t>(cells + 1) * (cells + 1));
+};
+
+// The best of the directions across `up`, or a little lifted; the first of equals.
+template <class Score>
+Vec3 best_direction(const Vec3& up, Score&& score) {
+  constexpr int around = 24;
+  const Vec3 axis = up.normalized(), start = axis.unitOrthogonal();
+  Vec3 best = start;
+  double most = -1;
+  for (const double lift : {0.12, 0.35})
+    for (int k = 0; k < around; ++k) {
+      const Vec3 direction =
+          (Eigen::AngleAxisd(2 * M_PI * k / around, axis) * start + lift * axis).normalized();
+      const double value = score(direction);
+      if (value > most) {
+        most = value;
+        best = direction;
+      }
     }
-  return static_cast<int>(
-      std::count_if(grid.begin(), grid.end(), [](const Cell& cell) { return cell.wanted; }));
+  return best;
 }
 
 }  // namespace
 
 Vec3 clearest_direction(const std::vector<Seen>& scene, const Vec3& up) {
-  constexpr int around = 24;
-  const Vec3 axis = up.normalized(), start = axis.unitOrthogonal();
-  Vec3 best = start;
-  int most = -1;
-  for (const double lift : {0.12, 0.35})
-    for (int k = 0; k < around; ++k) {
-      const Vec3 direction =
-          (Eigen::AngleAxisd(2 * M_PI * k / around, axis) * start + lift * axis).normalized();
-      const int count = visible_cells(scene, axes_of(direction, up));
-      if (count > most) {
-        most = count;
-        best = direction;
-      }
-    }
-  return best;
+  return best_direction(up, [&](const Vec3& direction) {
+    return static_cast<double>(FrontGrid(scene, axes_of(direction, up)).wanted_cells());
+  });
+}
+
+Vec3 facing_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots, const Vec3& up) {
+  return best_direction(up, [&](const Vec3& direction) {
+    FrontGrid grid(scene, axes_of(direction, up));
+    double sum = 0;
+    for (const Spot& spot : spots)
+      if (const double facing = spot.normal.dot(direction); facing > 0 && grid.shows(spot.at))
+        sum += facing * spot.weight;
+    return sum;
+  });
 }
 
 Vec3 level_up(const std::vector<Seen>& scene) {

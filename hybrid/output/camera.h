@@ -26,6 +26,16 @@ struct Seen {
 /// is seen.
 Vec3 clearest_direction(const std::vector<Seen>& scene, const Vec3& up);
 
+/// A place on a surface that a picture is about.
+struct Spot {
+  Vec3 at = Vec3::Zero(), normal = Vec3::Zero();  ///< normal: outwards, unit
+  double weight = 0;
+};
+
+/// Of the same directions the one from which most of the spots' weight is seen, each as far as it faces the
+/// eye and nothing of the scene hides it.
+Vec3 facing_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots, const Vec3& up);
+
 /// The direction across the longest axis of the wanted points that a wide picture needs as `up`.
 Vec3 level_up(const std::vector<Seen>& scene);
 

@@ -182,6 +182,46 @@ void outline(const Layer& layer, const Canvas& canvas, int row, std::vector<std:
   }
 }
 
+// Edges of one triangle alone.
+std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std::uint32_t first) {
+  std::vector<std::array<std::uint32_t, 2>> edges, alone;
+  edges.reserve(3 * static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto a = static_cast<std::uint32_t>(triangles(t, k)),
+                 b = static_cast<std::uint32_t>(triangles(t, (k + 1) % 3));
+      edges.push_back({first + std::min(a, b), first + std::max(a, b)});
+    }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
+      alone.push_back(edges[i]);
+  return alone;
+}
+
+// Marks the samples beside a border's edge that nothing solid hides.
+void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const Vertex& b,
+               std::vector<std::uint8_t>& marks) {
+  if (a.nearness <= 0 || b.nearness <= 0) return;
+  constexpr float slack = 0.003F;  // of the distance: the edge lies on the facets it bounds
+  const float most = 4.0F * static_cast<float>(std::max(canvas.columns, canvas.rows));
+  const float length = std::min(most, std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)));
+  const int steps = 1 + static_cast<int>(length);
+  for (int k = 0; k <= steps; ++k) {
+    const float t = static_cast<float>(k) / static_cast<float>(steps);
+    const float x = a.x + t * (b.x - a.x), y = a.y + t * (b.y - a.y);
+    if (!(x >= 1 && y >= 1 && x < static_cast<float>(canvas.columns - 1) &&
+          y < static_cast<float>(canvas.rows - 1)))
+      continue;
+    const float nearness = a.nearness + t * (b.nearness - a.nearness) + slack;
+    for (int row = -1; row <= 1; ++row)
+      for (int column = -1; column <= 1; ++column) {
+        const std::size_t sample = canvas.sample(static_cast<int>(x) + column, static_cast<int>(y) + row);
+        if (nearness >= solid.nearness[sample]) marks[sample] = 1;
+      }
+  }
+}
+
 // What one pixel's samples show, summed and premultiplied.
 struct Sum {
   Vec3f colour = Vec3f::Zero();
@@ -191,8 +231,8 @@ struct Sum {
 class Resolver {
  public:
   Resolver(const Canvas& canvas, const Layer& solid, const Layer& glass,
-           const std::vector<DrawnSurface>& surfaces)
-      : canvas_(canvas), solid_(solid), glass_(glass), surfaces_(surfaces) {}
+           const std::vector<std::uint8_t>& borders, const std::vector<DrawnSurface>& surfaces)
+      : canvas_(canvas), solid_(solid), glass_(glass), borders_(borders), surfaces_(surfaces) {}
 
   void start_row(int row) {
     for (int k = 0; k < samples; ++k) {
@@ -215,7 +255,7 @@ class Resolver {
         colour = shown.colour;
         alpha = 1;
       }
-      if (marks_[static_cast<std::size_t>(s / samples)][static_cast<std::size_t>(x)]) {
+      if (borders_[at] || marks_[static_cast<std::size_t>(s / samples)][static_cast<std::size_t>(x)]) {
         colour *= 0.4F;
         alpha = std::max(alpha, 0.6F);
       }
@@ -242,6 +282,7 @@ class Resolver {
   static float middle(int pixel) { return samples * (static_cast<float>(pixel) + 0.5F); }
   const Canvas& canvas_;
   const Layer &solid_, &glass_;
+  const std::vector<std::uint8_t>& borders_;
   const std::vector<DrawnSurface>& surfaces_;
   std::array<std::vector<std::uint8_t>, samples> marks_;
 };
@@ -295,8 +336,17 @@ Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, 
   for (std::uint32_t t = 0; t < canvas.triangles.size(); ++t)
     draw(canvas, t, surfaces[canvas.triangles[t].body].opacity < 1 ? glass : solid);
 
+  std::vector<std::uint8_t> borders(count, 0);
+  std::uint32_t first = 0;
+  for (const DrawnSurface& surface : surfaces) {
+    if (surface.opacity >= 1)
+      for (const auto& [a, b] : border(*surface.triangles, first))
+        mark_edge(canvas, solid, canvas.vertices[a], canvas.vertices[b], borders);
+    first += static_cast<std::uint32_t>(surface.points->rows());
+  }
+
   Picture picture{width, height, std::vector<std::uint8_t>(count / (samples * samples) * 4)};
-  Resolver resolver(canvas, solid, glass, surfaces);
+  Resolver resolver(canvas, solid, glass, borders, surfaces);
   const Box box = drawn_box(canvas, width, height);
   for (int row = box.top; row < box.bottom; ++row) {
     resolver.start_row(row);

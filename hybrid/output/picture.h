@@ -29,8 +29,9 @@ struct DrawnSurface {
   const ColourScale* scale = nullptr;
 };
 
-/// Smooth shading by a light beside the viewer, a thin line where the depth jumps, 2 x 2 samples per pixel,
-/// nothing behind the bodies.
+/// Smooth shading by a light beside the viewer, a thin line where the depth jumps and along the borders of
+/// solid bodies (so that a slit that is still closed shows), 2 x 2 samples per pixel, nothing behind the
+/// bodies.
 Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width, int height);
 
 /// A legend at the right edge: the scale's colours, ticks and title.

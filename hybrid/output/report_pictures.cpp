@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "geometry/triangle_surface.h"
 #include "output/camera.h"
 #include "output/picture.h"
 
@@ -88,6 +89,33 @@ View view_of(const Result& result, const std::vector<DrawnBody>& bodies) {
   return {clearest_direction(scene, up), up};
 }
 
+// The stages of an operation are looked down upon: the incision lies on the recipient's upper side.
+View stage_view(const Result& result, const View& common) {
+  if (!result.glenn) return common;
+  constexpr double lift = 0.8;  // of the level part
+  const Vec3 level = common.towards_eye - common.towards_eye.dot(common.up) * common.up;
+  return {(level.normalized() + lift * common.up).normalized(), common.up};
+}
+
+// From where most of a solid body's contact pressure is seen: what lies beside is looked through. As `common`
+// where nothing presses.
+View view_of_pressure(const std::vector<DrawnBody>& bodies, const View& common) {
+  std::vector<Seen> scene;
+  std::vector<Spot> spots;
+  for (const DrawnBody& body : bodies) {
+    if (body.glass) continue;
+    scene.push_back({&body.current, body.wanted});
+    if (!body.vessel || body.vessel->contact_pressure.size() != body.current.rows()) continue;
+    const Eigen::VectorXd& pressure = body.vessel->contact_pressure;
+    if (!(pressure.maxCoeff() > 0)) continue;
+    const Points normals = vertex_normals({body.current, body.triangles});
+    for (Eigen::Index i = 0; i < pressure.size(); ++i)
+      if (pressure[i] > 0) spots.push_back({body.current.row(i), normals.row(i), pressure[i]});
+  }
+  if (spots.empty()) return common;
+  return {facing_direction(scene, spots, common.up), common.up};
+}
+
 // The body that gives a stage's surface its colour: that whose name the surface's name begins with
 // (svc_stump: svc).
 const DrawnBody* body_of(const std::vector<DrawnBody>& bodies, const std::string& name) {
@@ -97,14 +125,19 @@ const DrawnBody* body_of(const std::vector<DrawnBody>& bodies, const std::string
   return best;
 }
 
-// The stages as they were recorded, with what lies beside where a stage does not show it; of a scene without
-// an operation, rest and result.
+bool is_stump(const DrawnBody& body) {
+  return body.vessel == nullptr;
+}
+
+// The stages as they were recorded, with what lies beside where a stage does not show it, and from the cut on
+// what it left behind; of a scene without an operation, rest and result.
 std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>& bodies) {
   if (!result.stages.empty()) {
     std::vector<Stage> stages = result.stages;
     for (Stage& stage : stages)
       for (const DrawnBody& body : bodies)
-        if (body.glass && std::find(stage.names.begin(), stage.names.end(), body.name) == stage.names.end()) {
+        if ((body.glass || (is_stump(body) && stage.title != "rest")) &&
+            std::find(stage.names.begin(), stage.names.end(), body.name) == stage.names.end()) {
           stage.surfaces.push_back({body.rest, body.triangles});
           stage.names.resize(stage.surfaces.size() - 1);
           stage.names.push_back(body.name);
@@ -244,9 +277,10 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
   return bodies;
 }
 
-Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect,
-                     double clear_right) {
-  const View view = view_of(result, bodies);
+namespace {
+
+Camera camera_from(const View& view, const std::vector<DrawnBody>& bodies, double aspect,
+                   double clear_right) {
   std::vector<Seen> scene;
   for (const DrawnBody& body : bodies) {
     scene.push_back({&body.current, body.wanted});
@@ -255,33 +289,53 @@ Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies,
   return fit_camera(scene, view.towards_eye, view.up, aspect, clear_right);
 }
 
+}  // namespace
+
+Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect) {
+  return camera_from(view_of(result, bodies), bodies, aspect, 0);
+}
+
 std::vector<NamedPicture> report_pictures(const Result& result, int threads) {
   const std::vector<DrawnBody> bodies = drawn_bodies(result);
   const std::vector<Stage> stages = stages_of(result, bodies);
   const std::vector<DrawnField> fields = drawn_fields(result);
-  const Camera field_camera = report_camera(result, bodies, double(field_width) / field_height, 0.2);
-  // All stages in one frame, from where the result is seen best.
+  const View view = view_of(result, bodies), pressed = view_of_pressure(bodies, view);
+  const bool turned = pressed.towards_eye != view.towards_eye;
+  const auto field_camera = [&](const View& from) {
+    return camera_from(from, bodies, double(field_width) / field_height, 0.2);
+  };
+  const Camera common_camera = field_camera(view),
+               pressure_camera = turned ? field_camera(pressed) : common_camera;
+  const auto of_pressure = [](const DrawnField& field) {
+    return field.values == &VesselResult::contact_pressure;
+  };
+  // All stages in one frame, from the side where the result is seen best.
   std::vector<Seen> everything;
   for (const Stage& stage : stages)
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
       const DrawnBody* body = body_of(bodies, i < stage.names.size() ? stage.names[i] : "");
-      everything.push_back({&stage.surfaces[i].points, !body || !body->glass});
+      everything.push_back({&stage.surfaces[i].points, !body || body->wanted});
     }
-  const View view = view_of(result, bodies);
+  const View above = stage_view(result, view);
   const Camera stage_camera =
-      fit_camera(everything, view.towards_eye, view.up, double(stage_width) / stage_height);
+      fit_camera(everything, above.towards_eye, above.up, double(stage_width) / stage_height);
 
   std::vector<NamedPicture> pictures;
   for (const Stage& stage : stages)
     pictures.push_back({"picture_" + slug(stage.title) + ".png", stage.title, false, {}, 0, 0});
-  for (const DrawnField& field : fields)
-    pictures.push_back({"picture_" + field.file + ".png", field.scale.title, true, {}, 0, 0});
+  for (const DrawnField& field : fields) {
+    const std::string caption =
+        field.scale.title + (turned && of_pressure(field) ? ", from where most of it is seen" : "");
+    pictures.push_back({"picture_" + field.file + ".png", caption, true, {}, 0, 0});
+  }
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < stages.size(); ++k)
     tasks.push_back({&pictures[k], [&, k] { return stage_picture(stages[k], bodies, stage_camera); }});
   for (std::size_t k = 0; k < fields.size(); ++k)
-    tasks.push_back(
-        {&pictures[stages.size() + k], [&, k] { return field_picture(fields[k], bodies, field_camera); }});
+    tasks.push_back({&pictures[stages.size() + k], [&, k] {
+                       return field_picture(fields[k], bodies,
+                                            of_pressure(fields[k]) ? pressure_camera : common_camera);
+                     }});
   draw_all(tasks, threads);
   return pictures;
 }

@@ -1,5 +1,5 @@
 // The pictures of a result: each stage of the operation, then what came out, coloured by each field; all from
-// one place.
+// one side; an operation's stages from higher up, the contact pressure from where most of it is seen.
 #pragma once
 
 #include <string>
@@ -49,9 +49,8 @@ struct DrawnBody {
 std::vector<DrawnBody> drawn_bodies(const Result& result);
 
 /// The camera of the pictures of the result and of the view: what may move fills it, at rest and in the
-/// result. `clear_right` as in fit_camera.
-Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect,
-                     double clear_right = 0);
+/// result.
+Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect);
 
 /// Up to `threads` are drawn at once; the bytes do not depend on it.
 std::vector<NamedPicture> report_pictures(const Result& result, int threads = 1);

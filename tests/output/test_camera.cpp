@@ -37,6 +37,18 @@ TEST(Camera, LooksFromWhereNothingHidesWhatIsWanted) {
   }
 }
 
+TEST(Camera, FacesTheSpotsThatNothingHides) {
+  const TriangleSurface vessel = test::tube(1, 10, 48, 60);
+  const TriangleSurface wall = test::tube(1, 10, 48, 60, Vec3(4, 0, 0));
+  const std::vector<Spot> spots{{Vec3(1, 0, 5), Vec3::UnitX(), 1}, {Vec3(0, 1, 5), Vec3::UnitY(), 0.1}};
+  const std::vector<Seen> alone{{&vessel.points, true}};
+  EXPECT_GT(facing_direction(alone, spots, Vec3::UnitZ()).x(), 0.9) << "the heavier one";
+  const std::vector<Seen> beside{{&vessel.points, true}, {&wall.points, true}};
+  const Vec3 turned = facing_direction(beside, spots, Vec3::UnitZ());
+  EXPECT_LT(turned.x(), 0.97) << "a vessel stands before it";
+  EXPECT_GT(turned.x(), 0) << "from behind neither is seen";
+}
+
 TEST(Camera, LaysTheLongestAxisLevel) {
   Points points(200, 3);
   for (Eigen::Index i = 0; i < 200; ++i) {

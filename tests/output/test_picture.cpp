@@ -84,6 +84,26 @@ TEST(Picture, WhatIsNearerHidesWhatIsFarther) {
   }
 }
 
+TEST(Picture, ASlitThatIsClosedShowsAsALineWhereNothingHidesIt) {
+  TriangleSurface left = square(0.5, 0), right = left;
+  left.points.col(0).array() -= 0.5;
+  right.points.col(0).array() += 0.5;
+  const Colour grey{0.8F, 0.8F, 0.8F};
+  const auto darkness = [&](const std::vector<DrawnSurface>& surfaces) {
+    const Picture picture = render(surfaces, from_above(10, 1.5), 100, 100);
+    return pixel(picture, 60, 50)[0] - pixel(picture, 50, 50)[0];
+  };
+  EXPECT_GT(darkness({drawn(left, grey), drawn(right, grey)}), 60);
+  TriangleSurface whole = left;
+  whole.points.conservativeResize(6, 3);
+  whole.points.bottomRows(2) << 1, -0.5, 0, 1, 0.5, 0;
+  whole.triangles.conservativeResize(4, 3);
+  whole.triangles.bottomRows(2) << 1, 4, 5, 1, 5, 2;
+  EXPECT_LT(darkness({drawn(whole, grey)}), 5) << "an edge of two triangles is no border";
+  const TriangleSurface cover = square(0.7, 0.3);
+  EXPECT_LT(darkness({drawn(left, grey), drawn(right, grey), drawn(cover, grey)}), 5) << "it is hidden";
+}
+
 TEST(Picture, GlassShowsBothItsColourAndWhatIsBehind) {
   const TriangleSurface pane = square(1, 0.5), wall = square(1, -0.5);
   const auto at = [&](float opacity) {

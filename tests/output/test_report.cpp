@@ -93,6 +93,31 @@ TEST(Report, HasAPictureOfEachStageAndField) {
   for (const NamedPicture& picture : pictures) EXPECT_TRUE(has(page, base64(picture.png))) << picture.file;
 }
 
+TEST(Report, TheStumpIsThereFromTheCutOn) {
+  Result result = test::example_result();
+  const auto with = report_pictures(result);
+  result.vessels[0].stump.reset();
+  const auto without = report_pictures(result);
+  EXPECT_EQ(with[0].png, without[0].png) << "rest";
+  for (std::size_t stage = 1; stage < 4; ++stage) EXPECT_NE(with[stage].png, without[stage].png) << stage;
+}
+
+// Pressed on one side or on the other: one of the two is out of sight from where the other pictures are
+// taken.
+TEST(Report, TheContactPressureIsLookedAtFromItsSide) {
+  int turned = 0;
+  for (const double side : {-1.0, 1.0}) {
+    Result result = test::example_result();
+    VesselResult& svc = result.vessels[0];
+    for (Eigen::Index i = 0; i < svc.rest.rows(); ++i)
+      svc.contact_pressure[i] = side * svc.rest(i, 0) > 4.5 && std::abs(svc.rest(i, 2) - 30) < 5 ? 1e-3 : 0;
+    const auto pictures = report_pictures(result);
+    EXPECT_EQ(pictures[4].title, "twist shear");
+    turned += has(pictures[6].title, "from where most of it is seen");
+  }
+  EXPECT_GE(turned, 1);
+}
+
 TEST(Report, ThreadsDoNotChangeThePictures) {
   const std::vector<NamedPicture> one = report_pictures(test::example_result(), 1);
   const std::vector<NamedPicture> three = report_pictures(test::example_result(), 3);

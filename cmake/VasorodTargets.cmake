@@ -42,6 +42,6 @@ function(vasorod_test name)
   else()
     set(filter "-*RealAnatomy*")
   endif()
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER ${filter} DISCOVERY_TIMEOUT 300
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER ${filter} DISCOVERY_TIMEOUT 300 NO_PRETTY_VALUES
     PROPERTIES LABELS ${name})
 endfunction()

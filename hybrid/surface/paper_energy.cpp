@@ -78,12 +78,13 @@ PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<con
   return terms;
 }
 
-Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p) {
+Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p, double spring_share) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<size_t>(30 * system.vertex_count()));
   add_quadratic(system, entries);
   for (const PaperBlock& block : system.blocks)
-    add_block(stretching_energy_bound(block.k.stretching, block.springs, block.count), block.first, entries);
+    add_block(stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count),
+              block.first, entries);
   add_block(contact_energy_bound(system.contacts, p), 0, entries);
   Matrix bound(system.vertex_count(), system.vertex_count());
   bound.setFromTriplets(entries.begin(), entries.end());

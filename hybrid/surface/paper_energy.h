@@ -57,8 +57,9 @@ PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<con
 
 /// A V x V matrix, the same for x, y and z, that bounds the Hessian from above, with the contacts that press
 /// at p. Both triangles. Fixed vertices keep their diagonal only. Its pattern changes with the contacts
-/// alone.
-Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p);
+/// alone. With `spring_share` below 1 only that share of the springs' bound enters, and it bounds no longer.
+Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p,
+                                               double spring_share = 1);
 
 /// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep a positive diagonal only. blend = 1
 /// replaces the springs' Hessian by its positive bound, blend between 0 and 1 mixes both.

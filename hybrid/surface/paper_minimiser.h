@@ -1,5 +1,5 @@
-// Minimises the paper's energy for given multipliers and contact planes. First L-BFGS preconditioned by the
-// constant matrix (surface.md's default: 4 to 30 iterations on walls), and where that is slow - compressed
+// Minimises the paper's energy for given multipliers and contact planes. First L-BFGS preconditioned by a
+// constant matrix (4 to 30 iterations on walls), and where that is slow - compressed
 // edges that buckle, weak binding - L-BFGS preconditioned by the true Hessian of a nearby point, mixed with
 // its positive bound as far as Cholesky demands.
 #pragma once
@@ -28,17 +28,17 @@ struct PaperMinimiserSummary : StagedSummary {
 class PaperMinimiser {
  public:
   /// System and factor must outlive this; the joins' multipliers and the contacts may change between calls.
-  /// `bound` keeps the constant matrix' factor, also for the next system that has the same matrix.
-  PaperMinimiser(const PaperSystem& system, KeptFactor& bound) : system_(system), bound_(bound) {}
+  /// `constant` keeps the constant matrix' factor, also for the next system that has the same matrix.
+  PaperMinimiser(const PaperSystem& system, KeptFactor& constant) : system_(system), constant_(constant) {}
 
-  /// Factorises the constant matrix with the contacts that press at p. Needed after the contacts changed, and
-  /// at first.
+  /// Factorises the constant matrix, paper_energy_bound with the springs' mean share, with the contacts that
+  /// press at p. Needed after the contacts changed, and at first.
   void factorise(const Points& p);
 
   PaperMinimiserSummary minimise(Points& p, const PaperMinimiserOptions& options);
 
   /// One step of the paper's local-global iteration [13]: edges projected to their rest length, then the
-  /// constant matrix solved; the same as descending by the gradient in that matrix' metric.
+  /// bound solved; the same as descending by the gradient in the bound's metric.
   void local_global_step(Points& p);
 
   /// The residual of LbfgsSummary at p: |sum of forces on free vertices| / sum over terms |forces|; 0 when
@@ -50,11 +50,12 @@ class PaperMinimiser {
 
  private:
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
-  void precondition(const Eigen::VectorXd& gradient, Eigen::VectorXd& direction);
+  void solve(KeptFactor& factor, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction);
   bool factorise_hessian(const Points& p, double& blend, int& factorisations);
 
   const PaperSystem& system_;
-  KeptFactor& bound_;
+  KeptFactor& constant_;
+  KeptFactor bound_;  // of the local-global iteration alone
   Cholesky hessian_;
   PaperGradient terms_;
   double largest_diagonal_ = 0;

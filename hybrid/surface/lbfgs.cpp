@@ -10,30 +10,78 @@ namespace {
 
 using Eigen::VectorXd;
 
-struct Pair {
-  VectorXd step, change;  // s = x_new - x, y = gradient_new - gradient
-  double inverse_product = 0;
-};
-
 constexpr double armijo = 1e-4;
 constexpr int most_backtracks = 30;
 
-// The two-loop recursion: direction = -H gradient.
-void descend(const std::deque<Pair>& pairs, const Preconditioner& precondition, const VectorXd& gradient,
-             VectorXd& work, VectorXd& direction) {
-  work = gradient;
-  std::vector<double> alpha(pairs.size());
-  for (size_t k = pairs.size(); k-- > 0;) {
-    alpha[k] = pairs[k].inverse_product * pairs[k].step.dot(work);
-    work -= alpha[k] * pairs[k].change;
+// The last steps s and changes of gradient y, and the two-loop recursion over them. Its products s_i . y_j
+// are kept, so that each of its four sweeps over the pairs is one product with a matrix: at 10 pairs of
+// 75,000 unknowns the recursion waits for memory, and this reads less than half of it.
+class Pairs {
+ public:
+  Pairs(Eigen::Index unknowns, int memory)
+      : steps_(unknowns, memory), changes_(unknowns, memory), products_(memory, memory) {}
+
+  bool empty() const { return order_.empty(); }
+  void clear() {
+    order_.clear();
+    pending_ = false;
   }
-  precondition(work, direction);
-  for (size_t k = 0; k < pairs.size(); ++k) {
-    const double beta = pairs[k].inverse_product * pairs[k].change.dot(direction);
-    direction += (alpha[k] - beta) * pairs[k].step;
+
+  /// The step just taken along `direction` changed the gradient that descend() was last called with to `now`.
+  void add(double step, const VectorXd& direction, const VectorXd& before, const VectorXd& now) {
+    if (steps_.cols() == 0) return;
+    const double product = step * direction.dot(now - before);
+    if (!(product > 1e-12 * step * direction.norm() * (now - before).norm())) return;
+    const bool full = static_cast<Eigen::Index>(order_.size()) == steps_.cols();
+    const Eigen::Index slot = full ? order_.front() : static_cast<Eigen::Index>(order_.size());
+    if (full) order_.pop_front();
+    steps_.col(slot) = step * direction;
+    changes_.col(slot) = now - before;
+    products_(slot, slot) = product;
+    order_.push_back(slot);
+    pending_ = true;
   }
-  direction = -direction;
-}
+
+  /// direction = -H gradient.
+  void descend(const Preconditioner& precondition, const VectorXd& gradient, VectorXd& work,
+               VectorXd& direction) {
+    const auto used = static_cast<Eigen::Index>(order_.size());
+    if (used == 0) {
+      precondition(gradient, direction);
+      direction = -direction;
+      return;
+    }
+    const VectorXd before = along_;
+    along_.noalias() = steps_.leftCols(used).transpose() * gradient;
+    // y of the newest pair is this gradient minus the one before.
+    for (size_t k = 0; pending_ && k + 1 < order_.size(); ++k)
+      products_(order_[k], order_.back()) = along_[order_[k]] - before[order_[k]];
+    pending_ = false;
+    VectorXd alpha = along_;
+    for (size_t k = order_.size(); k-- > 0;) {
+      for (size_t j = k + 1; j < order_.size(); ++j)
+        alpha[order_[k]] -= alpha[order_[j]] * products_(order_[k], order_[j]);
+      alpha[order_[k]] /= products_(order_[k], order_[k]);
+    }
+    work = gradient;
+    work.noalias() -= changes_.leftCols(used) * alpha;
+    precondition(work, direction);
+    VectorXd share = changes_.leftCols(used).transpose() * direction;
+    for (size_t k = 0; k < order_.size(); ++k) {
+      for (size_t j = 0; j < k; ++j) share[order_[k]] += share[order_[j]] * products_(order_[j], order_[k]);
+      share[order_[k]] = alpha[order_[k]] - share[order_[k]] / products_(order_[k], order_[k]);
+    }
+    direction.noalias() += steps_.leftCols(used) * share;
+    direction = -direction;
+  }
+
+ private:
+  Eigen::MatrixXd steps_, changes_;  // a column per pair
+  Eigen::MatrixXd products_;         // (i, j): s_i . y_j for i not younger than j
+  VectorXd along_;                   // s_i . the last gradient
+  std::deque<Eigen::Index> order_;   // columns in use, the oldest first
+  bool pending_ = false;             // the newest pair's products are still to be found
+};
 
 }  // namespace
 
@@ -57,7 +105,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
                    const LbfgsOptions& options) {
   LbfgsSummary summary;
   VectorXd gradient(x.size()), new_gradient(x.size()), new_x(x.size()), direction(x.size()), work(x.size());
-  std::deque<Pair> pairs;
+  Pairs pairs(x.size(), options.memory);
   double energy = evaluate(x, gradient, summary.residual);
   summary.evaluations = 1;
   std::vector<double> residuals{summary.residual};
@@ -75,11 +123,11 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
         summary.residual > 0.1 * residuals[residuals.size() - 1 - static_cast<size_t>(options.patience)])
       return finish(LbfgsStatus::slow);
 
-    descend(pairs, precondition, gradient, work, direction);
+    pairs.descend(precondition, gradient, work, direction);
     double slope = gradient.dot(direction);
     if (!(slope < 0) && !pairs.empty()) {
       pairs.clear();
-      descend(pairs, precondition, gradient, work, direction);
+      pairs.descend(precondition, gradient, work, direction);
       slope = gradient.dot(direction);
     }
     if (!(slope < 0)) return finish(LbfgsStatus::stalled);
@@ -112,15 +160,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       continue;
     }
 
-    if (options.memory > 0) {
-      Pair pair{new_x - x, new_gradient - gradient, 0};
-      const double product = pair.step.dot(pair.change);
-      if (product > 1e-12 * pair.step.norm() * pair.change.norm()) {
-        pair.inverse_product = 1 / product;
-        pairs.push_back(std::move(pair));
-        if (static_cast<int>(pairs.size()) > options.memory) pairs.pop_front();
-      }
-    }
+    pairs.add(step, direction, gradient, new_gradient);
     std::swap(x, new_x);
     std::swap(gradient, new_gradient);
     energy = new_energy;

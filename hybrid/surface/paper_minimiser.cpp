@@ -39,15 +39,26 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
   const auto p = points_of(x);
   const double energy = paper_energy_gradient(system_, p, terms_).total();
   auto g = points_of(gradient);
-  g = terms_.binding;
-  g += terms_.bending;
-  g += terms_.stretching;
-  g += terms_.joining;
-  g += terms_.contact;
+  Vec3 binding = Vec3::Zero(), bending = Vec3::Zero(), stretching = Vec3::Zero();  // squares, in one sweep
+  for (Eigen::Index i = 0; i < g.rows(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double a = terms_.binding(i, c), b = terms_.bending(i, c), d = terms_.stretching(i, c);
+      binding[c] += a * a;
+      bending[c] += b * b;
+      stretching[c] += d * d;
+      g(i, c) = a + b + d;
+    }
+  double all = std::sqrt(binding.sum()) + std::sqrt(bending.sum()) + std::sqrt(stretching.sum());
+  if (!system_.joins.empty()) {
+    g += terms_.joining;
+    all += terms_.joining.norm();
+  }
+  if (!system_.contacts.empty()) {
+    g += terms_.contact;
+    all += terms_.contact.norm();
+  }
   for (int i = 0; i < g.rows(); ++i)
     if (system_.fixed[static_cast<size_t>(i)]) g.row(i).setZero();
-  const double all = terms_.binding.norm() + terms_.bending.norm() + terms_.stretching.norm() +
-                     terms_.joining.norm() + terms_.contact.norm();
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest_diagonal_ * x.norm();
   const double net = g.norm();
   residual = net <= rounding ? 0 : net / all;

@@ -16,16 +16,25 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
   struct Half {
     int a, b, triangle, opposite;
   };
-  std::vector<Half> halves;
-  halves.reserve(static_cast<size_t>(triangles.rows()) * 3);
+  if (triangles.rows() == 0) return {};
+  // Sorted by a through its count, then by b within the few that share a.
+  const int lowest = triangles.minCoeff();
+  const auto bucket = [&](int a) { return static_cast<size_t>(a - lowest); };
+  std::vector<size_t> first(bucket(triangles.maxCoeff()) + 2, 0);
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) ++first[bucket(std::min(triangles(t, k), triangles(t, (k + 1) % 3))) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Half> halves(first.back());
+  std::vector<size_t> next(first.begin(), first.end() - 1);
   for (int t = 0; t < triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int i = triangles(t, k), j = triangles(t, (k + 1) % 3), o = triangles(t, (k + 2) % 3);
-      halves.push_back({std::min(i, j), std::max(i, j), t, o});
+      halves[next[bucket(std::min(i, j))]++] = {std::min(i, j), std::max(i, j), t, o};
     }
-  std::sort(halves.begin(), halves.end(), [](const Half& l, const Half& r) {
-    return l.a != r.a ? l.a < r.a : (l.b != r.b ? l.b < r.b : l.triangle < r.triangle);
-  });
+  for (size_t a = 0; a + 1 < first.size(); ++a)
+    std::sort(halves.begin() + static_cast<std::ptrdiff_t>(first[a]),
+              halves.begin() + static_cast<std::ptrdiff_t>(first[a + 1]),
+              [](const Half& l, const Half& r) { return l.b != r.b ? l.b < r.b : l.triangle < r.triangle; });
   std::vector<Edge> edges;
   edges.reserve(halves.size() / 2 + 1);
   for (const Half& h : halves) {

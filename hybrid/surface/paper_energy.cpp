@@ -7,19 +7,32 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-void add_block(const Matrix& block, int first, std::vector<Eigen::Triplet<double>>& entries) {
-  for (int column = 0; column < block.outerSize(); ++column)
-    for (Matrix::InnerIterator it(block, column); it; ++it)
-      entries.emplace_back(first + static_cast<int>(it.row()), first + column, it.value());
-}
-
-// The terms whose Hessian is constant and the same for x, y and z.
-void add_quadratic(const PaperSystem& system, std::vector<Eigen::Triplet<double>>& entries) {
+// The terms whose Hessian is constant and the same for x, y and z, and a share of the springs' bound.
+Matrix constant_terms(const PaperSystem& system, double spring_share) {
+  std::vector<Matrix> blocks;
+  Eigen::Index entries = 0;
   for (const PaperBlock& block : system.blocks) {
-    add_block(binding_energy_hessian(block.k.binding, block.count), block.first, entries);
-    add_block(bending_energy_hessian(block.k.bending, block.umbrella), block.first, entries);
+    const Matrix bending = bending_energy_hessian(block.k.bending, block.umbrella);
+    const Matrix binding = binding_energy_hessian(block.k.binding, block.count);
+    const Matrix springs =
+        stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count);
+    blocks.emplace_back(bending + springs + binding);
+    entries += blocks.back().nonZeros();
   }
-  add_block(joining_energy_hessian(system.k_j, system.joins, system.vertex_count()), 0, entries);
+  Matrix stacked(system.vertex_count(), system.vertex_count());
+  stacked.reserve(entries);
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const int first = system.blocks[b].first;
+    for (int column = 0; column < blocks[b].outerSize(); ++column) {
+      stacked.startVec(first + column);
+      for (Matrix::InnerIterator it(blocks[b], column); it; ++it)
+        stacked.insertBack(first + it.row(), first + column) = it.value();
+    }
+  }
+  stacked.finalize();
+  if (!system.joins.empty())
+    stacked += joining_energy_hessian(system.k_j, system.joins, system.vertex_count());
+  return stacked;
 }
 
 }  // namespace
@@ -79,15 +92,8 @@ PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<con
 }
 
 Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p, double spring_share) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<size_t>(30 * system.vertex_count()));
-  add_quadratic(system, entries);
-  for (const PaperBlock& block : system.blocks)
-    add_block(stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count),
-              block.first, entries);
-  add_block(contact_energy_bound(system.contacts, p), 0, entries);
-  Matrix bound(system.vertex_count(), system.vertex_count());
-  bound.setFromTriplets(entries.begin(), entries.end());
+  Matrix bound = constant_terms(system, spring_share);
+  if (!system.contacts.empty()) bound += contact_energy_bound(system.contacts, p);
   const auto is_fixed = [&](Eigen::Index i) { return system.fixed[static_cast<size_t>(i)] != 0; };
   bound.prune([&](Eigen::Index row, Eigen::Index column, double) {
     return row == column || !(is_fixed(row) || is_fixed(column));
@@ -96,10 +102,8 @@ Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Poin
 }
 
 Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Points>& p, double blend) {
-  std::vector<Eigen::Triplet<double>> quadratic, entries;
-  add_quadratic(system, quadratic);
-  Matrix constant(system.vertex_count(), system.vertex_count());
-  constant.setFromTriplets(quadratic.begin(), quadratic.end());
+  const Matrix constant = constant_terms(system, 0);
+  std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<size_t>(2 * constant.nonZeros() + 60 * system.vertex_count()));
   const auto is_fixed = [&](int i) { return system.fixed[static_cast<size_t>(i)] != 0; };
   for (int column = 0; column < constant.outerSize(); ++column)

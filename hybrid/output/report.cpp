@@ -55,9 +55,9 @@ std::string validity_notice(const Validity& validity) {
     for (const std::string& warning : validity.warnings) html += "<li>" + html_text(warning) + "</li>\n";
     html += "</ul></div>\n";
   }
-  return html + "<p class=\"soft small\">Brazier ratio " + number_text(validity.brazier_ratio) +
-         ", wrinkling ratio " + number_text(validity.wrinkling_ratio) + ", twist ratio " +
-         number_text(validity.twist_ratio) + ", largest strain " + number_text(validity.largest_strain) +
+  return html + "<p class=\"soft small\">Brazier ratio " + cell_text(validity.brazier_ratio) +
+         ", wrinkling ratio " + cell_text(validity.wrinkling_ratio) + ", twist ratio " +
+         cell_text(validity.twist_ratio) + ", largest strain " + cell_text(validity.largest_strain) +
          ".</p>\n";
 }
 
@@ -76,14 +76,14 @@ std::string facts(const Result& result) {
   for (const ContactReport& c : result.contact) pressure = std::max(pressure, c.largest_pressure);
   std::string html = "<dl class=\"facts\">\n";
   if (!result.metrics.empty()) {
-    html += fact("Largest twist shear", number_text(twist), "");
-    html += fact("Smallest lumen over rest", number_text(lumen), "");
-    html += fact("Largest contact pressure", number_text(pressure), result.stress_unit);
+    html += fact("Largest twist shear", cell_text(twist), "");
+    html += fact("Smallest lumen over rest", cell_text(lumen), "");
+    html += fact("Largest contact pressure", cell_text(pressure), result.stress_unit);
   }
   if (result.glenn)
-    html += fact("Largest gap in the seam", number_text(result.glenn->join.largest_gap), result.length_unit);
+    html += fact("Largest gap in the seam", cell_text(result.glenn->join.largest_gap), result.length_unit);
   if (const auto total = result.seconds.find("total"); total != result.seconds.end())
-    html += fact("Computed in", number_text(total->second), "s");
+    html += fact("Computed in", cell_text(total->second), "s");
   return html + "</dl>\n";
 }
 

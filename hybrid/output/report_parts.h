@@ -11,7 +11,7 @@ namespace vasorod {
 std::string html_text(const std::string& text);
 
 /// Four significant digits; a dash for what is not finite.
-std::string number_text(double value);
+std::string cell_text(double value);
 
 /// "N" where the scene's units make newtons (mN, kN, MN likewise), else "MPa cm²".
 std::string force_unit(const Result& result);

@@ -42,7 +42,7 @@ std::string html_of(const std::string& title, const Table& table) {
 }
 
 std::string vector_text(const Vec3& v) {
-  return number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z());
+  return cell_text(v.x()) + ", " + cell_text(v.y()) + ", " + cell_text(v.z());
 }
 
 std::string metrics_table(const Result& result) {
@@ -57,10 +57,10 @@ std::string metrics_table(const Result& result) {
                 "Largest pressure, " + result.stress_unit,
                 "Contact area, " + result.length_unit + "²"};
   for (const VesselMetrics& m : result.metrics)
-    table.rows.push_back({html_text(m.vessel), number_text(m.largest_twist_shear), number_text(m.stretch[0]),
-                          number_text(m.stretch[1]), number_text(m.largest_curvature),
-                          number_text(m.flattening), number_text(m.smallest_lumen_ratio),
-                          number_text(m.largest_pressure), number_text(m.contact_area)});
+    table.rows.push_back({html_text(m.vessel), cell_text(m.largest_twist_shear), cell_text(m.stretch[0]),
+                          cell_text(m.stretch[1]), cell_text(m.largest_curvature), cell_text(m.flattening),
+                          cell_text(m.smallest_lumen_ratio), cell_text(m.largest_pressure),
+                          cell_text(m.contact_area)});
   Table where;
   where.head = {"Vessel", "Extreme", "At, " + result.length_unit};
   where.text_columns = 3;
@@ -85,17 +85,17 @@ std::string glenn_table(const Result& result) {
   const auto add = [&](const std::string& what, const std::string& value, const std::string& unit) {
     table.rows.push_back({html_text(what), html_text(value + (unit.empty() ? "" : " " + unit))});
   };
-  add("Cut of " + g.svc + ", part of its length", number_text(g.cut.fraction), "");
-  add("Cut, perimeter", number_text(g.cut.perimeter), length);
+  add("Cut of " + g.svc + ", part of its length", cell_text(g.cut.fraction), "");
+  add("Cut, perimeter", cell_text(g.cut.perimeter), length);
   add("Cut, plane through", vector_text(g.cut.point), length);
   add("Cut, normal", vector_text(g.cut.normal), "");
-  add("Incision of " + g.rpa + ", length", number_text(g.incision.length), length);
+  add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
   add("Incision, ends", vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]), length);
-  add("Incision, opened area", number_text(g.incision.opened_area), length + "²");
+  add("Incision, opened area", cell_text(g.incision.opened_area), length + "²");
   add("Seam, pairs of points", std::to_string(g.join.pairs), "");
-  add("Seam, rotation", number_text(g.join.rotation_deg), "degrees");
-  add("Seam, largest gap", number_text(g.join.largest_gap), length);
-  add("Seam, root mean square gap", number_text(g.join.rms_gap), length);
+  add("Seam, rotation", cell_text(g.join.rotation_deg), "degrees");
+  add("Seam, largest gap", cell_text(g.join.largest_gap), length);
+  add("Seam, root mean square gap", cell_text(g.join.rms_gap), length);
   return html_of("The operation", table);
 }
 
@@ -117,18 +117,18 @@ std::string force_tables(const Result& result) {
                   "Smallest gap, " + result.length_unit};
   contact.text_columns = 2;
   for (const ContactReport& c : result.contact)
-    contact.rows.push_back({html_text(c.a), html_text(c.b), vector_text(c.force), number_text(c.area),
-                            number_text(c.largest_pressure), number_text(c.smallest_gap)});
+    contact.rows.push_back({html_text(c.a), html_text(c.b), vector_text(c.force), cell_text(c.area),
+                            cell_text(c.largest_pressure), cell_text(c.smallest_gap)});
   Table balance;
   balance.head = {"Vessel",          "Supports",
                   "Loads",           "Seam",
                   "Contact",         "Rod through binding",
                   "Left on the rod", "Residual over largest"};
   for (const Balance& b : result.balance)
-    balance.rows.push_back(
-        {html_text(b.vessel), vector_text(b.support), vector_text(b.load), vector_text(b.join),
-         vector_text(b.contact), b.binding ? vector_text(*b.binding) : "–",
-         b.rod_unbalanced ? vector_text(*b.rod_unbalanced) : "–", number_text(b.residual)});
+    balance.rows.push_back({html_text(b.vessel), vector_text(b.support), vector_text(b.load),
+                            vector_text(b.join), vector_text(b.contact),
+                            b.binding ? vector_text(*b.binding) : "–",
+                            b.rod_unbalanced ? vector_text(*b.rod_unbalanced) : "–", cell_text(b.residual)});
   return html_of("What the supports do", ends) + html_of("Contact", contact) +
          html_of("Balance of forces, " + force, balance);
 }
@@ -140,8 +140,8 @@ std::string energy_table(const Result& result) {
   const std::pair<const char*, double> rows[] = {
       {"rod", e.rod},         {"binding", e.binding}, {"bending", e.bending}, {"stretching", e.stretching},
       {"joining", e.joining}, {"contact", e.contact}, {"total", e.total()}};
-  for (const auto& [name, value] : rows) table.rows.push_back({name, number_text(value)});
-  if (e.strain != 0) table.rows.insert(table.rows.begin(), {"strain of the wall", number_text(e.strain)});
+  for (const auto& [name, value] : rows) table.rows.push_back({name, cell_text(value)});
+  if (e.strain != 0) table.rows.insert(table.rows.begin(), {"strain of the wall", cell_text(e.strain)});
   return html_of("Energy", table);
 }
 
@@ -151,7 +151,7 @@ std::string time_table(const Result& result) {
   const std::vector<std::string> order{"read", "fit", "factor", "solve", "write"};
   const auto add = [&](const std::string& name) {
     if (const auto found = result.seconds.find(name); found != result.seconds.end())
-      table.rows.push_back({html_text(name), number_text(found->second)});
+      table.rows.push_back({html_text(name), cell_text(found->second)});
   };
   for (const std::string& name : order) add(name);
   for (const auto& [name, seconds] : result.seconds)
@@ -210,7 +210,7 @@ std::string html_text(const std::string& text) {
   return html;
 }
 
-std::string number_text(double value) {
+std::string cell_text(double value) {
   if (!std::isfinite(value)) return "–";
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value == 0 ? 0.0 : value);

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/error.h"
+#include "geometry/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "scene/self_intersections.h"
 
@@ -70,10 +71,11 @@ void check_edges(const std::string& file, const TriangleSurface& surface) {
     while (end < sides.size() && one_edge(sides[i], sides[end])) ++end;
     const Vec3 middle = 0.5 * (point_of(surface, sides[i].from) + point_of(surface, sides[i].to));
     if (end - i > 2)
-      refuse(file, "a non-manifold edge with " + std::to_string(end - i) + " triangles at " + place(middle),
+      refuse(file,
+             "a non-manifold edge with " + std::to_string(end - i) + " triangles at " + place_text(middle),
              "at most two triangles at an edge");
     if (end - i == 2 && sides[i].from == sides[i + 1].from)
-      refuse(file, "two neighbouring triangles of opposite orientation at " + place(middle),
+      refuse(file, "two neighbouring triangles of opposite orientation at " + place_text(middle),
              "all triangles counter-clockwise seen from outside");
     i = end;
   }
@@ -117,7 +119,7 @@ void check_fans(const std::string& file, const TriangleSurface& surface) {
     if (walked != triangles_at[v])
       refuse(file,
              "a non-manifold point where two parts of the surface only touch at " +
-                 place(point_of(surface, center)),
+                 place_text(point_of(surface, center)),
              "one fan of triangles at every point");
   }
 }
@@ -135,7 +137,7 @@ void check_components(const std::string& file, const TriangleSurface& surface) {
                                          [](const auto& l, const auto& r) { return l.second < r.second; });
   refuse(file,
          std::to_string(size.size()) + " separate parts (one of " + std::to_string(smallest->second) +
-             " triangles at " + place(center_of(surface, example.at(smallest->first))) + ")",
+             " triangles at " + place_text(center_of(surface, example.at(smallest->first))) + ")",
          "one connected surface");
 }
 
@@ -160,12 +162,6 @@ double lidded_volume(const TriangleSurface& surface) {
 
 }  // namespace
 
-std::string place(const Vec3& point) {
-  std::ostringstream out;
-  out << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
-  return out.str();
-}
-
 void check_manifold(const std::string& file, const TriangleSurface& surface) {
   check_edges(file, surface);
   check_fans(file, surface);
@@ -179,12 +175,12 @@ void check_ends(const std::string& file, const TriangleSurface& surface, Role ro
     refuse(file, "a closed surface with no ends", "at least two open ends or flat lids over them");
   for (const auto& loop : loops)
     if (loop.size() < 6)
-      refuse(
-          file,
-          "an opening of " + std::to_string(loop.size()) + " edges at " + place(point_of(surface, loop[0])),
-          "ends of at least six edges and no holes");
+      refuse(file,
+             "an opening of " + std::to_string(loop.size()) + " edges at " +
+                 place_text(point_of(surface, loop[0])),
+             "ends of at least six edges and no holes");
   if (loops.size() < 2)
-    refuse(file, "one open end, at " + place(point_of(surface, loops[0][0])), "at least two");
+    refuse(file, "one open end, at " + place_text(point_of(surface, loops[0][0])), "at least two");
   const int handles = (2 - static_cast<int>(loops.size()) - euler_number(surface.triangles)) / 2;
   if (handles != 0)
     refuse(file, "a surface with " + std::to_string(handles) + (handles == 1 ? " handle" : " handles"),
@@ -204,14 +200,14 @@ void check_self_intersections(const std::string& file, const TriangleSurface& su
   const auto areas = triangle_areas(surface);
   Eigen::Index flattest = 0;
   if (areas.minCoeff(&flattest) == 0)
-    refuse(file, "a triangle of zero area at " + place(center_of(surface, static_cast<int>(flattest))),
+    refuse(file, "a triangle of zero area at " + place_text(center_of(surface, static_cast<int>(flattest))),
            "triangles with an area");
   const auto pairs = self_intersections(surface);
   if (!pairs.empty())
     refuse(file,
            "a surface that crosses itself in " + std::to_string(pairs.size()) +
                " pairs of triangles, first at " +
-               place(0.5 * (center_of(surface, pairs[0][0]) + center_of(surface, pairs[0][1]))),
+               place_text(0.5 * (center_of(surface, pairs[0][0]) + center_of(surface, pairs[0][1]))),
            "no self-intersection");
 }
 

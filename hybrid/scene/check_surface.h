@@ -9,9 +9,6 @@
 
 namespace vasorod {
 
-/// "(x, y, z)" with six digits.
-std::string place(const Vec3& point);
-
 /// At most two triangles at an edge, running it in opposite directions; one fan of triangles at a point; one
 /// component.
 void check_manifold(const std::string& file, const TriangleSurface& surface);

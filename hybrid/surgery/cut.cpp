@@ -8,10 +8,10 @@
 #include "geometry/error.h"
 #include "geometry/level_set_split.h"
 #include "geometry/plane_section.h"
+#include "geometry/sentence.h"
 #include "geometry/surface_editor.h"
 #include "geometry/triangle_surface.h"
 #include "surgery/cap.h"
-#include "surgery/sentence.h"
 
 namespace vasorod {
 namespace {

@@ -6,8 +6,8 @@
 #include "geometry/closest_point.h"
 #include "geometry/error.h"
 #include "geometry/isoline_path.h"
+#include "geometry/sentence.h"
 #include "geometry/slit.h"
-#include "surgery/sentence.h"
 
 namespace vasorod {
 namespace {

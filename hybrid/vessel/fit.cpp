@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "geometry/error.h"
+#include "geometry/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "surface/rod_search.h"
 #include "vessel/centerline.h"
@@ -12,12 +12,6 @@
 
 namespace vasorod {
 namespace {
-
-std::string place(const Vec3& p) {
-  std::ostringstream text;
-  text << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
-  return text.str();
-}
 
 // Everything the fit takes for granted about the surface.
 void check(const TriangleSurface& surface, const std::vector<Edge>& edges,
@@ -31,14 +25,15 @@ void check(const TriangleSurface& surface, const std::vector<Edge>& edges,
     throw InputError("the surface is closed, it has no open ends; expected at least two (cut the caps off)");
   if (loops.size() == 1)
     throw InputError("the surface has one open end near " +
-                     place(perimeter_centroid(surface.points, loops[0])) + ", expected at least two");
+                     place_text(perimeter_centroid(surface.points, loops[0])) + ", expected at least two");
   double widest = 0;
   for (const auto& loop : loops) widest = std::max(widest, perimeter(surface.points, loop));
   for (const auto& loop : loops) {
     const double length = perimeter(surface.points, loop);
     if (length < 0.1 * widest)
       throw InputError("the boundary loop of " + std::to_string(loop.size()) + " edges near " +
-                       place(perimeter_centroid(surface.points, loop)) + " is " + std::to_string(length) +
+                       place_text(perimeter_centroid(surface.points, loop)) + " is " +
+                       std::to_string(length) +
                        " long, a hole rather than an end; expected ends of comparable size (close the hole)");
   }
   const auto vertices = std::count(label.begin(), label.end(), 0);

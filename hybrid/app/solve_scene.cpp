@@ -146,14 +146,16 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   prediction.fidelity = fidelity;
   prediction.certified = options.certify && fidelity == Fidelity::paper;
   watch.lap("rod");
-  if (fidelity == Fidelity::rod)
-    prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
-  else if (fidelity == Fidelity::skin)
-    solve_skin(prediction);
-  else if (fidelity == Fidelity::coupled)
-    solve_coupled(prediction, options);
-  else
-    solve_paper_surfaces(prediction, options);
+  placed(scene.file.string() + ": ", [&] {
+    if (fidelity == Fidelity::rod)
+      prediction.left_out["surface"] = "fidelity rod: only the centerlines are asked for";
+    else if (fidelity == Fidelity::skin)
+      solve_skin(prediction);
+    else if (fidelity == Fidelity::coupled)
+      solve_coupled(prediction, options);
+    else
+      solve_paper_surfaces(prediction, options);
+  });
   watch.lap("solve");
 
   Result result = collect_result(prediction);

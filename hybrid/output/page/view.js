@@ -16,9 +16,10 @@
   // --- shaders: the same light as the pictures have ---
   const vertexText = `#version 300 es
     in vec3 rest, current, restNormal, currentNormal; in float value;
-    uniform mat4 view, projection; uniform float along; out vec3 normal; out float level;
+    uniform mat4 view, projection; uniform float along, nearer; out vec3 normal; out float level;
     void main() {
       gl_Position = projection * view * vec4(mix(rest, current, along), 1.0);
+      gl_Position.z -= nearer * gl_Position.w;
       normal = mat3(view) * mix(restNormal, currentNormal, along); level = value;
     }`;
   const fragmentText = `#version 300 es
@@ -48,7 +49,7 @@
   gl.linkProgram(program);
   gl.useProgram(program);
   const place = (name) => gl.getUniformLocation(program, name);
-  const uniforms = Object.fromEntries(["view", "projection", "along", "colour", "opacity", "coloured", "scale"].map((n) => [n, place(n)]));
+  const uniforms = Object.fromEntries(["view", "projection", "along", "nearer", "colour", "opacity", "coloured", "scale"].map((n) => [n, place(n)]));
 
   // --- data ---
   const positions = (text) => Float32Array.from(shorts(text), (v, i) => v * step + scene.low[i % 3] - scene.centre[i % 3]);
@@ -67,6 +68,21 @@
     }
     return sum;
   };
+  // Edges of one triangle alone: the open ends, and a slit or a seam, as the pictures show them.
+  const border = (triangles) => {
+    const alone = new Map();
+    for (let t = 0; t < triangles.length; t++) {
+      const a = triangles[t], b = triangles[t % 3 === 2 ? t - 2 : t + 1], key = Math.min(a, b) * 4294967296 + Math.max(a, b);
+      if (!alone.delete(key)) alone.set(key, [a, b]);
+    }
+    return Uint32Array.from([...alone.values()].flat());
+  };
+  const indices = (values) => {
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    return buffer;
+  };
   const attribute = (name, data, size) => {
     const at = gl.getAttribLocation(program, name);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
@@ -83,8 +99,8 @@
     attribute("current", current, 3);
     attribute("restNormal", normals(rest, triangles), 3);
     attribute("currentNormal", normals(current, triangles), 3);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    const edges = vessel.glass ? new Uint32Array() : border(triangles);
+    const edgeBuffer = indices(edges), triangleBuffer = indices(triangles);  // the last one stays bound
     const fields = scene.fields.map((_, k) => vessel.fields[k] && Float32Array.from(shorts(vessel.fields[k]), (v) => v / 65535));
     const buffers = fields.map((values) => {
       if (!values) return null;
@@ -93,7 +109,7 @@
       gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
       return buffer;
     });
-    return { ...vessel, array, buffers, count: triangles.length, shown: true };
+    return { ...vessel, array, buffers, edgeBuffer, edgeCount: edges.length, triangleBuffer, count: triangles.length, shown: true };
   });
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -146,6 +162,16 @@
         }
         gl.drawElements(gl.TRIANGLES, vessel.count, gl.UNSIGNED_INT, 0);
         gl.depthFunc(gl.LESS);
+        if (vessel.edgeCount > 0) {  // borders stand a little before the walls that they lie on
+          gl.disableVertexAttribArray(at);
+          gl.uniform1i(uniforms.coloured, 0);
+          gl.uniform3fv(uniforms.colour, [0.1, 0.1, 0.12]);
+          gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, vessel.edgeBuffer);
+          gl.uniform1f(uniforms.nearer, 0.01);
+          gl.drawElements(gl.LINES, vessel.edgeCount, gl.UNSIGNED_INT, 0);
+          gl.uniform1f(uniforms.nearer, 0);
+          gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, vessel.triangleBuffer);
+        }
       }
     }
   }

@@ -17,10 +17,7 @@ double bending_energy(double k_b, const Umbrella& umbrella, const Eigen::Ref<con
 
 double bending_energy_gradient(double k_b, const Umbrella& umbrella, const Eigen::Ref<const Points>& p,
                                const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient) {
-  Points difference = umbrella.apply(p);
-  difference -= carried;
-  umbrella.add_transpose(difference, 2 * k_b, gradient);
-  return k_b * difference.squaredNorm();
+  return k_b * umbrella.add_misfit(p, carried, 2 * k_b, gradient);
 }
 
 Eigen::SparseMatrix<double> bending_energy_hessian(double k_b, const Umbrella& umbrella) {

@@ -7,9 +7,15 @@ double binding_energy(double k_c, const Eigen::Ref<const Points>& p,
   return k_c * (p - carried).squaredNorm();
 }
 
-void binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p,
-                             const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient) {
-  gradient += 2 * k_c * (p - carried);
+double binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p,
+                               const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient) {
+  double squares = 0;
+  for (Eigen::Index i = 0; i < p.rows(); ++i) {
+    const Eigen::RowVector3d misfit = p.row(i) - carried.row(i);
+    gradient.row(i) += 2 * k_c * misfit;
+    squares += misfit.squaredNorm();
+  }
+  return k_c * squares;
 }
 
 Eigen::SparseMatrix<double> binding_energy_hessian(double k_c, int vertex_count) {

@@ -10,9 +10,9 @@ namespace vasorod {
 
 double binding_energy(double k_c, const Eigen::Ref<const Points>& p, const Eigen::Ref<const Points>& carried);
 
-/// gradient += dE/dp.
-void binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p,
-                             const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient);
+/// gradient += dE/dp; returns the energy.
+double binding_energy_gradient(double k_c, const Eigen::Ref<const Points>& p,
+                               const Eigen::Ref<const Points>& carried, Eigen::Ref<Points> gradient);
 
 /// The constant Hessian, the same for x, y and z: n x n.
 Eigen::SparseMatrix<double> binding_energy_hessian(double k_c, int vertex_count);

@@ -77,9 +77,8 @@ PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<con
   for (const PaperBlock& block : system.blocks) {
     const auto mine = p.middleRows(block.first, block.count);
     const auto carried = system.carried.middleRows(block.first, block.count);
-    terms.binding += binding_energy(block.k.binding, mine, carried);
-    binding_energy_gradient(block.k.binding, mine, carried,
-                            gradient.binding.middleRows(block.first, block.count));
+    terms.binding += binding_energy_gradient(block.k.binding, mine, carried,
+                                             gradient.binding.middleRows(block.first, block.count));
     terms.bending += bending_energy_gradient(block.k.bending, block.umbrella, mine,
                                              system.carried_laplacian.middleRows(block.first, block.count),
                                              gradient.bending.middleRows(block.first, block.count));

@@ -57,6 +57,40 @@ void Umbrella::add_transpose(const Eigen::Ref<const Points>& field, double facto
   }
 }
 
+double Umbrella::add_misfit(const Eigen::Ref<const Points>& points, const Eigen::Ref<const Points>& target,
+                            double factor, Eigen::Ref<Points> out) const {
+  const double *p = points.data(), *t = target.data();
+  double* o = out.data();
+  const Eigen::Index point_stride = points.outerStride(), target_stride = target.outerStride(),
+                     stride = out.outerStride();
+  double squares[3] = {0, 0, 0};
+  for (int i = 0; i < vertex_count(); ++i) {
+    const int begin = first_[static_cast<size_t>(i)], end = first_[static_cast<size_t>(i) + 1];
+    double misfit[3];
+    for (int c = 0; c < 3; ++c) misfit[c] = -t[target_stride * i + c];
+    if (begin < end) {
+      double sum[3] = {0, 0, 0};
+      for (int k = begin; k < end; ++k) {
+        const double* q = p + point_stride * neighbour_[static_cast<size_t>(k)];
+        for (int c = 0; c < 3; ++c) sum[c] += q[c];
+      }
+      const double weight = 1.0 / (end - begin);
+      double share[3];
+      for (int c = 0; c < 3; ++c) {
+        misfit[c] += weight * sum[c] - p[point_stride * i + c];
+        share[c] = factor * weight * misfit[c];
+        o[stride * i + c] -= factor * misfit[c];
+      }
+      for (int k = begin; k < end; ++k) {
+        double* q = o + stride * neighbour_[static_cast<size_t>(k)];
+        for (int c = 0; c < 3; ++c) q[c] += share[c];
+      }
+    }
+    for (int c = 0; c < 3; ++c) squares[c] += misfit[c] * misfit[c];
+  }
+  return squares[0] + squares[1] + squares[2];
+}
+
 Eigen::SparseMatrix<double> Umbrella::matrix() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(neighbour_.size() + first_.size());

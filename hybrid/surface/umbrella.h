@@ -20,6 +20,9 @@ class Umbrella {
   Points apply(const Eigen::Ref<const Points>& points) const;
   /// out += factor * L^T field.
   void add_transpose(const Eigen::Ref<const Points>& field, double factor, Eigen::Ref<Points> out) const;
+  /// out += factor * L^T (l(points) - target); returns |l(points) - target|^2. One sweep over the vertices.
+  double add_misfit(const Eigen::Ref<const Points>& points, const Eigen::Ref<const Points>& target,
+                    double factor, Eigen::Ref<Points> out) const;
   /// L as a matrix, n x n.
   Eigen::SparseMatrix<double> matrix() const;
 

@@ -28,6 +28,11 @@ TEST(Umbrella, MatrixAndTransposeAgreeWithApply) {
   Points back = Points::Zero(n, 3);
   umbrella.add_transpose(p, 2.5, back);
   EXPECT_TRUE(back.isApprox(2.5 * (umbrella.matrix().transpose() * p), 1e-14));
+  const Points target = random_points(n, 4);
+  const Points misfit = umbrella.matrix() * p - target;
+  back.setZero();
+  EXPECT_NEAR(umbrella.add_misfit(p, target, 2.5, back) / misfit.squaredNorm(), 1, 1e-14);
+  EXPECT_TRUE(back.isApprox(2.5 * (umbrella.matrix().transpose() * misfit), 1e-14));
 }
 
 TEST(BendingEnergy, GradientAndHessianMatchDifferences) {
@@ -44,6 +49,8 @@ TEST(BendingEnergy, GradientAndHessianMatchDifferences) {
   const auto value = [&](const Points& at) { return bending_energy(0.7, umbrella, at, carried); };
   EXPECT_LT(gradient_error(value, p, gradient(p)), 1e-8);
   EXPECT_LT(hessian_error(gradient, p, for_xyz(bending_energy_hessian(0.7, umbrella))), 1e-8);
+  Points g = Points::Zero(n, 3);
+  EXPECT_NEAR(bending_energy_gradient(0.7, umbrella, p, carried, g) / value(p), 1, 1e-14);
 }
 
 TEST(BendingEnergy, ARigidMotionOfTheRodCostsNothing) {

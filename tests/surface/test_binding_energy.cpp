@@ -27,6 +27,8 @@ TEST(BindingEnergy, GradientAndHessianMatchDifferences) {
       gradient_error([&](const Points& at) { return binding_energy(0.7, at, carried); }, p, gradient(p)),
       1e-8);
   EXPECT_LT(hessian_error(gradient, p, for_xyz(binding_energy_hessian(0.7, 6))), 1e-8);
+  Points g = Points::Zero(6, 3);
+  EXPECT_NEAR(binding_energy_gradient(0.7, p, carried, g) / binding_energy(0.7, p, carried), 1, 1e-14);
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ using Eigen::VectorXd;
 
 constexpr double armijo = 1e-4;
 constexpr int most_backtracks = 30;
+// Share of the energy below which a step's decrease may be lost: in the sum's last digits always, and where
+// large forces cancel in a small energy in many more; there the residual decides, by half.
+constexpr double last_digits = 1e-14, cancelled = 1e-8;
 
 // The last steps s and changes of gradient y, and the two-loop recursion over them. Its products s_i . y_j
 // are kept, so that each of its four sweeps over the pairs is one product with a matrix: at 10 pairs of
@@ -137,18 +140,18 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       direction *= options.largest_step / longest;
       slope *= options.largest_step / longest;
     }
-    // Near the minimum the decrease drowns in the sum's last digits: there a smaller residual at the same
-    // energy counts.
-    const double rounding = 1e-14 * std::abs(energy);
     double step = 1, new_energy = 0, new_residual = 0;
     bool accepted = false;
     for (int k = 0; k < most_backtracks && !accepted; ++k) {
       new_x = x + step * direction;
       new_energy = evaluate(new_x, new_gradient, new_residual);
       ++summary.evaluations;
-      accepted = std::isfinite(new_energy) && std::isfinite(new_residual) &&
-                 (new_energy < energy + armijo * step * slope ||
-                  (new_energy <= energy + rounding && new_residual < summary.residual));
+      accepted =
+          std::isfinite(new_energy) && std::isfinite(new_residual) &&
+          (new_energy < energy + armijo * step * slope ||
+           (new_energy <= energy + last_digits * std::abs(energy) && new_residual < summary.residual) ||
+           (std::max(new_energy - energy, -step * slope) <= cancelled * std::abs(energy) &&
+            new_residual < 0.5 * summary.residual));
       if (accepted) break;
       const double curvature = 2 * (new_energy - energy - step * slope) / (step * step);
       const double minimum = std::isfinite(curvature) && curvature > 0 ? -slope / curvature : 0;

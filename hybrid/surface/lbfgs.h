@@ -1,7 +1,7 @@
 // Limited-memory BFGS with a given preconditioner as the initial inverse Hessian, Armijo steps from 1: the
-// energy never rises. Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant
-// matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods for
-// real-time simulation, 2017.
+// energy never rises by more than its rounding. Nocedal, Updating quasi-Newton matrices with limited storage,
+// 1980; with the constant matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan,
+// Quasi-Newton methods for real-time simulation, 2017.
 #pragma once
 
 #include <Eigen/Core>

@@ -18,8 +18,9 @@ constexpr int patience_on_branch = 3;
 constexpr int inverse_iterations = 12;
 // Negative curvature below this share of the rest Hessian's along the same direction is rounding.
 constexpr double neutral_curvature = 1e-6;
-// Forces this small against stiffness times coordinates are what cancellation leaves.
-constexpr double rounding = 1e-14;
+// Forces this small against stiffness times coordinates are what cancellation leaves, unless they are more
+// than this share of the load.
+constexpr double rounding = 1e-14, share_of_load = 1e-2;
 
 }  // namespace
 
@@ -70,11 +71,21 @@ void CoupledMinimiser::factorise_rest() {
   }
 }
 
+double CoupledMinimiser::rounding_of_forces(const VectorXd& z) const {
+  const double forces = rounding * mean_stiffness_ * z.norm(), load = system_.largest_load();
+  return load > 0 ? std::min(forces, share_of_load * load) : forces;
+}
+
+bool CoupledMinimiser::load_is_hidden(const VectorXd& z) const {
+  const double load = system_.largest_load();
+  return load > 0 && load <= rounding * mean_stiffness_ * z.norm();
+}
+
 double CoupledMinimiser::evaluate(const VectorXd& z, VectorXd& g, double& residual) const {
   const CoupledTerms terms = system_.gradient(z, g);
   const double force = std::sqrt(2 * mean_stiffness_ * std::max(0.0, terms.wall));
   const double size = g.norm();
-  if (size <= rounding * mean_stiffness_ * z.norm())
+  if (size <= rounding_of_forces(z))
     residual = 0;
   else
     residual = force > 0 ? size / force : 1;

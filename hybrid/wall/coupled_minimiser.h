@@ -53,11 +53,14 @@ class CoupledMinimiser {
 
   /// The residual at z.
   double residual(const Eigen::VectorXd& z);
+  /// Whether the loads are so small that what rounding leaves of the walls' forces hides them.
+  bool load_is_hidden(const Eigen::VectorXd& z) const;
 
   double factor_nonzeros() const { return rest_factor_.factor_nonzeros(); }
 
  private:
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual) const;
+  double rounding_of_forces(const Eigen::VectorXd& z) const;
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most);

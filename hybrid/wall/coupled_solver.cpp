@@ -126,6 +126,20 @@ class CoupledSolver::Data {
     left_saddle_ |= summary.left_saddle;
   }
 
+  // A state that outlives a change of the references its rotation vectors count from.
+  struct Kept {
+    VectorXd z;
+    std::vector<std::vector<SectionPlacement>> placements;  // per wall and section
+  };
+
+  void restore(const Kept& kept) {
+    stack_.z = kept.z;
+    for (size_t w = 0; w < kept.placements.size(); ++w)
+      for (size_t k = 0; k < kept.placements[w].size(); ++k)
+        stack_.system->put_pose(static_cast<int>(w), static_cast<int>(k), kept.placements[w][k].rotation,
+                                kept.placements[w][k].position, stack_.z);
+  }
+
   // The minimum at the present time.
   CoupledStatus settle(bool stepped) {
     left_saddle_ = false;
@@ -136,7 +150,7 @@ class CoupledSolver::Data {
     const bool updates = !alone || !surfaces.contacts.empty();  // multipliers between minimisations
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
-    VectorXd best;  // the last minimum found, with the unknowns of now
+    Kept best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
@@ -148,8 +162,9 @@ class CoupledSolver::Data {
       const bool minimum = summary.status == LbfgsStatus::converged;
       const bool stalled = summary.status == LbfgsStatus::stalled && summary.residual <= rounding_residual;
       failures = minimum ? 0 : failures + 1;
-      if (minimum || best.size() != stack_.z.size()) best = stack_.z;
-      if (failures > most_failures) stack_.z = best;
+      if (minimum || best.z.size() != stack_.z.size())
+        best = {stack_.z, stack_.system->state(stack_.z).placements};
+      if (failures > most_failures) restore(best);
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return CoupledStatus::interrupted;
       const double moment_change = stack_.system->recentre(stack_.z);
@@ -179,8 +194,13 @@ class CoupledSolver::Data {
         return stack_.system->has_potential() ? CoupledStatus::converged : CoupledStatus::equilibrium_only;
       }
       if (outer >= options.max_outer || failures > most_failures ||
-          (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance && !updates))
+          (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance && !updates)) {
+        if (stack_.minimiser->load_is_hidden(stack_.z))
+          solution_.notes.push_back(
+              "the loads are smaller than what rounding leaves of the walls' forces: the result is not "
+              "theirs");
         return CoupledStatus::iteration_limit;
+      }
       if (!seam_closed) stack_.update_seams();
       if (!tied) stack_.system->update_ties(stack_.z);
       const double least = good ? finest_tolerance : options.tolerance;

@@ -152,6 +152,17 @@ bool CoupledSystem::has_potential() const {
   });
 }
 
+double CoupledSystem::largest_load() const {
+  double largest = 0;
+  for (const CoupledWall& wall : walls_)
+    for (const SectionPose& pose : wall.sections)
+      if (pose.unknowns() > 0)
+        largest = std::max({largest, pose.time() * pose.section().force.norm(),
+                            pose.time() * pose.section().moment.norm(),
+                            pose.time() * pose.section().body_moment.norm()});
+  return largest;
+}
+
 double CoupledSystem::largest_moment() const {
   double largest = 0;
   for (const CoupledWall& wall : walls_)

@@ -106,6 +106,8 @@ class CoupledSystem {
   void set_energy(int wall, WallEnergy& energy);
   /// Whether every load has an energy.
   bool has_potential() const;
+  /// Largest force or moment now that loads what can move, force or force times length.
+  double largest_load() const;
   /// Largest moment of a load, force times length.
   double largest_moment() const;
 

@@ -72,6 +72,36 @@ TEST(CoupledSolver, ReactionsAreTheEnergysDerivativeAlongTheMotion) {
   EXPECT_NEAR(middle.sections[0][1].moment.dot(axis), slope, 1e-5 * slope);
 }
 
+CoupledSolution cantilever(const HeldTube& tube, double load) {
+  HeldSection end = free_of_all(tube.end());
+  end.force = Vec3(load, 0, 0);
+  return CoupledSolver(bent(tube, strain(0, 0, 0), tube.start(), end)).solve();
+}
+
+// Far into where the energy's digits have cancelled the answer stays proportional to the load.
+TEST(CoupledSolver, TinySideLoadsAreAnsweredInProportion) {
+  const HeldTube tube = thin_tube();
+  const double compliance = cantilever(tube, 1e-6).sections[0][1].center.x() / 1e-6;
+  for (const double load : {3e-7, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 1e-10, 1e-11}) {
+    const CoupledSolution solution = cantilever(tube, load);
+    expect_settled(solution);
+    EXPECT_NEAR(solution.sections[0][1].center.x(), compliance * load, 1e-4 * compliance * load) << load;
+    EXPECT_NEAR(solution.sections[0][0].force.x(), -load, 1e-3 * load) << load;
+    EXPECT_NEAR(solution.sections[0][1].force.x(), load, 1e-3 * load) << load;
+  }
+}
+
+// ... and where the forces' have too the result says so. It is the best seen all the same: its end is pulled
+// by its load.
+TEST(CoupledSolver, LoadsThatRoundingHidesAreNamed) {
+  const double load = 3e-13;
+  const CoupledSolution solution = cantilever({30, 6, 0.6, 16, 14}, load);
+  EXPECT_EQ(solution.status, CoupledStatus::iteration_limit) << to_string(solution.status);
+  ASSERT_EQ(solution.notes.size(), 1u);
+  EXPECT_NE(solution.notes[0].find("rounding"), std::string::npos);
+  EXPECT_NEAR(solution.sections[0][1].force.x(), load, 0.1 * load);
+}
+
 TEST(CoupledSolver, RigidMotionsCostNothing) {
   const HeldTube tube = thin_tube();
   HeldSection start = tube.start(), end = tube.end();

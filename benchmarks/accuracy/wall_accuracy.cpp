@@ -47,17 +47,18 @@ void stretch() {
 }
 
 void twist() {
-  print_head("Twist: L 100, t 1, surface shear 3e-4, 48 around",
-             "| mesh | torque / (G J twist) | largest change of the radius / R |");
-  for (const TubeMesh& mesh : meshes(100, 48)) {
-    const HeldTube tube(mesh, 100, radius, 1);
-    EndMotion end;
-    end.change[5] = 3e-4 / radius;
-    const HeldAnswer answer = solve(tube, end);
-    std::printf("| %s | %.6f | %.1e%s |\n", mesh.name.c_str(),
-                answer.moment.z() / (tube.shear_modulus() * 2 * tube.inertia() * end.change[5]),
-                off_cylinder(tube, answer.positions), remark(answer.settled));
-  }
+  print_head("Twist: L 100, t 1",
+             "| mesh | around | surface shear | torque / (G J twist) | largest change of the radius / R |");
+  for (const auto& [around, shear] : {std::pair{48, 3e-4}, {48, 3e-5}, {96, 3e-4}})
+    for (const TubeMesh& mesh : meshes(100, around)) {
+      const HeldTube tube(mesh, 100, radius, 1);
+      EndMotion end;
+      end.change[5] = shear / radius;
+      const HeldAnswer answer = solve(tube, end);
+      std::printf("| %s | %d | %.0e | %.6f | %.1e%s |\n", mesh.name.c_str(), around, shear,
+                  answer.moment.z() / (tube.shear_modulus() * 2 * tube.inertia() * end.change[5]),
+                  off_cylinder(tube, answer.positions), remark(answer.settled));
+    }
 }
 
 void shear() {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "accuracy/pressed_tubes.h"
 #include "accuracy/printed.h"
@@ -65,17 +66,22 @@ void refinement() {
 void tubes() {
   print_head(
       "Two tubes that both yield, 3 into each other",
-      "| tubes, around | vertices | force | to the finer | pressures and supports | force and supports | "
+      "| tubes, around | vertices | force | to the finest | pressures and supports | force and supports | "
       "a's and b's | "
       "penetration / "
       "edge |");
-  for (const auto& [name, meeting] :
-       {std::pair{"across", Meeting::across},
-        {"side by side, soft ends", Meeting::side_by_side},
-        {"side by side, rigid ends overlap", Meeting::side_by_side_rigid_ends}}) {
-    const PressedTubes finer = two_tubes(meeting, 60);
-    row(name + std::string(", 30"), two_tubes(meeting, 30), finer.force.norm());
-    row(name + std::string(", 60"), finer, finer.force.norm());
+  struct Case {
+    std::string name;
+    Meeting meeting;
+    std::vector<int> around;
+  };
+  for (const Case& c : {Case{"across", Meeting::across, {30, 60}},
+                        {"side by side, soft ends", Meeting::side_by_side, {20, 24, 28, 30, 36, 48, 60}},
+                        {"side by side, rigid ends overlap", Meeting::side_by_side_rigid_ends, {30, 60}}}) {
+    std::vector<PressedTubes> pressed;
+    for (const int around : c.around) pressed.push_back(two_tubes(c.meeting, around));
+    for (std::size_t i = 0; i < pressed.size(); ++i)
+      row(c.name + ", " + std::to_string(c.around[i]), pressed[i], pressed.back().force.norm());
   }
 }
 

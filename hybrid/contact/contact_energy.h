@@ -1,5 +1,5 @@
 // Contact as an area-weighted gap penalty with augmented Lagrangian: E = sum_i A_i / (2 k) (p_i^2 - m_i^2),
-// p_i = max(0, m_i - k g_i). g is the gap of a vertex to the tangent plane of its closest feature, m the
+// p_i = max(0, m_i - k g_i). g is the gap of a vertex to the plane that faces it, m the
 // multiplier; after each minimum m = p, so p tends to the pressure whatever k, and is exactly 0 where the
 // walls are apart. Units: g length, p and m stress, k stress / length, A length^2 (rest area of the vertex),
 // E force * length.

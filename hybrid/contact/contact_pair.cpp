@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/normal_foot.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -19,22 +20,21 @@ struct Feature {
   double distance = 0;  // along the interpolated normal
 };
 
-Feature closest_feature(const ClosestPoint& surface, const Triangles& triangles, const Points& normals,
-                        const std::vector<char>& excluded, const Vec3& point, const Vec3& point_normal) {
+Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface, const Points& normals,
+                       const std::vector<char>& excluded, const Vec3& point, const Vec3& point_normal) {
   Feature feature;
-  const ClosestPoint::Hit hit = surface.query(point);
+  const ClosestPoint::Hit hit = finder.query(point);
   if (hit.on_boundary) return feature;
-  feature.weight = hit.barycentric;
-  feature.normal.setZero();
+  const NormalFoot foot = normal_foot(finder, surface, normals, point, hit);
+  feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
-    const int v = triangles(hit.triangle, k);
+    const int v = surface.triangles(foot.triangle, k);
     if (!excluded.empty() && excluded[static_cast<size_t>(v)]) return feature;
     feature.vertex[static_cast<size_t>(k)] = v;
-    feature.normal += hit.barycentric[k] * normals.row(v).transpose();
   }
-  if (feature.normal.norm() < 0.1) return feature;  // a fold: no outside
-  feature.normal.normalize();
-  feature.distance = feature.normal.dot(point - hit.point);
+  if (foot.normal.norm() < 0.1) return feature;  // a fold: no outside
+  feature.normal = foot.normal.normalized();
+  feature.distance = foot.height;
   if (feature.normal.dot(point_normal) > facing_same_way) {
     feature.swallowed = hit.signed_distance < 0;
     return feature;
@@ -59,9 +59,8 @@ double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
     if (!rest_) rest_.emplace(master_.rest);
-    const Feature feature =
-        closest_feature(*rest_, master_.rest.triangles, master_rest_normals_, master_.excluded,
-                        slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
+    const Feature feature = facing_feature(*rest_, master_.rest, master_rest_normals_, master_.excluded,
+                                           slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
     const double gap = feature.valid ? feature.distance - slave_.offset - master_.offset : 0;
     // Walls that touch at rest must not press by rounding: a slack far below any length that matters.
     value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
@@ -91,16 +90,17 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     multiplier_.setZero();
     return;
   }
+  const TriangleSurface now{master, master_.rest.triangles};
   if (!current_)
-    current_.emplace(TriangleSurface{master, master_.rest.triangles});
+    current_.emplace(now);
   else
     current_->refit(master);
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
-  const Points master_normals = vertex_normals({master, master_.rest.triangles});
+  const Points master_normals = vertex_normals(now);
   Eigen::VectorXd kept = Eigen::VectorXd::Zero(multiplier_.size());
   for (const int i : near) {
-    const Feature feature = closest_feature(*current_, master_.rest.triangles, master_normals,
-                                            master_.excluded, slave.row(i), slave_normals.row(i));
+    const Feature feature =
+        facing_feature(*current_, now, master_normals, master_.excluded, slave.row(i), slave_normals.row(i));
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     if (!feature.valid || feature.distance - offsets > reach) continue;

@@ -1,11 +1,11 @@
-// Two surfaces that may touch: the vertices of one, the slave, against the closest features of the other, the
-// master.
+// Two surfaces that may touch: the vertices of one, the slave, against the wall of the other, the master,
+// where its normals reach them (normal_foot.h).
 //
 // The gap is between outer walls and counts from rest: g = d - o_slave - o_master - min(0, the same at rest),
-// d the distance along the master's interpolated normal, o the way from each surface to its outer face. So
-// what overlaps at rest carries no pressure there. Left out: hits on the rim of an open end, walls that face
-// the same way (the far wall of a vessel that a shallow one overlaps), and the vertices and triangles that
-// the caller excludes.
+// d the height over the master along its interpolated normal, o the way from each surface to its outer face.
+// So what overlaps at rest carries no pressure there. Left out: hits on the rim of an open end, walls that
+// face the same way (the far wall of a vessel that a shallow one overlaps), and the vertices and triangles
+// that the caller excludes.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ class ContactPair {
   /// `stiffness`: k of contact_energy.h, stress / length.
   ContactPair(ContactSide slave, ContactSide master, double stiffness);
 
-  /// Finds the closest features at these positions; contacts() are then those with a gap below `reach`
+  /// Finds what faces what at these positions; contacts() are then those with a gap below `reach`
   /// (length). Multipliers survive for vertices that stay in contact's reach.
   void refresh(const Points& slave, const Points& master, double reach);
 

@@ -29,6 +29,15 @@ TEST(ContactAccuracy, TwoTubesThatBothYieldPressAlikeOnTwoMeshes) {
   EXPECT_NEAR(coarse.force.norm(), fine.force.norm(), 0.02 * fine.force.norm());
 }
 
+// Held in the mean only they slide on each other until the contact's places are where they press.
+TEST(ContactAccuracy, TwoTubesBetweenSoftEndsSettleSideBySide) {
+  const PressedTubes coarse = two_tubes(Meeting::side_by_side, 20),
+                     fine = two_tubes(Meeting::side_by_side, 28);
+  expect_kept(coarse);
+  expect_kept(fine);
+  EXPECT_NEAR(coarse.force.norm(), fine.force.norm(), 0.02 * fine.force.norm());
+}
+
 TEST(ContactAccuracy, ARingOnAPlateHasItsClosedFormStiffness) {
   const RingOnPlate ring = ring_on_plate(64, 0.02);
   EXPECT_TRUE(ring.settled);

@@ -47,8 +47,9 @@ struct Problem {
 };
 
 TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
-  // k_s/k_b -> iterations to 1e-6 that the tables of the reference give for 3.2k vertices, with room
-  for (const auto& [ratio, most] : {std::pair{0.01, 8}, std::pair{0.1, 16}, std::pair{1.0, 52}}) {
+  // k_s/k_b -> iterations to 1e-6 for 3.2k vertices, with room: 18 for the last, where the springs' whole
+  // bound in the constant matrix takes 26 by the tables of the reference
+  for (const auto& [ratio, most] : {std::pair{0.01, 8}, std::pair{0.1, 16}, std::pair{1.0, 22}}) {
     Problem problem(40, 80, {0.1, 1, ratio});
     KeptFactor bound;
     PaperMinimiser minimiser(problem.system, bound);

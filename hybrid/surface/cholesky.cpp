@@ -3,10 +3,12 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "surface/blas.h"
+#include "surface/single_factor.h"
 
 namespace vasorod {
 
@@ -17,6 +19,8 @@ struct Cholesky::Data {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *work_e = nullptr;
   bool factorised = false;
+  bool tried = false;  // whether `single` is there if it will do
+  std::optional<SingleFactor> single;
 
   Data() {
     cholmod_start(&common);
@@ -41,6 +45,8 @@ struct Cholesky::Data {
 };
 
 namespace {
+
+constexpr double largest_difference = 1e-3;  // of a preconditioner: far below what it is wrong by itself
 
 // CHOLMOD's view of an Eigen matrix; CHOLMOD does not write through it.
 cholmod_sparse view_of(const Matrix& m) {
@@ -133,6 +139,8 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
 bool Cholesky::factorise(const Matrix& matrix) {
   const OneCholmodThread one_thread;
   Data& d = *data_;
+  d.tried = false;
+  d.single.reset();
   cholmod_sparse view = view_of(matrix);
   d.common.status = CHOLMOD_OK;
   cholmod_factorize(&view, d.factor, &d.common);
@@ -155,6 +163,23 @@ void Cholesky::solve(const double* b, double* x, int columns) {
                       &d.common))
     throw std::runtime_error("the sparse solve ran out of memory");
   std::copy_n(static_cast<const double*>(d.solution->x), rhs.nzmax, x);
+}
+
+void Cholesky::precondition(const double* b, double* x, int columns) {
+  Data& d = *data_;
+  if (!d.tried) {
+    d.tried = true;
+    d.single.emplace(*d.factor);
+    const auto size = static_cast<Eigen::Index>(d.factor->n) * columns;
+    Eigen::VectorXd exact(size), single(size);
+    solve(b, exact.data(), columns);
+    d.single->solve(b, single.data(), columns);
+    if (!((single - exact).norm() < largest_difference * exact.norm())) d.single.reset();
+  }
+  if (d.single)
+    d.single->solve(b, x, columns);
+  else
+    solve(b, x, columns);
 }
 
 bool Cholesky::analysed() const {

@@ -37,6 +37,10 @@ class Cholesky {
   /// x = A^-1 b for `columns` right-hand sides, column-major.
   void solve(const double* b, double* x, int columns);
 
+  /// The same as a preconditioner: in single precision (single_factor.h), as long as the first solve with a
+  /// new factor shows that it differs by less than a thousandth.
+  void precondition(const double* b, double* x, int columns);
+
   bool analysed() const;
   bool factorised() const;
   /// Entries of the factor.

@@ -14,6 +14,9 @@ class KeptFactor {
   /// x = A^-1 b for `columns` right-hand sides, column-major.
   void solve(const double* b, double* x, int columns) { cholesky_.solve(b, x, columns); }
 
+  /// The same as a preconditioner (Cholesky::precondition).
+  void precondition(const double* b, double* x, int columns) { cholesky_.precondition(b, x, columns); }
+
   int factorisations() const { return factorisations_; }  ///< since construction
 
  private:

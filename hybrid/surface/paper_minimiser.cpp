@@ -65,10 +65,10 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
   return energy;
 }
 
-void PaperMinimiser::solve(KeptFactor& factor, const VectorXd& gradient, VectorXd& direction) {
+void PaperMinimiser::precondition(KeptFactor& factor, const VectorXd& gradient, VectorXd& direction) {
   columns_ = points_of(gradient);
   solution_.resize(columns_.rows(), 3);
-  factor.solve(columns_.data(), solution_.data(), 3);
+  factor.precondition(columns_.data(), solution_.data(), 3);
   points_of(direction) = solution_;
 }
 
@@ -96,7 +96,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
     p = points_of(x);
   };
   const Preconditioner by_constant = [this](const VectorXd& gradient, VectorXd& direction) {
-    solve(constant_, gradient, direction);
+    precondition(constant_, gradient, direction);
   };
   const Preconditioner by_hessian = [this](const VectorXd& gradient, VectorXd& direction) {
     hessian_.solve(gradient.data(), direction.data(), 1);
@@ -136,7 +136,7 @@ void PaperMinimiser::local_global_step(Points& p) {
   evaluate(x, gradient, ignored);
   if (!bound_.factorise(paper_energy_bound(system_, p)))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
-  solve(bound_, gradient, direction);
+  precondition(bound_, gradient, direction);
   x -= direction;
   p = points_of(x);
 }

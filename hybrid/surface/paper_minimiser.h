@@ -50,7 +50,7 @@ class PaperMinimiser {
 
  private:
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
-  void solve(KeptFactor& factor, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction);
+  void precondition(KeptFactor& factor, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction);
   bool factorise_hessian(const Points& p, double& blend, int& factorisations);
 
   const PaperSystem& system_;

@@ -102,7 +102,7 @@ double CoupledMinimiser::residual(const VectorXd& z) {
 void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
   work_ = g;
   apply(turns_, true, work_);
-  rest_factor_.solve(work_.data(), direction.data(), 1);
+  rest_factor_.precondition(work_.data(), direction.data(), 1);
   apply(turns_, false, direction);
 }
 

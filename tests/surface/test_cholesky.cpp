@@ -43,6 +43,50 @@ TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
   }
 }
 
+// In single precision: near the exact one, symmetric and positive.
+TEST(Cholesky, PreconditionsAlmostAsItSolves) {
+  const Matrix a = random_positive(400, 1, 0);
+  const Eigen::MatrixXd rhs = random_points(400, 2);
+  Cholesky cholesky;
+  cholesky.analyse(a);
+  ASSERT_TRUE(cholesky.factorise(a));
+  Eigen::MatrixXd exact(400, 3), x(400, 3);
+  cholesky.solve(rhs.data(), exact.data(), 3);
+  cholesky.precondition(rhs.data(), x.data(), 3);
+  EXPECT_NE(x, exact);
+  EXPECT_TRUE(x.isApprox(exact, 1e-6));
+  const Eigen::Matrix3d products = rhs.transpose() * x;
+  EXPECT_TRUE(products.isApprox(products.transpose(), 1e-5));
+  EXPECT_GT(products.diagonal().minCoeff(), 0);
+  Eigen::VectorXd alone(400);
+  cholesky.precondition(rhs.data(), alone.data(), 1);
+  EXPECT_EQ(alone, x.col(0));
+}
+
+// A clamped beam of 3,000 differences, condition 1e13: single precision would make another beam of it.
+TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
+  constexpr int n = 3000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i)
+    for (const auto& [away, value] : {std::pair{0, 6.0}, {1, -4.0}, {2, 1.0}}) {
+      if (i + away >= n) continue;
+      entries.emplace_back(i, i + away, value);
+      if (away > 0) entries.emplace_back(i + away, i, value);
+    }
+  Matrix m(n, n);
+  m.setFromTriplets(entries.begin(), entries.end());
+  Cholesky cholesky;
+  cholesky.analyse(m);
+  ASSERT_TRUE(cholesky.factorise(m));
+  const Eigen::VectorXd load = Eigen::VectorXd::Ones(n);
+  Eigen::VectorXd exact(n), first(n), second(n);
+  cholesky.solve(load.data(), exact.data(), 1);
+  cholesky.precondition(load.data(), first.data(), 1);
+  cholesky.precondition(load.data(), second.data(), 1);
+  EXPECT_EQ(first, exact);
+  EXPECT_EQ(second, exact);
+}
+
 TEST(Cholesky, OrdersByBlocksOfThree) {
   const Matrix graph = random_positive(20, 3, 6);
   std::vector<Eigen::Triplet<double>> entries;

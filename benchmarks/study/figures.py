@@ -96,7 +96,12 @@ def sensitivity_picture(rows, path):
                 else:
                     axis.plot(x, y, color=COLOURS[model], label=model)
             axis.set_xscale("log")
-            if quantity == "reaction":
+            low, high = axis.get_ylim()
+            if quantity == "variation" and high < 1e-4:  # nothing that could be seen: not rounding's shape, drawn large
+                axis.set_ylim(-1e-4, 1e-3)
+            elif quantity == "reaction" and high < 1.01 * low:
+                axis.set_ylim(0.98 * low, 1.02 * high)
+            elif quantity == "reaction":
                 axis.set_yscale("log")
             axis.set_xlabel(f"factor on {modulus}")
             axis.set_ylabel("variation, RMS over R" if quantity == "variation" else "reaction, max(|F|, |M|/R)")

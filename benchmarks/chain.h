@@ -15,8 +15,8 @@ inline Mat6 stiffness(double ga, double ea, double ei, double gj) {
   return d.asDiagonal();
 }
 
-/// Appends a branch of equal elements; returns its last node. `start` is relative to the frame of node
-/// `from`.
+/// Appends a branch of equal elements; returns its last node. `start` is relative to the frame of
+/// node `from`.
 inline int append(RodTree& tree, int from, const Pose& start, double length, const Vec3& curvature,
                   int elements, const Mat6& c) {
   RodBranch branch;

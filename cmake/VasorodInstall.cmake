@@ -1,9 +1,8 @@
-# Installs the program, the libraries, their headers and the package files for find_package(vasorod).
+# Installs the program, the libraries, the public headers and the package files for find_package(vasorod).
 include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY VASOROD_LIBRARIES)
 install(TARGETS ${libraries} EXPORT vasorodTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/hybrid/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vasorod
-  FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/hybrid/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vasorod)
 install(EXPORT vasorodTargets NAMESPACE vasorod:: DESTINATION ${package_folder})
 configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/vasorodConfig.cmake.in

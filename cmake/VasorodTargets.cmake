@@ -22,8 +22,9 @@ function(vasorod_library name)
   add_library(vasorod_${name} STATIC ${ARG_SOURCES})
   add_library(vasorod::${name} ALIAS vasorod_${name})
   set_target_properties(vasorod_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(vasorod_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/vasorod>)
+  target_include_directories(vasorod_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid>
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(vasorod_${name} PUBLIC cxx_std_20)
   target_link_libraries(vasorod_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:vasorod_warnings> ${ARG_PRIVATE_LINKS})

@@ -11,8 +11,8 @@ double length(const System& system, const Eigen::VectorXd& unknowns) {
   return unknowns.head(system.size() - system.multipliers()).norm();
 }
 
-/// Quadratic (with two points linear) extrapolation of the path to the arc length `step` after its newest
-/// point, which is the last of `history`.
+/// Quadratic (with two points linear) extrapolation of the path to the arc length `step` after its
+/// newest point, which is the last of `history`.
 struct Guess {
   double load = 0;
   Eigen::VectorXd unknowns;  ///< from the newest point
@@ -39,7 +39,8 @@ void append(std::vector<PathPoint>& history, double load, const Eigen::VectorXd&
 }
 
 bool follow_arc(const System& system, State& state, System::Assembly& assembly,
-                std::vector<PathPoint> history, const StepperOptions& options, StepperSummary& summary) {
+                std::vector<PathPoint> history, const StepperOptions& options,
+                StepperSummary& summary) {
   if (history.size() < 2) return false;
   Newton newton(system, options, summary);
   State best = state, now = state;
@@ -113,7 +114,8 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
     }
     if (arrives) return settle_for_best(true);
     if (load < -1)
-      return settle_for_best(false);  // a deep snap may need the load reversed, but not beyond its size
+      return settle_for_best(
+          false);  // a deep snap may need the load reversed, but not beyond its size
     if (newton.iterations() <= 4) step = std::min(1.5 * step, 30 * start_step);
     if (newton.iterations() >= 9) step /= 1.5;
   }

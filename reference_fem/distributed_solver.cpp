@@ -1,8 +1,7 @@
 #include "reference_fem/distributed_solver.h"
 
-#include <petscmat.h>
-
 #include <algorithm>
+#include <petscmat.h>
 #include <stdexcept>
 #include <vector>
 
@@ -25,19 +24,22 @@ class Mumps final : public LinearSolver::Method {
     MatDestroy(&matrix_);
   }
 
-  bool factor(const Sparse& matrix, bool symmetric, int multipliers, LinearSolver::Fallback) override {
+  bool factor(const Sparse& matrix, bool symmetric, int multipliers,
+              LinearSolver::Fallback) override {
     if (matrix_ == nullptr) create(matrix);
     check(MatZeroEntries(matrix_));
     for (int j = 0; j < matrix.outerSize(); ++j) {
       const int begin = matrix.outerIndexPtr()[j], count = matrix.outerIndexPtr()[j + 1] - begin;
-      check(MatSetValues(matrix_, count, matrix.innerIndexPtr() + begin, 1, &j, matrix.valuePtr() + begin,
-                         ADD_VALUES));
+      check(MatSetValues(matrix_, count, matrix.innerIndexPtr() + begin, 1, &j,
+                         matrix.valuePtr() + begin, ADD_VALUES));
     }
     check(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
     check(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
     MatDestroy(&factor_);
-    check(MatGetFactor(matrix_, MATSOLVERMUMPS, symmetric ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU, &factor_));
-    check(MatMumpsSetIcntl(factor_, 13, 1));   // no ScaLAPACK at the root, or its pivots are not counted
+    check(MatGetFactor(matrix_, MATSOLVERMUMPS, symmetric ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU,
+                       &factor_));
+    check(MatMumpsSetIcntl(factor_, 13,
+                           1));  // no ScaLAPACK at the root, or its pivots are not counted
     check(MatMumpsSetIcntl(factor_, 14, 60));  // per cent of spare room: pivoting fills in
     MatFactorInfo info;
     check(MatFactorInfoInitialize(&info));
@@ -91,8 +93,8 @@ class Mumps final : public LinearSolver::Method {
     check(MatCreate(PETSC_COMM_WORLD, &matrix_));
     check(MatSetSizes(matrix_, PETSC_DECIDE, PETSC_DECIDE, n, n));
     check(MatSetType(matrix_, MATMPIAIJ));
-    // room for the sum of what the processes have in a row: too much where they share entries, never too
-    // little
+    // room for the sum of what the processes have in a row: too much where they share entries,
+    // never too little
     Eigen::VectorXd entries = Eigen::VectorXd::Zero(n);
     for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k) entries[matrix.innerIndexPtr()[k]] += 1;
     team_.sum(entries.data(), static_cast<std::size_t>(n));

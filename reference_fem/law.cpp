@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
 
 namespace vasorod::fem {
 namespace {
@@ -86,7 +86,8 @@ MaterialLaw::MaterialLaw(LawKind kind, const Moduli& m) : kind_(kind) {
     throw InputError("wall: the moduli are not those of a stable material: " + why);
   if ((kind == LawKind::neo_hookean || kind == LawKind::split_neo_hookean) && !m.is_isotropic)
     throw InputError(
-        "wall: the neo-Hookean law is isotropic here, found a transversely isotropic wall; expected law biot "
+        "wall: the neo-Hookean law is isotropic here, found a transversely isotropic wall; "
+        "expected law biot "
         "or svk");
   stiffness_ = stiffness(m);
   mu_ = m.shear;
@@ -125,8 +126,9 @@ Response MaterialLaw::evaluate(const Mat3& F) const {
   return out;
 }
 
-// T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester equations with
-// U, solved in U's eigenbasis by dividing by sums of stretches, so repeated stretches need no special case.
+// T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester
+// equations with U, solved in U's eigenbasis by dividing by sums of stretches, so repeated
+// stretches need no special case.
 Response MaterialLaw::biot(const Mat3& C) const {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(C);
   const Mat3& N = eigen.eigenvectors();
@@ -136,11 +138,12 @@ Response MaterialLaw::biot(const Mat3& C) const {
     return N * (N.transpose() * right * N).cwiseQuotient(sums) * N.transpose();
   };
   // U - I = (C - I) (U + I)^-1, without cancellation at small strain
-  const Mat3 strain =
-      N *
-      ((N.transpose() * (C - Mat3::Identity()) * N).diagonal().cwiseQuotient(stretch + Vec3::Ones()))
-          .asDiagonal() *
-      N.transpose();
+  const Mat3 strain = N *
+                      ((N.transpose() * (C - Mat3::Identity()) * N)
+                           .diagonal()
+                           .cwiseQuotient(stretch + Vec3::Ones()))
+                          .asDiagonal() *
+                      N.transpose();
   const Vec6 strain6 = strain_vector(strain);
   const Vec6 T6 = stiffness_ * strain6;
 

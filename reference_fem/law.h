@@ -1,25 +1,25 @@
-// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent at one
-// deformation gradient.
+// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent at
+// one deformation gradient.
 //
 //   Biot                 W = 1/2 (U - I) : C : (U - I),  U = sqrt(F^T F)
 //   St. Venant-Kirchhoff W = 1/2 E : C : E,              E = (F^T F - I) / 2
 //   neo-Hookean          W = mu/2 (I1 - 3) - mu ln J + lambda/2 ln^2 J
-//   split neo-Hookean    W = mu/2 (J^-2/3 I1 - 3) + kappa/4 (J^2 - 1 - 2 ln J)   (quasi-incompressible with a
-//   large kappa)
+//   split neo-Hookean    W = mu/2 (J^-2/3 I1 - 3) + kappa/4 (J^2 - 1 - 2 ln J)
+//   (quasi-incompressible with a large kappa)
 //
-// C is transversely isotropic with the third local axis as fibre (isotropic as its special case); the
-// neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's third column,
-// so no stiffness is ever rotated.
+// C is transversely isotropic with the third local axis as fibre (isotropic as its special case);
+// the neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's
+// third column, so no stiffness is ever rotated.
 #pragma once
 
 #include <string>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::fem {
 
-/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` fills the special
-/// case.
+/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` fills the
+/// special case.
 struct Moduli {
   double axial = 1;       ///< E_L
   double transverse = 1;  ///< E_T
@@ -49,7 +49,8 @@ inline Mat3 stress_tensor(const Vec6& s) {
   return S;
 }
 
-/// Response at a point. S and E in the order 11 22 33 12 13 23; the tangent is dS/dE with engineering shears.
+/// Response at a point. S and E in the order 11 22 33 12 13 23; the tangent is dS/dE with
+/// engineering shears.
 struct Response {
   double energy = 0;            ///< stress
   Vec6 stress = Vec6::Zero();   ///< S, local axes
@@ -69,8 +70,8 @@ std::string to_string(LawKind kind);
 
 class MaterialLaw {
  public:
-  /// Throws InputError (a sentence with the inequality) for inadmissible moduli, and for a transversely
-  /// isotropic neo-Hookean wall, which this program does not have.
+  /// Throws InputError (a sentence with the inequality) for inadmissible moduli, and for a
+  /// transversely isotropic neo-Hookean wall, which this program does not have.
   MaterialLaw(LawKind kind, const Moduli& moduli);
   /// The split neo-Hookean law by its shear and bulk moduli.
   static MaterialLaw split(double mu, double kappa);

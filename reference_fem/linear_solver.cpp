@@ -4,14 +4,15 @@
 #include <Eigen/Dense>
 #include <Eigen/UmfPackSupport>
 
+#include "numerics/blas.h"
 #include "reference_fem/distributed_solver.h"
-#include "surface/blas.h"
 
 namespace vasorod::fem {
 namespace {
 
-/// CHOLMOD and UMFPACK. A symmetric matrix with constraints is tried as K + gamma B B^T, which is positive
-/// definite where K is so on the constraints; the multipliers follow from their Schur complement.
+/// CHOLMOD and UMFPACK. A symmetric matrix with constraints is tried as K + gamma B B^T, which is
+/// positive definite where K is so on the constraints; the multipliers follow from their Schur
+/// complement.
 class OneProcess final : public LinearSolver::Method {
  public:
   OneProcess() { cholesky.cholmod().print = 0; }
@@ -40,7 +41,8 @@ class OneProcess final : public LinearSolver::Method {
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const override {
     const OneCholmodThread one_thread;
     if (!definite) return lu->solve(right);
-    return constraints.cols() > 0 ? solve_constrained(right) : Eigen::VectorXd(cholesky.solve(right));
+    return constraints.cols() > 0 ? solve_constrained(right)
+                                  : Eigen::VectorXd(cholesky.solve(right));
   }
 
  private:
@@ -48,8 +50,8 @@ class OneProcess final : public LinearSolver::Method {
     const Eigen::Index n = whole.cols() - multipliers;
     const Sparse K = whole.topLeftCorner(n, n);
     constraints = whole.topRightCorner(n, multipliers);
-    // Springs in place of constraints buckle earlier: with 10 in place of 1e5 a column on a soft root is
-    // called unstable below its load. More would only cost digits of the solution.
+    // Springs in place of constraints buckle earlier: with 10 in place of 1e5 a column on a soft
+    // root is called unstable below its load. More would only cost digits of the solution.
     gamma = 1e5 * K.diagonal().mean() * multipliers / constraints.squaredNorm();
     const Sparse held = K + gamma * Sparse(constraints * Sparse(constraints.transpose()));
     if (!analysed) cholesky.analyzePattern(held);
@@ -65,7 +67,8 @@ class OneProcess final : public LinearSolver::Method {
   Eigen::VectorXd solve_constrained(const Eigen::VectorXd& right) const {
     const Eigen::Index n = constraints.rows(), m = constraints.cols();
     const Eigen::VectorXd g = right.tail(m);
-    const Eigen::VectorXd x = cholesky.solve(Eigen::VectorXd(right.head(n) + gamma * (constraints * g)));
+    const Eigen::VectorXd x =
+        cholesky.solve(Eigen::VectorXd(right.head(n) + gamma * (constraints * g)));
     Eigen::VectorXd out(n + m);
     out.tail(m) = schur.solve(constraints.transpose() * x - g);
     out.head(n) = x - spread * out.tail(m);
@@ -88,7 +91,8 @@ LinearSolver::LinearSolver(const Team& team)
     : method_(team.size() > 1 ? distributed_method(team) : std::make_unique<OneProcess>()) {}
 LinearSolver::~LinearSolver() = default;
 
-bool LinearSolver::factor(const Sparse& matrix, bool symmetric, int multipliers, Fallback fallback) {
+bool LinearSolver::factor(const Sparse& matrix, bool symmetric, int multipliers,
+                          Fallback fallback) {
   return method_->factor(matrix, symmetric, multipliers, fallback);
 }
 

@@ -1,23 +1,22 @@
 // The command line of the finite-element reference: vasorod-fem solve SCENE -o DIR.
-#include <unistd.h>
-
-#include <deal.II/base/mpi.h>
-
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <deal.II/base/mpi.h>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <unistd.h>
 
-#include "geometry/error.h"
-#include "output/folder_replacement.h"
-#include "output/result_folder.h"
-#include "output/write_json.h"
+#include <vasorod/error.h>
+#include <vasorod/read_scene.h>
+#include <vasorod/result_folder.h>
+
+#include "numerics/blas.h"
 #include "reference_fem/clock.h"
 #include "reference_fem/solve_scene.h"
-#include "surface/blas.h"
+#include "result/folder_replacement.h"
 
 namespace {
 
@@ -39,7 +38,8 @@ struct Arguments {
 /// Whether this process is one of several that mpirun (Open MPI, MPICH) started.
 bool launched_as_team() {
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-    if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1) return true;
+    if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1)
+      return true;
   return false;
 }
 
@@ -57,7 +57,8 @@ int solve(Arguments& arguments) {
     options.along = arguments.cells[1];
   }
   options.stepper.interrupted = [&] {
-    return team.any(stop_asked || (arguments.time_limit > 0 && fem::now() - start > arguments.time_limit));
+    return team.any(stop_asked ||
+                    (arguments.time_limit > 0 && fem::now() - start > arguments.time_limit));
   };
   const bool talk = team.first() && !arguments.quiet && isatty(STDERR_FILENO) != 0;
   if (talk) options.progress = [](const std::string& line) { std::cerr << line << std::endl; };
@@ -76,8 +77,8 @@ int solve(Arguments& arguments) {
   if (arguments.json)
     std::cout << to_json(result) << std::flush;
   else if (!arguments.quiet)
-    std::cout << result.scene << ": " << to_string(result.status) << ", written to " << arguments.output
-              << std::endl;
+    std::cout << result.scene << ": " << to_string(result.status) << ", written to "
+              << arguments.output << std::endl;
   return code;
 }
 
@@ -94,26 +95,29 @@ int main(int argc, char** argv) {
   command->add_option("scene", arguments.scene, "scene file")->required();
   command->add_option("-o,--output", arguments.output, "result folder")->required();
   command->add_option("--model", arguments.options.model, "solid or shell")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ModelKind>{{"solid", ModelKind::solid}, {"shell", ModelKind::shell}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ModelKind>{
+          {"solid", ModelKind::solid}, {"shell", ModelKind::shell}}));
   command
-      ->add_option(
-          "--law", arguments.options.law,
-          "biot, svk, neo-hookean or split-neo-hookean (quasi-incompressible at a Poisson's ratio near "
-          "0.5; solid only); default: the scene's")
+      ->add_option("--law", arguments.options.law,
+                   "biot, svk, neo-hookean or split-neo-hookean (quasi-incompressible at a "
+                   "Poisson's ratio near "
+                   "0.5; solid only); default: the scene's")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, LawKind>{{"biot", LawKind::biot},
                                          {"svk", LawKind::svk},
                                          {"neo-hookean", LawKind::neo_hookean},
                                          {"split-neo-hookean", LawKind::split_neo_hookean}}));
-  command->add_option("--degree", arguments.options.degree, "polynomial degree, 1 to 4 (default 3)");
-  command->add_option("--refine", arguments.options.refine,
-                      "refinements after the first mesh, by 3/2 (a --mesh by 2): 0, 1 (default) or 2");
-  command->add_option("--cells", arguments.cells, "cells of the first mesh: AROUND ALONG")->expected(2);
+  command->add_option("--degree", arguments.options.degree,
+                      "polynomial degree, 1 to 4 (default 3)");
+  command->add_option(
+      "--refine", arguments.options.refine,
+      "refinements after the first mesh, by 3/2 (a --mesh by 2): 0, 1 (default) or 2");
+  command->add_option("--cells", arguments.cells, "cells of the first mesh: AROUND ALONG")
+      ->expected(2);
   command
-      ->add_option(
-          "--mesh", arguments.options.mesh,
-          "gmsh file of the tube's wall (hexahedra; quadrilaterals for the shell) in place of --cells")
+      ->add_option("--mesh", arguments.options.mesh,
+                   "gmsh file of the tube's wall (hexahedra; quadrilaterals for the shell) in "
+                   "place of --cells")
       ->excludes("--cells");
   command
       ->add_option("--first-step", arguments.options.stepper.first_step,
@@ -125,7 +129,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1e-4, 1.0));
   command->add_flag_callback(
       "--no-jumps", [&arguments] { arguments.options.stepper.largest_jump = 0.7; },
-      "take no step that snaps to another branch; follow the path through its limit points instead");
+      "take no step that snaps to another branch; follow the path through its limit points "
+      "instead");
   command
       ->add_option("--arc-steps", arguments.options.stepper.arc_steps,
                    "steps in arc length past a limit point (default 300; 0: the path ends there)")
@@ -133,7 +138,8 @@ int main(int argc, char** argv) {
   command->add_option("--threads", arguments.threads, "threads of the linear algebra (default 1)")
       ->check(CLI::Range(1, 256));
   command
-      ->add_option("--time-limit", arguments.time_limit, "seconds; then the last converged state is written")
+      ->add_option("--time-limit", arguments.time_limit,
+                   "seconds; then the last converged state is written")
       ->check(CLI::PositiveNumber);
   command->add_flag("--quiet", arguments.quiet, "no progress");
   command->add_flag("--json", arguments.json, "the result on standard output");

@@ -1,5 +1,5 @@
-// From a deal.II triangulation whose cells' corners are parameters of a chart to a Mesh. Only for the .cpp
-// files that make meshes: deal.II's headers are heavy.
+// From a deal.II triangulation whose cells' corners are parameters of a chart to a Mesh. Only for
+// the .cpp files that make meshes: deal.II's headers are heavy.
 #pragma once
 
 #include <deal.II/grid/tria.h>
@@ -10,8 +10,8 @@ namespace vasorod::fem {
 
 /// `corners` as in Mesh, by active cell index; all cells of `tria` on one level.
 template <int dim>
-Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners, const Chart& chart,
-               bool closed, int degree, const Team& team);
+Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners,
+               const Chart& chart, bool closed, int degree, const Team& team);
 
 /// Multilinear interpolation of a cell's corners at a point of the unit cell.
 inline Vec3 inside(const Eigen::Matrix3Xd& corners, const Vec3& unit) {

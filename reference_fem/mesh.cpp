@@ -1,5 +1,7 @@
 #include "reference_fem/mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_renumbering.h>
@@ -8,10 +10,8 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/tria.h>
 
-#include <algorithm>
-#include <cmath>
+#include <vasorod/error.h>
 
-#include "geometry/error.h"
 #include "reference_fem/make_mesh.h"
 
 namespace vasorod::fem {
@@ -69,7 +69,8 @@ std::vector<Eigen::Matrix3Xd> triangulate(const Block& block, const Chart& chart
 
 /// Slices of equal cell counts along the second parameter: a tube's shortest interfaces.
 template <int dim>
-void share_out(dealii::Triangulation<dim, 3>& tria, const std::vector<Eigen::Matrix3Xd>& corners, int parts) {
+void share_out(dealii::Triangulation<dim, 3>& tria, const std::vector<Eigen::Matrix3Xd>& corners,
+               int parts) {
   std::vector<std::pair<double, size_t>> order;
   for (size_t c = 0; c < corners.size(); ++c) order.emplace_back(corners[c].row(1).mean(), c);
   std::stable_sort(order.begin(), order.end(),
@@ -95,8 +96,8 @@ Mesh make(const Block& block, const Chart& chart, const Team& team) {
 }  // namespace
 
 template <int dim>
-Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners, const Chart& chart,
-               bool closed, int p, const Team& team) {
+Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners,
+               const Chart& chart, bool closed, int p, const Team& team) {
   if (p < 1 || p > 8) throw InputError("degree: found " + std::to_string(p) + "; expected 1 to 8");
   const auto degree = static_cast<unsigned>(p);
   const dealii::FE_Q<dim, 3> fe(degree);
@@ -132,7 +133,8 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
   dealii::FEValues<dim, 3> values(mapping, fe, quadrature, flags);
   mesh.shape.resize(points, local);
   mesh.unit_points.resize(3, points);
-  for (unsigned q = 0; q < points; ++q) mesh.unit_points.col(q) = unit_point<dim>(quadrature.point(q));
+  for (unsigned q = 0; q < points; ++q)
+    mesh.unit_points.col(q) = unit_point<dim>(quadrature.point(q));
   for (unsigned q = 0; q < points; ++q)
     for (unsigned a = 0; a < local; ++a) mesh.shape(q, a) = fe.shape_value(a, quadrature.point(q));
 
@@ -177,10 +179,10 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
   return mesh;
 }
 
-template Mesh make_mesh<2>(dealii::Triangulation<2, 3>&, std::vector<Eigen::Matrix3Xd>, const Chart&, bool,
-                           int, const Team&);
-template Mesh make_mesh<3>(dealii::Triangulation<3, 3>&, std::vector<Eigen::Matrix3Xd>, const Chart&, bool,
-                           int, const Team&);
+template Mesh make_mesh<2>(dealii::Triangulation<2, 3>&, std::vector<Eigen::Matrix3Xd>,
+                           const Chart&, bool, int, const Team&);
+template Mesh make_mesh<3>(dealii::Triangulation<3, 3>&, std::vector<Eigen::Matrix3Xd>,
+                           const Chart&, bool, int, const Team&);
 
 Mesh make_solid(const Block& block, const Chart& chart, const Team& team) {
   return make<3>(block, chart, team);

@@ -1,13 +1,13 @@
 // Faces of a mesh with their quadrature, and where in it a point of the parameter cube lies.
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "reference_fem/make_mesh.h"
 
 namespace vasorod::fem {
@@ -43,13 +43,15 @@ Basis basis_at(unsigned degree, double place) {
 
 /// Nodes of the unit cell's face (normal direction, side), the face's first direction fastest.
 template <int dim>
-std::vector<unsigned> face_nodes(unsigned degree, unsigned normal, int side, unsigned a, unsigned b) {
+std::vector<unsigned> face_nodes(unsigned degree, unsigned normal, int side, unsigned a,
+                                 unsigned b) {
   const auto& points = support_points<dim>(degree);
   std::vector<unsigned> local;
   for (unsigned i = 0; i < points.size(); ++i)
     if (std::abs(points[i][normal] - side) < 1e-9) local.push_back(i);
   std::sort(local.begin(), local.end(), [&](unsigned i, unsigned k) {
-    if (dim == 3 && std::abs(points[i][b] - points[k][b]) > 1e-9) return points[i][b] < points[k][b];
+    if (dim == 3 && std::abs(points[i][b] - points[k][b]) > 1e-9)
+      return points[i][b] < points[k][b];
     return points[i][a] < points[k][a];
   });
   return local;
@@ -77,8 +79,9 @@ void collect(const Mesh& mesh, int direction, int side, FaceMesh& face) {
         face.cell.push_back(c);
         face.nodes.push_back(std::move(numbers));
         const Vec3 first = corners.col(own[1]) - corners.col(own[0]);
-        face.extent.push_back(dim == 3 ? first.cross(Vec3(corners.col(own[2]) - corners.col(own[0]))).norm()
-                                       : first.norm());
+        face.extent.push_back(
+            dim == 3 ? first.cross(Vec3(corners.col(own[2]) - corners.col(own[0]))).norm()
+                     : first.norm());
       }
   }
 }
@@ -101,9 +104,10 @@ std::vector<CellRow> rows(const Mesh& mesh, const std::vector<Vec3>& at) {
         if (shift != 0 && !mesh.closed) break;
         Vec3 p = wanted;
         p[0] += shift;
-        const auto& [lo, hi] =
-            std::pair<Vec3, Vec3>(box[static_cast<size_t>(c)].col(0), box[static_cast<size_t>(c)].col(1));
-        if ((p - lo).head<dim>().minCoeff() < -slack || (hi - p).head<dim>().minCoeff() < -slack) continue;
+        const auto& [lo, hi] = std::pair<Vec3, Vec3>(box[static_cast<size_t>(c)].col(0),
+                                                     box[static_cast<size_t>(c)].col(1));
+        if ((p - lo).head<dim>().minCoeff() < -slack || (hi - p).head<dim>().minCoeff() < -slack)
+          continue;
         // Newton on the multilinear interpolation; one step in a cell with straight, parallel sides
         const Eigen::Matrix3Xd& corners = mesh.corners[static_cast<size_t>(c)];
         Vec3 unit(0.5, 0.5, dim == 3 ? 0.5 : 0);
@@ -116,11 +120,13 @@ std::vector<CellRow> rows(const Mesh& mesh, const std::vector<Vec3>& at) {
             behind[d] = 0;
             slope.col(d) = (inside(corners, ahead) - inside(corners, behind)).template head<dim>();
           }
-          const Eigen::Matrix<double, dim, 1> step = slope.inverse() * (p - here).template head<dim>();
+          const Eigen::Matrix<double, dim, 1> step =
+              slope.inverse() * (p - here).template head<dim>();
           unit.head<dim>() += step;
           if (!step.allFinite() || step.norm() < 1e-14) break;
         }
-        if (!(unit.head<dim>().minCoeff() > -1e-7 && unit.head<dim>().maxCoeff() < 1 + 1e-7)) continue;
+        if (!(unit.head<dim>().minCoeff() > -1e-7 && unit.head<dim>().maxCoeff() < 1 + 1e-7))
+          continue;
         row.cell = c;
         dealii::Point<dim> point;
         for (unsigned d = 0; d < dim; ++d) point[d] = unit[d];
@@ -128,7 +134,8 @@ std::vector<CellRow> rows(const Mesh& mesh, const std::vector<Vec3>& at) {
         for (unsigned i = 0; i < fe.n_dofs_per_cell(); ++i) row.shape[i] = fe.shape_value(i, point);
         break;
       }
-    if (row.cell < 0) throw InputError("mesh: found a gap; expected cells that fill the whole wall");
+    if (row.cell < 0)
+      throw InputError("mesh: found a gap; expected cells that fill the whole wall");
     out.push_back(std::move(row));
   }
   return out;

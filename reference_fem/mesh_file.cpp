@@ -1,17 +1,17 @@
 #include "reference_fem/mesh_file.h"
 
+#include <cmath>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
-
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "reference_fem/make_mesh.h"
 #include "reference_fem/msh_format.h"
 
@@ -66,11 +66,12 @@ Vec3 on_tube(const TubeShape& tube, const Vec3& x, int dim, const MeshFile& file
   const Vec3 in_file = file.length_unit * (tube.placement.inverse() * x);
   std::ostringstream distance;
   distance << file.length_unit * std::abs(dim == 2 ? (p[2] - 0.5) * tube.thickness_at(p[1]) : off);
-  throw InputError(
-      file.path + ": found the vertex " + written(in_file) +
-      (dim == 2 && p[1] > -slack && p[1] < 1 + slack ? ", " + distance.str() + " off the mid-wall" : "") +
-      "; expected all vertices " + (dim == 2 ? "on the mid-wall" : "in the wall") +
-      " of the scene's tube, in its start section's axes");
+  throw InputError(file.path + ": found the vertex " + written(in_file) +
+                   (dim == 2 && p[1] > -slack && p[1] < 1 + slack
+                        ? ", " + distance.str() + " off the mid-wall"
+                        : "") +
+                   "; expected all vertices " + (dim == 2 ? "on the mid-wall" : "in the wall") +
+                   " of the scene's tube, in its start section's axes");
 }
 
 /// Faces of the boundary that carry a tag lie where the tag says.
@@ -103,16 +104,16 @@ void check_cover(const Mesh& mesh, const MeshFile& file) {
     const char* name;
     int direction, side;
   };
-  for (const Part& part :
-       {Part{"start", 1, 0}, Part{"end", 1, 1}, Part{"inner wall", 2, 0}, Part{"outer wall", 2, 1}}) {
+  for (const Part& part : {Part{"start", 1, 0}, Part{"end", 1, 1}, Part{"inner wall", 2, 0},
+                           Part{"outer wall", 2, 1}}) {
     if (mesh.dim == 2 && part.direction == 2) break;
     double covered = 0;
     for (const double e : face_of(mesh, part.direction, part.side).extent) covered += e;
     if (std::abs(covered - 1) < 1e-5) continue;
     std::ostringstream percent;
     percent << 100 * covered;
-    throw InputError(file.path + ": found cells on " + percent.str() + " % of the tube's " + part.name +
-                     "; expected 100 %");
+    throw InputError(file.path + ": found cells on " + percent.str() + " % of the tube's " +
+                     part.name + "; expected 100 %");
   }
 }
 
@@ -183,9 +184,11 @@ Mesh read_surface(const MeshFile& file, const TubeShape& tube, int degree, const
 }
 
 CellCount count_cells(const Mesh& mesh) {
-  const double cells = mesh.cell_count(), start = static_cast<double>(face_of(mesh, 1, 0).nodes.size());
+  const double cells = mesh.cell_count(),
+               start = static_cast<double>(face_of(mesh, 1, 0).nodes.size());
   const double wall = mesh.dim == 3 ? static_cast<double>(face_of(mesh, 2, 0).nodes.size()) : cells;
-  return {static_cast<int>(std::lround(start * wall / cells)), static_cast<int>(std::lround(cells / start))};
+  return {static_cast<int>(std::lround(start * wall / cells)),
+          static_cast<int>(std::lround(cells / start))};
 }
 
 }  // namespace vasorod::fem

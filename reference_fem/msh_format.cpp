@@ -6,12 +6,13 @@
 #include <sstream>
 #include <vector>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
 
 namespace vasorod::fem {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& found, const std::string& expected) {
+[[noreturn]] void refuse(const std::string& path, const std::string& found,
+                         const std::string& expected) {
   throw InputError(path + ": found " + found + "; expected " + expected);
 }
 
@@ -73,7 +74,8 @@ std::map<int, long> elements_4(const std::vector<std::string>& lines) {
   return count;
 }
 
-/// $Entities of version 4.1: points, then curves, surfaces and volumes with their boxes and physical groups.
+/// $Entities of version 4.1: points, then curves, surfaces and volumes with their boxes and
+/// physical groups.
 void check_groups(const std::string& path, const std::vector<std::string>& lines) {
   std::array<long, 4> counts{};
   if (lines.empty()) return;
@@ -113,9 +115,9 @@ void check_msh(const std::string& path, int dim) {
   const int wanted = dim == 3 ? 5 : 3;
   for (const auto& [type, n] : count)
     if (type != 15 && type != 1 && type != wanted && !(dim == 3 && type == 3))
-      refuse(
-          path, std::to_string(n) + " " + element_name(type),
-          element_name(wanted) + " of first order only (curved walls come from the scene's tube, exactly)");
+      refuse(path, std::to_string(n) + " " + element_name(type),
+             element_name(wanted) +
+                 " of first order only (curved walls come from the scene's tube, exactly)");
   if (count.count(wanted) == 0 || count.at(wanted) == 0)
     refuse(path, "no " + element_name(wanted),
            "some (where gmsh has physical groups it writes grouped elements only: group the " +

@@ -54,9 +54,10 @@ bool Newton::at_load(State& state, double load, System::Assembly& assembly) {
   }
 }
 
-// The residual's derivative along the load, prescribed motions included: a difference, since it only steers
-// the way to the exact equilibrium.
-Eigen::VectorXd Newton::load_slope(const State& state, double load, const System::Assembly& assembly) {
+// The residual's derivative along the load, prescribed motions included: a difference, since it
+// only steers the way to the exact equilibrium.
+Eigen::VectorXd Newton::load_slope(const State& state, double load,
+                                   const System::Assembly& assembly) {
   constexpr double h = 1e-6;
   State ahead = state;
   system_.prescribe(ahead, load + h);
@@ -68,14 +69,16 @@ Eigen::VectorXd Newton::load_slope(const State& state, double load, const System
   return (moved.residual - assembly.residual) / h;
 }
 
-bool Newton::along(State& state, double& load, const Eigen::VectorXd& direction, System::Assembly& assembly) {
+bool Newton::along(State& state, double& load, const Eigen::VectorXd& direction,
+                   System::Assembly& assembly) {
   if (!assemble(state, load, assembly)) return false;
   for (int iteration = 0;; ++iteration) {
     const Verdict verdict = judge(assembly.relative_residual(), iteration);
     if (verdict != Verdict::go_on) return verdict == Verdict::done;
     const Eigen::VectorXd slope = load_slope(state, load, assembly);
     if (!slope.allFinite() || !factor(assembly)) return false;
-    const Eigen::VectorXd correct = -solver_.solve(assembly.residual), follow = -solver_.solve(slope);
+    const Eigen::VectorXd correct = -solver_.solve(assembly.residual),
+                          follow = -solver_.solve(slope);
     double change = -direction.dot(correct) / direction.dot(follow);
     Eigen::VectorXd step = correct + change * follow;
     if (!step.allFinite()) return false;

@@ -1,5 +1,5 @@
-// C = A^T B of cell matrices by OpenBLAS, which takes the processor's widest vectors at run time; Eigen's own
-// kernel takes those the compiler was told of, two doubles by default.
+// C = A^T B of cell matrices by OpenBLAS, which takes the processor's widest vectors at run time;
+// Eigen's own kernel takes those the compiler was told of, two doubles by default.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +7,7 @@
 namespace vasorod::fem {
 
 /// `c` must have the product's size already.
-void transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Ref<Eigen::MatrixXd> c);
+void transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                        Eigen::Ref<Eigen::MatrixXd> c);
 
 }  // namespace vasorod::fem

@@ -1,8 +1,9 @@
-// An end section: a rigid disk the wall is glued to, or a soft one of which only the mean pose is held or
-// loaded.
+// An end section: a rigid disk the wall is glued to, or a soft one of which only the mean pose is
+// held or loaded.
 //
 // Mean pose of a soft section, with weights w (sum 1) and rest arms Y = X - X0, sum w Y = 0:
-//   sum w x = c,   sum w (R Y) x (x - c) = 0   (a shell adds its directors: t^2/12 w (R D) x (D + w)).
+//   sum w x = c,   sum w (R Y) x (x - c) = 0   (a shell adds its directors: t^2/12 w (R D) x (D +
+//   w)).
 // Both are linear in x once the pose (c, R) is known; six multipliers hold them.
 #pragma once
 
@@ -10,11 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::fem {
 
-/// A displacement (or director) triple that belongs to a section: u = c - X0 + (R - I) Y, or w = (R - I) Y.
+/// A displacement (or director) triple that belongs to a section: u = c - X0 + (R - I) Y, or w = (R
+/// - I) Y.
 struct Member {
   int first_dof = 0;
   Vec3 arm = Vec3::Zero();     ///< Y: from the section's rest centre, or the rest director; length
@@ -28,8 +30,8 @@ struct Section {
   Vec3 center = Vec3::Zero();    ///< rest centre X0, length
   Mat3 axes = Mat3::Identity();  ///< rest frame (d1, d2, d3): `fixed` refers to it
   std::array<bool, 6> fixed{};   ///< x y z rx ry rz
-  /// Path of fixed components: the centre at X0 + t move along fixed axes, the rotation exp(t rotation) where
-  /// all three are fixed (one or two fixed rotations stay as they are), t the load.
+  /// Path of fixed components: the centre at X0 + t move along fixed axes, the rotation exp(t
+  /// rotation) where all three are fixed (one or two fixed rotations stay as they are), t the load.
   Vec3 move = Vec3::Zero(), rotation = Vec3::Zero();
   Vec3 force = Vec3::Zero(),
        moment = Vec3::Zero();   ///< dead, space axes, scaled by t; on components that are not fixed

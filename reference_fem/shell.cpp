@@ -27,7 +27,8 @@ Gauss gauss(int points) {
 Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points)
     : mesh_(std::move(mesh)), law_(law), depth_points_(depth_points == 2 ? 2 : 3) {
   directors_.resize(mesh_.node_count(), 3);
-  for (int i = 0; i < mesh_.node_count(); ++i) directors_.row(i) = body.director(mesh_.parameters.row(i));
+  for (int i = 0; i < mesh_.node_count(); ++i)
+    directors_.row(i) = body.director(mesh_.parameters.row(i));
   const Gauss rule = gauss(depth_points_);
   for (size_t c = 0; c < mesh_.cell_nodes.size(); ++c) {
     const auto n = static_cast<Eigen::Index>(mesh_.cell_nodes[c].size());
@@ -48,9 +49,10 @@ Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth
       const Mat3 axes = body.axes(parameter);
       for (size_t k = 0; k < rule.at.size(); ++k) {
         const double zeta = rule.at[k] * t;
-        const Mat3 G =
-            Mat3::Identity() - normal * normal.transpose() + zeta * slope + director * normal.transpose();
-        points.push_back({zeta, t * rule.weight[k] * std::abs(G.determinant()) * mesh_.weights[c][q],
+        const Mat3 G = Mat3::Identity() - normal * normal.transpose() + zeta * slope +
+                       director * normal.transpose();
+        points.push_back({zeta,
+                          t * rule.weight[k] * std::abs(G.determinant()) * mesh_.weights[c][q],
                           G.inverse() * axes, axes});
       }
     }
@@ -61,13 +63,14 @@ Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth
 std::vector<int> Shell::dofs(int cell) const {
   std::vector<int> out;
   for (int component = 0; component < 7; ++component)
-    for (const int node : mesh_.cell_nodes[static_cast<size_t>(cell)]) out.push_back(7 * node + component);
+    for (const int node : mesh_.cell_nodes[static_cast<size_t>(cell)])
+      out.push_back(7 * node + component);
   return out;
 }
 
-// Every variation of F (in local axes) is a (x) g: u_i: e_i (x) g_u, w_i: e_i (x) g_w, beta: (D + w) (x)
-// g_beta, with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n), g_beta = N zeta pull^T
-// n.
+// Every variation of F (in local axes) is a (x) g: u_i: e_i (x) g_u, w_i: e_i (x) g_w, beta: (D +
+// w) (x) g_beta, with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n), g_beta
+// = N zeta pull^T n.
 bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
@@ -104,7 +107,8 @@ bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
       const Eigen::Index at = q * depth_points_ + k;
       const Point& point = points_[c][static_cast<size_t>(at)];
       const double zeta = point.zeta, grow = 1 + zeta * beta;
-      const Mat3 F = point.axes + (du + zeta * dw + (w + zeta * beta * d) * normal.transpose()) * point.pull;
+      const Mat3 F =
+          point.axes + (du + zeta * dw + (w + zeta * beta * d) * normal.transpose()) * point.pull;
       if (!(F.determinant() > 0)) return false;
       const Response response = law_.evaluate(F);
       terms.energy += point.weight * response.energy;
@@ -151,8 +155,10 @@ bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
                                                        .block<3, 3>(3 * i, 3 * k)
                                                        .lazyProduct(slopes.middleRows<3>(3 * at));
       transposed_product(slopes, weighted, block);
-      for (const auto& [row, column, part] :
-           {std::array<Eigen::Index, 3>{i, k, 0}, {i, 3 + k, 1}, {3 + i, k, 2}, {3 + i, 3 + k, 3}}) {
+      for (const auto& [row, column, part] : {std::array<Eigen::Index, 3>{i, k, 0},
+                                              {i, 3 + k, 1},
+                                              {3 + i, k, 2},
+                                              {3 + i, 3 + k, 3}}) {
         const auto piece = block.block((part / 2) * n, (part % 2) * n, n, n);
         terms.tangent.block(row * n, column * n, n, n) = piece;
         if (k > i) terms.tangent.block(column * n, row * n, n, n) = piece.transpose();

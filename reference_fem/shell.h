@@ -1,13 +1,13 @@
-// Seven-parameter shell on the mid-surface (Bischoff and Ramm 1997; Gfrerer and Schanz 2019): displacement u,
-// director difference w and linear thickness strain beta, each FE_Q(p), with the same three-dimensional laws
-// as the solid.
+// Seven-parameter shell on the mid-surface (Bischoff and Ramm 1997; Gfrerer and Schanz 2019):
+// displacement u, director difference w and linear thickness strain beta, each FE_Q(p), with the
+// same three-dimensional laws as the solid.
 //
 //   x(zeta) = R + u + zeta (D + w),  dx/dzeta = (1 + zeta beta) (D + w),  zeta in [-t/2, t/2]
-//   G = P + zeta grad D + D n^T,     F = [P + grad u + zeta (grad D + grad w) + (1 + zeta beta) (D + w) n^T]
-//   G^-1
+//   G = P + zeta grad D + D n^T,     F = [P + grad u + zeta (grad D + grad w) + (1 + zeta beta) (D
+//   + w) n^T] G^-1
 //
-// P the projector on the surface, n its normal, grad the surface gradient, dV = det G dzeta dA. No rotation
-// is a parameter, so a rigid section is plain data for u and w.
+// P the projector on the surface, n its normal, grad the surface gradient, dV = det G dzeta dA. No
+// rotation is a parameter, so a rigid section is plain data for u and w.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,8 @@ class Shell final : public Model {
                 CellTerms& terms) const override;
 
  private:
-  void press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent, CellTerms& terms) const;
+  void press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+             CellTerms& terms) const;
 
   struct Point {
     double zeta = 0, weight = 0;  ///< weight: volume

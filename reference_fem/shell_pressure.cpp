@@ -1,5 +1,6 @@
-// Follower pressure on the shell's inner face x = R + u - t/2 (D + w): its force on that face is p n da, with
-// n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent to the mid-surface.
+// Follower pressure on the shell's inner face x = R + u - t/2 (D + w): its force on that face is p
+// n da, with n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent
+// to the mid-surface.
 #include <Eigen/Geometry>
 
 #include "geometry/rigid_motion.h"
@@ -38,7 +39,8 @@ void Shell::press(int cell, const Eigen::VectorXd& u, double load, bool want_tan
     for (Eigen::Index i = 0; i < 3; ++i)
       for (Eigen::Index k = 0; k < 3; ++k) {
         if (i == k) continue;
-        const Eigen::MatrixXd block = -p * N * (turn_along(i, k) * g2 - turn_across(i, k) * g1).transpose();
+        const Eigen::MatrixXd block =
+            -p * N * (turn_along(i, k) * g2 - turn_across(i, k) * g1).transpose();
         terms.tangent.block(i * n, k * n, n, n) += block;
         terms.tangent.block(i * n, (3 + k) * n, n, n) -= half * block;
         terms.tangent.block((3 + i) * n, k * n, n, n) -= half * block;

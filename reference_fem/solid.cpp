@@ -1,8 +1,8 @@
 #include "reference_fem/solid.h"
-#include "geometry/rigid_motion.h"
 
 #include <Eigen/Dense>
 
+#include "geometry/rigid_motion.h"
 #include "reference_fem/point_tangent.h"
 #include "reference_fem/product.h"
 #include "reference_fem/section.h"
@@ -11,7 +11,8 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-Solid::Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes) : mesh_(std::move(mesh)), law_(law) {
+Solid::Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes)
+    : mesh_(std::move(mesh)), law_(law) {
   if (law_.splits()) projection_.emplace(mesh_);
   for (size_t c = 0; c < mesh_.gradient.size(); ++c) {
     std::vector<Mat3> local;
@@ -51,8 +52,9 @@ int Solid::owner(int cell) const {
 
 std::vector<int> Solid::dofs(int cell) const {
   size_t index = 0;
-  const std::vector<int>& nodes = cell < mesh_.cell_count() ? mesh_.cell_nodes[static_cast<size_t>(cell)]
-                                                            : face_cell(cell, index)->face.nodes[index];
+  const std::vector<int>& nodes = cell < mesh_.cell_count()
+                                      ? mesh_.cell_nodes[static_cast<size_t>(cell)]
+                                      : face_cell(cell, index)->face.nodes[index];
   std::vector<int> out;
   for (int component = 0; component < 3; ++component)
     for (const int node : nodes) out.push_back(3 * node + component);
@@ -126,7 +128,8 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
     for (int q = 0; q < points; ++q) {
       const Mat3 cofactor = volume[q] * gradients[static_cast<size_t>(q)].inverse().transpose();
       for (int i = 0; i < 3; ++i)
-        change.block(q, i * n, 1, n) = mesh_.weights[c][q] * cofactor.row(i) * gradient.middleRows<3>(3 * q);
+        change.block(q, i * n, 1, n) =
+            mesh_.weights[c][q] * cofactor.row(i) * gradient.middleRows<3>(3 * q);
     }
     const Eigen::MatrixXd moments = projection_->basis().transpose() * change;
     terms.tangent.noalias() += moments.transpose() * projected.curvature * moments;
@@ -134,10 +137,10 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
   return true;
 }
 
-// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal; the residual
-// carries its opposite.
-void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const Eigen::VectorXd& u,
-                          double load, CellTerms& terms) const {
+// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal; the
+// residual carries its opposite.
+void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes,
+                          const Eigen::VectorXd& u, double load, CellTerms& terms) const {
   const auto n = static_cast<Eigen::Index>(nodes.size());
   const FaceMesh& face = pressure.face;
   Eigen::Matrix3Xd x(3, n);
@@ -149,11 +152,13 @@ void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& node
   terms.residual = Eigen::VectorXd::Zero(3 * n);
   terms.tangent = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (Eigen::Index q = 0; q < face.weights.size(); ++q) {
-    const Vec3 along = x * face.slope[0].row(q).transpose(), across = x * face.slope[1].row(q).transpose();
+    const Vec3 along = x * face.slope[0].row(q).transpose(),
+               across = x * face.slope[1].row(q).transpose();
     const double w = load * pressure.value * face.weights[q];
     const Vec3 area = along.cross(across);
     for (Eigen::Index a = 0; a < n; ++a)
-      for (Eigen::Index i = 0; i < 3; ++i) terms.residual[i * n + a] += w * face.shape(q, a) * area[i];
+      for (Eigen::Index i = 0; i < 3; ++i)
+        terms.residual[i * n + a] += w * face.shape(q, a) * area[i];
     for (Eigen::Index b = 0; b < n; ++b) {
       const Mat3 change = face.slope[1](q, b) * hat(along) - face.slope[0](q, b) * hat(across);
       for (Eigen::Index a = 0; a < n; ++a)

@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 #include "reference_fem/refinement.h"
@@ -37,8 +38,9 @@ TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
   if (options.around < 4 || options.around % multiple != 0 || options.along < 0 ||
       options.along % multiple != 0)
     throw InputError("--cells: found " + std::to_string(options.around) + " x " +
-                     std::to_string(options.along) + ", expected at least 4 around, and multiples of " +
-                     std::to_string(multiple) + " for --refine " + std::to_string(options.refine));
+                     std::to_string(options.along) +
+                     ", expected at least 4 around, and multiples of " + std::to_string(multiple) +
+                     " for --refine " + std::to_string(options.refine));
   TubeMesh mesh{options.around, options.along, options.degree, {}, 0};
   if (mesh.along == 0) {
     const double wanted = problem.shape.length / (2 * std::numbers::pi / mesh.around);
@@ -64,8 +66,8 @@ struct Level {
   TubeSolution solution;
 };
 
-/// Changes between two meshes: displacements (root mean square over the radius), reactions and energy
-/// (relative).
+/// Changes between two meshes: displacements (root mean square over the radius), reactions and
+/// energy (relative).
 struct Change {
   double displacement = 0, reaction = 0, energy = 0;
 };
@@ -96,8 +98,9 @@ void estimate_error(const std::vector<Level>& levels, int degree, double ratio, 
   std::optional<Change> coarse;
   if (n > 2) coarse = change(levels[n - 2].solution, levels[n - 3].solution);
   const auto index = [&](double Change::*member, double theory) {
-    return grid_convergence(fine.*member, coarse ? std::optional<double>((*coarse).*member) : std::nullopt,
-                            ratio, theory);
+    return grid_convergence(fine.*member,
+                            coarse ? std::optional<double>((*coarse).*member) : std::nullopt, ratio,
+                            theory);
   };
   // in the energy norm's square for energies and reactions, of L2 for displacements
   const Convergence displacement = index(&Change::displacement, degree + 1),
@@ -107,8 +110,9 @@ void estimate_error(const std::vector<Level>& levels, int degree, double ratio, 
       std::max({displacement.uncertainty, reaction.uncertainty, energy.uncertainty});
   result.discretisation->observed_order = energy.observed_order;
   const auto note = [&](const char* what, const Convergence& c) {
-    std::string line = text("u_num of %s: %.2e (GCI, r = %.1f, order %.2f %s, Fs = %.2f)", what,
-                            c.uncertainty, ratio, c.order, c.observed_order ? "used" : "assumed", c.safety);
+    std::string line =
+        text("u_num of %s: %.2e (GCI, r = %.1f, order %.2f %s, Fs = %.2f)", what, c.uncertainty,
+             ratio, c.order, c.observed_order ? "used" : "assumed", c.safety);
     if (c.observed_order) line += text(", observed %.2f", *c.observed_order);
     result.certificate.notes.push_back(line);
   };
@@ -142,9 +146,11 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
     reaction.center = problem.length_unit * solution.end_pose[e].position;
     balance.support += reaction.force;
     balance.load += problem.force_unit() * force;
-    // a tube under moments alone has forces of round-off only: moments over the radius set their size
+    // a tube under moments alone has forces of round-off only: moments over the radius set their
+    // size
     largest = std::max({largest, reaction.force.norm(), (problem.force_unit() * force).norm(),
-                        reaction.moment.norm() / problem.length_unit, problem.force_unit() * moment.norm()});
+                        reaction.moment.norm() / problem.length_unit,
+                        problem.force_unit() * moment.norm()});
     result.ends.push_back(reaction);
   }
   // pressure pushes too: only without it the ends alone are in balance
@@ -160,8 +166,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   TubeMesh mesh = first_mesh(problem, options);
   TubeMesh finest = mesh;
   for (int k = 0; k < options.refine; ++k) finest = refined(finest, options);
-  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around then lie on
-  // lines of ours, where a comparison interpolates along the axis only
+  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around
+  // then lie on lines of ours, where a comparison interpolates along the axis only
   const int points_around = 192 * (1 + (2 * mesh.degree * finest.around - 1) / 192),
             stations = 2 * mesh.degree * finest.along + 1;
 
@@ -175,27 +181,28 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   int iterations = 0;
   const double start = now();
   for (int k = 0; k <= options.refine; ++k) {
-    Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations, options.stepper,
-                                 options.team)};
+    Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations,
+                                 options.stepper, options.team)};
     const StepperSummary& summary = level.solution.summary;
     assembly += summary.assembly_seconds;
     factor += summary.factor_seconds;
     meshing += level.solution.mesh_seconds;
     iterations += summary.iterations;
     if (options.progress)
-      options.progress(text(
-          "%s %d x %d cells, p = %d, %ld unknowns: %s at load %.4f, %d steps, %d iterations, energy %.10g",
-          result.fidelity.c_str(), mesh.around, mesh.along, mesh.degree, level.solution.unknowns,
-          to_string(summary.status).c_str(), summary.load, summary.steps, summary.iterations,
-          summary.energy * problem.energy_unit()));
+      options.progress(
+          text("%s %d x %d cells, p = %d, %ld unknowns: %s at load %.4f, %d steps, %d iterations, "
+               "energy %.10g",
+               result.fidelity.c_str(), mesh.around, mesh.along, mesh.degree,
+               level.solution.unknowns, to_string(summary.status).c_str(), summary.load,
+               summary.steps, summary.iterations, summary.energy * problem.energy_unit()));
     const bool complete = summary.status == PathStatus::complete;
     // an unfinished finer mesh does not replace a finished one
     if (complete || levels.empty()) levels.push_back(std::move(level));
     if (!complete) {
       if (levels.size() > 1 || levels.back().solution.summary.status == PathStatus::complete)
         result.certificate.notes.push_back(
-            text("the mesh of %d x %d cells ended at load %.4f and is left out", mesh.around, mesh.along,
-                 summary.load));
+            text("the mesh of %d x %d cells ended at load %.4f and is left out", mesh.around,
+                 mesh.along, summary.load));
       break;
     }
     mesh = refined(mesh, options);
@@ -215,7 +222,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
         text("the load passed a maximum at %.6f and came down before it went on", load));
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(
-        "a dead moment on a freely turning section, or a pressure, has no energy: no minimum to certify");
+        "a dead moment on a freely turning section, or a pressure, has no energy: no minimum to "
+        "certify");
   estimate_error(levels, last.mesh.degree, refinement_ratio(options), result);
   result.energy.strain = problem.energy_unit() * solution.summary.energy;
   report_ends(problem, solution, result);

@@ -9,9 +9,10 @@
 namespace vasorod::fem {
 namespace {
 
-/// First guess at `load`: extrapolated through the last states, or one linear step from the only one.
-bool predict(const System& system, Newton& newton, const std::vector<PathPoint>& history, const State& last,
-             double load, State& guess, System::Assembly& assembly) {
+/// First guess at `load`: extrapolated through the last states, or one linear step from the only
+/// one.
+bool predict(const System& system, Newton& newton, const std::vector<PathPoint>& history,
+             const State& last, double load, State& guess, System::Assembly& assembly) {
   guess = last;
   system.prescribe(guess, load);
   if (history.size() < 2) return newton.linear_step(last, load, guess, assembly);
@@ -57,7 +58,8 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
       return summary;
     }
     double stop = 1;
-    while (next_stop < options.stops.size() && options.stops[next_stop] <= summary.load + 1e-12) ++next_stop;
+    while (next_stop < options.stops.size() && options.stops[next_stop] <= summary.load + 1e-12)
+      ++next_stop;
     if (next_stop < options.stops.size()) stop = std::min(stop, options.stops[next_stop]);
     double load = summary.load + step;
     if (load > stop - 0.3 * step) load = stop;
@@ -68,7 +70,8 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
       trial = guess;
       ok = newton.at_load(trial, load, trial_assembly);
     }
-    // Newton that goes further than the step itself has jumped: to another branch, over a limit point
+    // Newton that goes further than the step itself has jumped: to another branch, over a limit
+    // point
     if (ok && history.size() == 3)
       ok = system.difference(guess, trial).norm() <=
            options.largest_jump * system.difference(state, trial).norm();
@@ -90,7 +93,8 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
     summary.energy = assembly.energy;
     ++summary.steps;
     if (options.on_step) options.on_step(load, state, assembly);
-    if (newton.iterations() <= 4) step = std::max(step, std::min(1.5 * taken, options.largest_step));
+    if (newton.iterations() <= 4)
+      step = std::max(step, std::min(1.5 * taken, options.largest_step));
     if (newton.iterations() >= 9) step = std::max(taken / 1.5, options.smallest_step);
     step = std::min(step, options.largest_step);
   }

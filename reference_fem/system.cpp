@@ -1,9 +1,10 @@
 #include "reference_fem/system.h"
-#include "geometry/rigid_motion.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/rigid_motion.h"
 
 namespace vasorod::fem {
 
@@ -12,7 +13,8 @@ using std::size_t;
 namespace {
 
 /// Change of a member's value under the pose increment (translation, spin) in the section's axes.
-Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member& member, const Mat3& R) {
+Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member& member,
+                                           const Mat3& R) {
   Eigen::Matrix<double, 3, 6> columns;
   columns.leftCols<3>() = member.follows_center ? section.axes : Mat3(Mat3::Zero());
   columns.rightCols<3>() = -hat(R * member.arm) * section.axes;
@@ -45,7 +47,8 @@ void System::build_numbering() {
   symmetric_ = conservative_ = model_.symmetric();
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
-    // spins of a free rotation do not commute: symmetric only in equilibrium, and not under a dead moment
+    // spins of a free rotation do not commute: symmetric only in equilibrium, and not under a dead
+    // moment
     if (!section.rotation_fixed()) symmetric_ = false;
     if (!section.rotation_fixed() && section.moment.squaredNorm() > 0) conservative_ = false;
     if (section.soft) continue;
@@ -71,7 +74,8 @@ void System::build_numbering() {
   }
 }
 
-// Unknowns a cell touches: its own free values, then the poses of the rigid sections its nodes belong to.
+// Unknowns a cell touches: its own free values, then the poses of the rigid sections its nodes
+// belong to.
 void System::reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns,
                              std::vector<int>& sections) const {
   dofs = cell_dofs_[static_cast<size_t>(cell)];
@@ -80,7 +84,8 @@ void System::reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>&
   for (const int dof : dofs) {
     columns.push_back(index_[static_cast<size_t>(dof)]);
     const int s = member_[static_cast<size_t>(dof)].first;
-    if (s >= 0 && std::find(sections.begin(), sections.end(), s) == sections.end()) sections.push_back(s);
+    if (s >= 0 && std::find(sections.begin(), sections.end(), s) == sections.end())
+      sections.push_back(s);
   }
   for (const int s : sections)
     for (const int i : pose_index_[static_cast<size_t>(s)]) columns.push_back(i);
@@ -187,13 +192,14 @@ Eigen::VectorXd System::difference(const State& from, const State& to) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(size_);
   for (size_t d = 0; d < index_.size(); ++d)
     if (index_[d] >= 0)
-      unknowns[index_[d]] = to.u[static_cast<Eigen::Index>(d)] - from.u[static_cast<Eigen::Index>(d)];
+      unknowns[index_[d]] =
+          to.u[static_cast<Eigen::Index>(d)] - from.u[static_cast<Eigen::Index>(d)];
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
     Vec6 step;
     step.head<3>() = section.axes.transpose() * (to.pose[s].position - from.pose[s].position);
-    step.tail<3>() =
-        section.axes.transpose() * log_rotation(to.pose[s].rotation * from.pose[s].rotation.transpose());
+    step.tail<3>() = section.axes.transpose() *
+                     log_rotation(to.pose[s].rotation * from.pose[s].rotation.transpose());
     const Vec6 multiplier = to.multiplier[s] - from.multiplier[s];
     for (size_t k = 0; k < 6; ++k) {
       if (pose_index_[s][k] >= 0) unknowns[pose_index_[s][k]] = step[static_cast<Eigen::Index>(k)];
@@ -217,7 +223,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
   out.nodal = Eigen::VectorXd::Zero(model_.dof_count());
   out.section_force.assign(supports_.sections.size(), Vec6::Zero());
   if (want_tangent) {
-    if (out.tangent.rows() != size_ || out.tangent.nonZeros() != pattern_.nonZeros()) out.tangent = pattern_;
+    if (out.tangent.rows() != size_ || out.tangent.nonZeros() != pattern_.nonZeros())
+      out.tangent = pattern_;
     std::fill_n(out.tangent.valuePtr(), out.tangent.nonZeros(), 0.0);
   }
 
@@ -233,7 +240,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     reduced_columns(cell, dofs, columns, sections);
     const auto n = static_cast<Eigen::Index>(dofs.size());
 
-    if (target != nullptr && want_tangent) {  // the cell's share of what prescribed values still have to move
+    if (target != nullptr &&
+        want_tangent) {  // the cell's share of what prescribed values still have to move
       Eigen::VectorXd jump = Eigen::VectorXd::Zero(n);
       bool any = false;
       for (Eigen::Index a = 0; a < n; ++a) {
@@ -248,7 +256,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     Eigen::VectorXd residual(static_cast<Eigen::Index>(columns.size()));
     residual.setZero();
     residual.head(n) = terms.residual;
-    for (Eigen::Index a = 0; a < n; ++a) out.nodal[dofs[static_cast<size_t>(a)]] += terms.residual[a];
+    for (Eigen::Index a = 0; a < n; ++a)
+      out.nodal[dofs[static_cast<size_t>(a)]] += terms.residual[a];
 
     Eigen::MatrixXd reduced;
     const Eigen::MatrixXd* tangent = &terms.tangent;
@@ -278,7 +287,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
         out.section_force[static_cast<size_t>(s)] += force;
         // d(y x f) = y (a . f) - a (y . f) for the spin a
         const Mat3 turn = arm * unit.transpose() - arm.dot(unit) * Mat3::Identity();
-        geometric[place_of].bottomRightCorner<3, 3>() += section.axes.transpose() * turn * section.axes;
+        geometric[place_of].bottomRightCorner<3, 3>() +=
+            section.axes.transpose() * turn * section.axes;
       }
       residual.tail(T.cols()) = T.transpose() * terms.residual;
       if (want_tangent) {
@@ -289,8 +299,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
         reduced.bottomRightCorner(T.cols(), T.cols()).noalias() =
             T.transpose() * reduced.topRightCorner(n, T.cols());
         for (size_t s = 0; s < sections.size(); ++s)
-          reduced.block<6, 6>(n + 6 * static_cast<Eigen::Index>(s), n + 6 * static_cast<Eigen::Index>(s)) +=
-              geometric[s];
+          reduced.block<6, 6>(n + 6 * static_cast<Eigen::Index>(s),
+                              n + 6 * static_cast<Eigen::Index>(s)) += geometric[s];
         tangent = &reduced;
       }
     }
@@ -302,7 +312,8 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
       if (columns[b] < 0) continue;
       const auto begin = out.tangent.outerIndexPtr()[columns[b]],
                  end = out.tangent.outerIndexPtr()[columns[b] + 1];
-      for (auto p = begin; p < end; ++p) place[static_cast<size_t>(out.tangent.innerIndexPtr()[p])] = p;
+      for (auto p = begin; p < end; ++p)
+        place[static_cast<size_t>(out.tangent.innerIndexPtr()[p])] = p;
       for (size_t a = 0; a < columns.size(); ++a)
         if (columns[a] >= 0)
           values[place[static_cast<size_t>(columns[a])]] +=
@@ -338,11 +349,13 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     if (section.moment_in_body) moment = pose.rotation * moment;
     out.scale += load * section.force.norm() + moment.norm();
 
-    Vec6 internal = Vec6::Zero();  // on the pose, in the section's axes, from a soft section's multipliers
+    Vec6 internal =
+        Vec6::Zero();  // on the pose, in the section's axes, from a soft section's multipliers
     Mat6 pose_pose = Mat6::Zero();
     if (section.soft) {
       double spread = 0;
-      for (const Member& member : section.members) spread += member.weight * member.arm.squaredNorm();
+      for (const Member& member : section.members)
+        spread += member.weight * member.arm.squaredNorm();
       const Vec3 lc = state.multiplier[s].head<3>(), lr = state.multiplier[s].tail<3>() / spread;
       Vec6 gap = Vec6::Zero();
       Vec3 torque = Vec3::Zero();
@@ -423,7 +436,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     for (size_t a = 0; a < 6; ++a) {
       const int i = pose_index_[s][a];
       if (i < 0) continue;
-      out.residual[i] += internal[static_cast<Eigen::Index>(a)] - applied[static_cast<Eigen::Index>(a)];
+      out.residual[i] +=
+          internal[static_cast<Eigen::Index>(a)] - applied[static_cast<Eigen::Index>(a)];
       if (!want_tangent) continue;
       for (size_t b = 0; b < 6; ++b)
         if (pose_index_[s][b] >= 0)

@@ -1,9 +1,10 @@
-// The discrete equilibrium of a model with its supports: which unknowns are free, where the state is,
-// residual and tangent.
+// The discrete equilibrium of a model with its supports: which unknowns are free, where the state
+// is, residual and tangent.
 //
-// Unknowns: free nodal values, then the free pose components of sections (increments: translation and spin in
-// the section's rest axes), then six multipliers per soft section. Nodes of a rigid section follow its pose,
-// so prescribed motions are plain data and reactions are the consistent residual at the pose.
+// Unknowns: free nodal values, then the free pose components of sections (increments: translation
+// and spin in the section's rest axes), then six multipliers per soft section. Nodes of a rigid
+// section follow its pose, so prescribed motions are plain data and reactions are the consistent
+// residual at the pose.
 #pragma once
 
 #include <utility>
@@ -30,7 +31,8 @@ struct Supports {
 
 class System {
  public:
-  /// In a team each process assembles the cells it owns; the tangent is then its share, all else whole.
+  /// In a team each process assembles the cells it owns; the tangent is then its share, all else
+  /// whole.
   System(const Model& model, Supports supports, const Team& team = {});
 
   const Team& team() const { return team_; }
@@ -38,8 +40,8 @@ class System {
   const Supports& supports() const { return supports_; }
   int size() const { return size_; }
   bool symmetric() const { return symmetric_; }
-  /// Whether the equilibrium is that of an energy: its tangent is then symmetric there, though not on the
-  /// way.
+  /// Whether the equilibrium is that of an energy: its tangent is then symmetric there, though not
+  /// on the way.
   bool conservative() const { return conservative_; }
   /// How many of the last unknowns are multipliers.
   int multipliers() const;
@@ -58,13 +60,13 @@ class System {
     Eigen::VectorXd residual;  ///< of the unknowns
     double scale = 0;          ///< root of the sum over cells of |internal force|^2
     Sparse tangent;
-    std::vector<Vec6>
-        section_force;      ///< what a section does to the model: force, moment about its current centre
+    std::vector<Vec6> section_force;  ///< what a section does to the model: force, moment about its
+                                      ///< current centre
     Eigen::VectorXd nodal;  ///< residual at every degree of freedom (reactions at prescribed ones)
     double relative_residual() const;
   };
-  /// With `target`: the residual is linearly continued to the prescribed values of that state (a tangent
-  /// predictor).
+  /// With `target`: the residual is linearly continued to the prescribed values of that state (a
+  /// tangent predictor).
   void assemble(const State& state, double load, bool want_tangent, Assembly& out,
                 const State* target = nullptr) const;
 

@@ -1,6 +1,6 @@
-// The processes that solve together: one by default, all of an MPI launch for what outgrows one machine. The
-// state and the mesh's nodes are the same on every process; cells, and with them assembly and the factor, are
-// shared out.
+// The processes that solve together: one by default, all of an MPI launch for what outgrows one
+// machine. The state and the mesh's nodes are the same on every process; cells, and with them
+// assembly and the factor, are shared out.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "reference_fem/tube.h"
-#include "geometry/rigid_motion.h"
 
 #include <cmath>
 #include <numbers>
 
+#include "geometry/rigid_motion.h"
 #include "reference_fem/section.h"
 
 namespace vasorod::fem {
@@ -11,7 +11,8 @@ namespace vasorod::fem {
 Pose TubeShape::section(double s) const {
   const double angle = s * bend;
   // (1 - cos a) / a and sin a / a through half angles: exact also for a -> 0
-  const double half = angle / 2, sinc = std::abs(half) < 1e-8 ? 1 - half * half / 6 : std::sin(half) / half;
+  const double half = angle / 2,
+               sinc = std::abs(half) < 1e-8 ? 1 - half * half / 6 : std::sin(half) / half;
   const double chord = s * length * sinc;
   Pose local;
   local.position = Vec3(chord * std::sin(half), 0, chord * std::cos(half));

@@ -1,4 +1,5 @@
-// A tube of the scene as a chart: straight or bent axis, radius and thickness linear along it, exact.
+// A tube of the scene as a chart: straight or bent axis, radius and thickness linear along it,
+// exact.
 #pragma once
 
 #include "reference_fem/mesh.h"
@@ -19,8 +20,8 @@ struct TubeShape {
   Pose section(double s) const;
   /// Parameters (angle / 2 pi from d1 towards d2, s, depth from inner 0 to outer 1) to space.
   Vec3 point(const Vec3& parameter) const;
-  /// Back again: angle in [0, 1), s and depth unbounded; near the tube, whose axis must not pass the whole
-  /// circle.
+  /// Back again: angle in [0, 1), s and depth unbounded; near the tube, whose axis must not pass
+  /// the whole circle.
   Vec3 parameters(const Vec3& point) const;
   /// Local axes: radial, hoop, axis tangent (the fibre), as columns.
   Mat3 axes(const Vec3& parameter) const;

@@ -11,7 +11,8 @@ namespace {
 using Shares = std::map<int, double>;
 
 /// The section without members. A soft one stands at the mean of its nodes.
-Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool soft, const Shares& shares) {
+Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool soft,
+                      const Shares& shares) {
   const Pose frame = tube.section(side);
   Section section;
   section.name = side == 0 ? "start" : "end";
@@ -20,7 +21,8 @@ Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool so
   section.axes = frame.rotation;
   if (!soft) return section;
   section.center.setZero();
-  for (const auto& [node, share] : shares) section.center += share * mesh.nodes.row(node).transpose();
+  for (const auto& [node, share] : shares)
+    section.center += share * mesh.nodes.row(node).transpose();
   return section;
 }
 
@@ -32,12 +34,15 @@ Shares area_shares(const Mesh& mesh, int direction, int side) {
   for (const std::vector<int>& nodes : face.nodes) {
     const auto n = static_cast<Eigen::Index>(nodes.size());
     Eigen::Matrix3Xd x(3, n);
-    for (Eigen::Index a = 0; a < n; ++a) x.col(a) = mesh.nodes.row(nodes[static_cast<std::size_t>(a)]);
+    for (Eigen::Index a = 0; a < n; ++a)
+      x.col(a) = mesh.nodes.row(nodes[static_cast<std::size_t>(a)]);
     for (Eigen::Index q = 0; q < face.weights.size(); ++q) {
-      const Vec3 along = x * face.slope[0].row(q).transpose(), across = x * face.slope[1].row(q).transpose();
+      const Vec3 along = x * face.slope[0].row(q).transpose(),
+                 across = x * face.slope[1].row(q).transpose();
       const double w = face.weights[q] * along.cross(across).norm();
       area += w;
-      for (Eigen::Index a = 0; a < n; ++a) shares[nodes[static_cast<std::size_t>(a)]] += w * face.shape(q, a);
+      for (Eigen::Index a = 0; a < n; ++a)
+        shares[nodes[static_cast<std::size_t>(a)]] += w * face.shape(q, a);
     }
   }
   for (auto& [node, share] : shares) share /= area;
@@ -61,7 +66,8 @@ Section end_section(const Solid& solid, const TubeShape& tube, int side, bool so
   const Shares shares = area_shares(mesh, 1, side);
   Section section = place_section(mesh, tube, side, soft, shares);
   for (const auto& [node, share] : shares)
-    section.members.push_back({3 * node, mesh.nodes.row(node).transpose() - section.center, true, share});
+    section.members.push_back(
+        {3 * node, mesh.nodes.row(node).transpose() - section.center, true, share});
   return section;
 }
 
@@ -71,8 +77,10 @@ Section end_section(const Shell& shell, const TubeShape& tube, int side, bool so
   Section section = place_section(mesh, tube, side, soft, shares);
   const double t = tube.thickness_at(side);
   for (const auto& [node, share] : shares) {
-    section.members.push_back({7 * node, mesh.nodes.row(node).transpose() - section.center, true, share});
-    section.members.push_back({7 * node + 3, shell.directors().row(node), false, share * t * t / 12});
+    section.members.push_back(
+        {7 * node, mesh.nodes.row(node).transpose() - section.center, true, share});
+    section.members.push_back(
+        {7 * node + 3, shell.directors().row(node), false, share * t * t / 12});
   }
   return section;
 }

@@ -5,7 +5,8 @@
 #include <memory>
 #include <numbers>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 
@@ -16,16 +17,18 @@ std::string quoted(const std::string& text) {
   return "\"" + text + "\"";
 }
 
-[[noreturn]] void refuse(const Scene& scene, const std::string& found, const std::string& expected) {
-  throw InputError(scene.file.string() + ": found " + found + "; the finite-element reference solves " +
-                   expected);
+[[noreturn]] void refuse(const Scene& scene, const std::string& found,
+                         const std::string& expected) {
+  throw InputError(scene.file.string() + ": found " + found +
+                   "; the finite-element reference solves " + expected);
 }
 
 const VesselSpec& only_tube(const Scene& scene) {
   const std::string can = "one generated tube (`tube:`) with conditions at its ends";
   if (scene.glenn) refuse(scene, "a surgery", can);
   if (scene.explore) refuse(scene, "an exploration", can);
-  if (scene.vessels.size() != 1) refuse(scene, std::to_string(scene.vessels.size()) + " vessels", can);
+  if (scene.vessels.size() != 1)
+    refuse(scene, std::to_string(scene.vessels.size()) + " vessels", can);
   const VesselSpec& vessel = scene.vessels.front();
   if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + quoted(vessel.name), can);
   if (vessel.rod) refuse(scene, "the bare rod " + quoted(vessel.name), can);
@@ -49,14 +52,11 @@ int side_of(const TubeShape& shape, const EndSelector& end, double unit) {
   return (shape.section(0).position - at).norm() <= (shape.section(1).position - at).norm() ? 0 : 1;
 }
 
-Moduli moduli_of(const Wall& wall, double unit) {
-  if (wall.isotropic()) return Moduli::isotropic(wall.young / unit, wall.poisson);
-  return {wall.young / unit,
-          wall.transverse_young.value_or(wall.young) / unit,
-          wall.poisson,
-          wall.coupling,
-          wall.shear_modulus() / unit,
-          false};
+// The reference judges the hybrid, so it keeps moduli and laws of its own.
+Moduli moduli_of(const Material& m, double unit) {
+  if (m.is_isotropic()) return Moduli::isotropic(m.young_axial / unit, m.poisson_tt);
+  return {m.young_axial / unit, m.young_transverse / unit, m.poisson_tt,
+          m.poisson_lt,         m.shear_axial / unit,      false};
 }
 
 std::vector<EndProblem> ends_of(const Scene& scene, const TubeProblem& problem) {
@@ -90,8 +90,8 @@ std::vector<EndProblem> ends_of(const Scene& scene, const TubeProblem& problem) 
   return ends;
 }
 
-/// Abscissa of a mesh parameter: cells shrink towards the ends, where rigid sections cause edge layers of
-/// about sqrt(R t).
+/// Abscissa of a mesh parameter: cells shrink towards the ends, where rigid sections cause edge
+/// layers of about sqrt(R t).
 double graded(double p) {
   return p - 0.4 * std::sin(2 * std::numbers::pi * p) / (2 * std::numbers::pi);
 }
@@ -101,7 +101,8 @@ Vec3 graded(const Vec3& p) {
 
 double graded_inverse(double s) {
   double p = s;
-  for (int i = 0; i < 60; ++i) p -= (graded(p) - s) / (1 - 0.4 * std::cos(2 * std::numbers::pi * p));
+  for (int i = 0; i < 60; ++i)
+    p -= (graded(p) - s) / (1 - 0.4 * std::cos(2 * std::numbers::pi * p));
   return p;
 }
 
@@ -131,9 +132,10 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
   };
   const Axes axes = [=](const Vec3& p) { return shape.axes(place(p)); };
   if (kind == ModelKind::solid) {
-    Mesh cells = size.file.empty() ? make_solid(
-                                         block, [&](const Vec3& p) { return shape.point(place(p)); }, team)
-                                   : read_solid(file, shape, size.degree, team);
+    Mesh cells = size.file.empty()
+                     ? make_solid(
+                           block, [&](const Vec3& p) { return shape.point(place(p)); }, team)
+                     : read_solid(file, shape, size.degree, team);
     auto solid = std::make_unique<Solid>(std::move(cells), law, axes);
     if (problem.pressure != 0) solid->add_pressure(2, 0, problem.pressure);
     return finish(std::move(solid));
@@ -147,7 +149,8 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
                                        },
                                        team)
                                  : read_surface(file, shape, size.degree, team);
-  auto shell = std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
+  auto shell =
+      std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
   if (problem.pressure != 0) shell->add_pressure(problem.pressure);
   return finish(std::move(shell));
 }
@@ -160,9 +163,9 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   TubeProblem problem;
   problem.vessel = vessel.name;
   problem.length_unit = tube.radius;
-  problem.stress_unit = vessel.wall->young;
-  problem.moduli = moduli_of(*vessel.wall, problem.stress_unit);
-  problem.law = law.value_or(vessel.law == Law::svk ? LawKind::svk : LawKind::biot);
+  problem.stress_unit = vessel.wall->material.young_axial;
+  problem.moduli = moduli_of(vessel.wall->material, problem.stress_unit);
+  problem.law = law.value_or(vessel.wall->material.law == Law::svk ? LawKind::svk : LawKind::biot);
   try {
     const MaterialLaw check(problem.law, problem.moduli);
   } catch (const InputError& error) {
@@ -183,8 +186,9 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   return problem;
 }
 
-TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& size, int points_around,
-                        int stations, const StepperOptions& options, const Team& team) {
+TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
+                        int points_around, int stations, const StepperOptions& options,
+                        const Team& team) {
   TubeSolution solution;
   const double start = now();
   const Mesh* mesh = nullptr;

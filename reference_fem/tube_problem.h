@@ -1,5 +1,6 @@
-// A scene's one tube as a finite-element problem, made dimensionless: lengths over the mid-wall radius at the
-// start, stresses over the axial modulus. What the reference cannot do is refused here with a sentence.
+// A scene's one tube as a finite-element problem, made dimensionless: lengths over the mid-wall
+// radius at the start, stresses over the axial modulus. What the reference cannot do is refused
+// here with a sentence.
 #pragma once
 
 #include <functional>
@@ -7,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <vasorod/scene.h>
+
 #include "reference_fem/stepper.h"
 #include "reference_fem/tube_ends.h"
-#include "scene/scene.h"
 
 namespace vasorod::fem {
 
@@ -42,8 +44,8 @@ struct TubeProblem {
 /// Throws InputError. `law` overrides the scene's.
 TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law);
 
-/// A field of the deformed wall at parameters (angle / 2 pi, s): rest and current mid-wall positions,
-/// dimensionless.
+/// A field of the deformed wall at parameters (angle / 2 pi, s): rest and current mid-wall
+/// positions, dimensionless.
 struct MidWall {
   int around = 0, along = 0;  ///< points around, stations along
   Points rest, current;       ///< row: station * around + point
@@ -52,8 +54,8 @@ struct MidWall {
 struct TubeSolution {
   StepperSummary summary;
   long unknowns = 0;
-  std::vector<Vec6>
-      end_force;  ///< per end: force and moment of support and load together, about the current centre
+  std::vector<Vec6> end_force;  ///< per end: force and moment of support and load together, about
+                                ///< the current centre
   std::vector<Pose> end_pose;
   MidWall wall;
   double mesh_seconds = 0;
@@ -67,7 +69,8 @@ struct TubeMesh {
 };
 
 /// Solves on one mesh; the mid-wall is sampled at `points_around` x `stations`.
-TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh, int points_around,
-                        int stations, const StepperOptions& options, const Team& team = {});
+TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh,
+                        int points_around, int stations, const StepperOptions& options,
+                        const Team& team = {});
 
 }  // namespace vasorod::fem

@@ -19,14 +19,16 @@ Pose ring_pose(const Points& rest, const Points& current, const Pose& frame) {
   sign[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0
                 ? -1
                 : 1;  // the ring is flat: third is free
-  return {svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose() * frame.rotation, c.transpose()};
+  return {svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose() * frame.rotation,
+          c.transpose()};
 }
 
 double lumen(const Points& ring, const Pose& pose, double thickness) {
   double area = 0, around = 0;
   const Eigen::Index n = ring.rows();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Vec3 a = pose.inverse() * Vec3(ring.row(i)), b = pose.inverse() * Vec3(ring.row((i + 1) % n));
+    const Vec3 a = pose.inverse() * Vec3(ring.row(i)),
+               b = pose.inverse() * Vec3(ring.row((i + 1) % n));
     area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     around += (b - a).norm();
   }
@@ -72,7 +74,8 @@ VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall) {
     line.lines.front().push_back(j);
   }
   const double step = problem.shape.length / (m - 1);
-  const auto strains = [&](const std::vector<Pose>& pose, std::vector<Vec3>& u, std::vector<Vec3>& v) {
+  const auto strains = [&](const std::vector<Pose>& pose, std::vector<Vec3>& u,
+                           std::vector<Vec3>& v) {
     std::vector<Vec6> element;
     for (int j = 0; j + 1 < m; ++j) {
       const auto k = static_cast<std::size_t>(j);
@@ -94,13 +97,15 @@ VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall) {
   for (int j = 0; j < m; ++j) {
     const auto k = static_cast<std::size_t>(j);
     vessel.axial_stretch.segment(j * n, n).setConstant(line.v[k][2]);
-    vessel.twist_shear.segment(j * n, n).setConstant((line.u[k][2] - line.u0[k][2]) * line.radius[k]);
+    vessel.twist_shear.segment(j * n, n).setConstant((line.u[k][2] - line.u0[k][2]) *
+                                                     line.radius[k]);
   }
   vessel.centerline = std::move(line);
   return vessel;
 }
 
-VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall, const VesselResult& vessel) {
+VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall,
+                             const VesselResult& vessel) {
   const CenterlineResult& line = *vessel.centerline;
   VesselMetrics metrics;
   metrics.vessel = problem.vessel;
@@ -117,12 +122,13 @@ VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall, co
     };
     const Points ring = wall.current.middleRows(j * n, n), rest = wall.rest.middleRows(j * n, n);
     for (int i = 0; i < n / 2; ++i) {
-      const double flat =
-          1 - (ring.row(i) - ring.row(i + n / 2)).norm() / (rest.row(i) - rest.row(i + n / 2)).norm();
+      const double flat = 1 - (ring.row(i) - ring.row(i + n / 2)).norm() /
+                                  (rest.row(i) - rest.row(i + n / 2)).norm();
       record("flattening", flat, metrics.flattening, flat > metrics.flattening);
     }
     const double twist = std::abs(line.u[k][2] - line.u0[k][2]) * line.radius[k];
-    record("largest_twist_shear", twist, metrics.largest_twist_shear, twist > metrics.largest_twist_shear);
+    record("largest_twist_shear", twist, metrics.largest_twist_shear,
+           twist > metrics.largest_twist_shear);
     const double bend = line.u[k].head<2>().norm();
     record("largest_curvature", bend, metrics.largest_curvature, bend > metrics.largest_curvature);
     metrics.stretch[0] = std::min(metrics.stretch[0], line.v[k][2]);
@@ -131,7 +137,8 @@ VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall, co
     const Pose frame = problem.shape.section(s);
     const Pose pose{line.directors[k], line.current.row(j).transpose() / problem.length_unit};
     const double ratio = lumen(ring, pose, t) / lumen(rest, frame, t);
-    record("smallest_lumen_ratio", ratio, metrics.smallest_lumen_ratio, ratio < metrics.smallest_lumen_ratio);
+    record("smallest_lumen_ratio", ratio, metrics.smallest_lumen_ratio,
+           ratio < metrics.smallest_lumen_ratio);
   }
   return metrics;
 }

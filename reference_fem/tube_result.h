@@ -1,19 +1,21 @@
-// A solved tube as the result folder wants it: mid-wall surface, centerline with directors and strains,
-// section metrics.
+// A solved tube as the result folder wants it: mid-wall surface, centerline with directors and
+// strains, section metrics.
 #pragma once
 
-#include "output/result.h"
+#include <vasorod/result.h>
+
 #include "reference_fem/tube_problem.h"
 
 namespace vasorod::fem {
 
-/// In the scene's units. A section's centre is the mean of its mid-wall ring, its directors the rotation
-/// nearest to the ring's motion; strains are those of the screw between neighbouring sections, averaged to
-/// the stations.
+/// In the scene's units. A section's centre is the mean of its mid-wall ring, its directors the
+/// rotation nearest to the ring's motion; strains are those of the screw between neighbouring
+/// sections, averaged to the stations.
 VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall);
 
-/// flattening = 1 - smallest distance of opposite mid-wall points over their rest distance, largest over all
-/// stations.
-VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall, const VesselResult& vessel);
+/// flattening = 1 - smallest distance of opposite mid-wall points over their rest distance, largest
+/// over all stations.
+VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall,
+                             const VesselResult& vessel);
 
 }  // namespace vasorod::fem

@@ -29,7 +29,8 @@ VolumeProjection::VolumeProjection(const Mesh& mesh) {
   }
 }
 
-VolumeProjection::Terms VolumeProjection::evaluate(const Eigen::VectorXd& weights, const Eigen::VectorXd& J,
+VolumeProjection::Terms VolumeProjection::evaluate(const Eigen::VectorXd& weights,
+                                                   const Eigen::VectorXd& J,
                                                    const MaterialLaw& law) const {
   const Eigen::MatrixXd weighted = weights.asDiagonal() * basis_;
   const Eigen::LLT<Eigen::MatrixXd> mass(basis_.transpose() * weighted);

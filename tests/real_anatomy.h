@@ -1,6 +1,6 @@
-// The real vessels beside the project (../shared/anatomy). Their notice keeps them out of the tree: tests
-// that read them carry RealAnatomy in their names and are not registered where they are absent, which
-// configuring says.
+// The real vessels beside the project (../shared/anatomy). Their notice keeps them out of the tree:
+// tests that read them carry RealAnatomy in their names and are not registered where they are
+// absent, which configuring says.
 #pragma once
 
 #include <filesystem>

@@ -16,12 +16,13 @@ constexpr int most_iterations = 200;
 constexpr double step_tolerance = 1e-12, difference = 1e-6;
 constexpr double closure_weight = 1e3;  // the ring closes to 1e-6 of its energy's scale
 
-// Lengths in R. Unknowns: phi = theta + sum_n a_n sin n theta, symmetric about the plane of bending, then c
-// over the larger of k and k0.
+// Lengths in R. Unknowns: phi = theta + sum_n a_n sin n theta, symmetric about the plane of
+// bending, then c over the larger of k and k0.
 class Ring {
  public:
   // `stiff`: D / (E t R^2), k and k0 in 1 / R.
-  Ring(double stiff, double k, double k0) : stiff_(stiff), k_(k), k0_(k0), scale_(std::max(k, k0)) {}
+  Ring(double stiff, double k, double k0)
+      : stiff_(stiff), k_(k), k0_(k0), scale_(std::max(k, k0)) {}
 
   VectorXd solve() const {
     VectorXd unknown = VectorXd::Zero(modes + 1);
@@ -95,15 +96,17 @@ class Ring {
 
 }  // namespace
 
-BentRing bent_ring(double radius, double thickness, double nu, double curvature, double curvature_at_rest) {
+BentRing bent_ring(double radius, double thickness, double nu, double curvature,
+                   double curvature_at_rest) {
   const double ratio = thickness / radius;
-  const Ring ring(ratio * ratio / (12 * (1 - nu * nu)), curvature * radius, curvature_at_rest * radius);
+  const Ring ring(ratio * ratio / (12 * (1 - nu * nu)), curvature * radius,
+                  curvature_at_rest * radius);
   const VectorXd unknown = ring.solve();
   const Ring::Shape shape = ring.shape(unknown);
   BentRing bent;
   for (int i = 0; i < points; ++i)
-    bent.moment +=
-        ring.strain(shape, unknown[modes], i) * shape.y[i] * thickness * radius * radius * 2 * pi / points;
+    bent.moment += ring.strain(shape, unknown[modes], i) * shape.y[i] * thickness * radius *
+                   radius * 2 * pi / points;
   bent.flattening = 1 - (shape.y.maxCoeff() - shape.y.minCoeff()) / 2;
   bent.widening = (shape.z.maxCoeff() - shape.z.minCoeff()) / 2 - 1;
   return bent;

@@ -1,10 +1,10 @@
 // The section of a long thin tube under pure bending: an inextensional ring whose shape minimises
-//   t E / 2 int e^2 (1 + k0 Y) ds + D / 2 int (phi' - 1/R)^2 (1 + k0 Y) ds,   e = (k y + c - k0 Y) / (1 + k0
-//   Y)
-// over the tangent's angle phi(s) and the axis's strain c; y and Y are the distances from the axis away from
-// the centre of the bend, bent and at rest, D = E t^3 / (12 (1 - nu^2)), k0 the curvature at rest. With k0 =
-// 0 it is Brazier's problem without his small-ovalisation step (Reissner 1959), about k0 that of von Karman
-// (1911). Per length of the axis, E = 1; lengths in any unit.
+//   t E / 2 int e^2 (1 + k0 Y) ds + D / 2 int (phi' - 1/R)^2 (1 + k0 Y) ds,   e = (k y + c - k0 Y)
+//   / (1 + k0 Y)
+// over the tangent's angle phi(s) and the axis's strain c; y and Y are the distances from the axis
+// away from the centre of the bend, bent and at rest, D = E t^3 / (12 (1 - nu^2)), k0 the curvature
+// at rest. With k0 = 0 it is Brazier's problem without his small-ovalisation step (Reissner 1959),
+// about k0 that of von Karman (1911). Per length of the axis, E = 1; lengths in any unit.
 #pragma once
 
 namespace vasorod::bench {

@@ -16,12 +16,15 @@ AxialGauge middle_half(const HeldTube& tube, const Points& positions) {
     wider += std::hypot(positions(i, 0), positions(i, 1)) / tube.shape.radius - 1;
     ++count[upper];
   }
-  const double far = z[1] / count[1] - z[0] / count[0], far_rest = rest[1] / count[1] - rest[0] / count[0];
+  const double far = z[1] / count[1] - z[0] / count[0],
+               far_rest = rest[1] / count[1] - rest[0] / count[0];
   return {far / far_rest - 1, wider / (count[0] + count[1])};
 }
 
 double off_cylinder(const HeldTube& tube, const Points& positions) {
-  return (positions.leftCols<2>().rowwise().norm().array() / tube.shape.radius - 1).abs().maxCoeff();
+  return (positions.leftCols<2>().rowwise().norm().array() / tube.shape.radius - 1)
+      .abs()
+      .maxCoeff();
 }
 
 EndMotion pure_bending(double curvature) {
@@ -38,7 +41,8 @@ double middle_curvature(const HeldTube& tube, const Points& positions) {
 }
 
 ShearGauge transverse_force(const HeldTube& tube) {
-  constexpr double small = 1e-4;  // over E R^2 1e-6 with the tubes here: linear, and far above rounding
+  constexpr double small =
+      1e-4;  // over E R^2 1e-6 with the tubes here: linear, and far above rounding
   const double length = tube.shape.length;
   EndMotion end;
   end.held.fill(false);
@@ -55,12 +59,13 @@ ShearGauge transverse_force(const HeldTube& tube) {
   const double strain = (b.centre.x() - a.centre.x()) / gauge - turned;
   const double force = answer.force.x(), curvature = (turn(b) - turn(a)) / gauge;
   const double moment = force * (length - (a.s + b.s) / 2);
-  return {moment / curvature / tube.inertia(), force / (strain * tube.shear_modulus() * tube.area()),
-          answer.settled};
+  return {moment / curvature / tube.inertia(),
+          force / (strain * tube.shear_modulus() * tube.area()), answer.settled};
 }
 
 double cowper_coefficient(double radius, double thickness, double nu) {
-  const double q = (radius - thickness / 2) / (radius + thickness / 2), square = std::pow(1 + q * q, 2);
+  const double q = (radius - thickness / 2) / (radius + thickness / 2),
+               square = std::pow(1 + q * q, 2);
   return 6 * (1 + nu) * square / ((7 + 6 * nu) * square + (20 + 12 * nu) * q * q);
 }
 

@@ -15,14 +15,14 @@ AxialGauge middle_half(const HeldTube& tube, const Points& positions);
 /// Largest change of the distance from the z axis, over R.
 double off_cylinder(const HeldTube& tube, const Points& positions);
 
-/// The motion that bends by this change of curvature in the plane of the normal with no force: rotations and
-/// y held, x and z free.
+/// The motion that bends by this change of curvature in the plane of the normal with no force:
+/// rotations and y held, x and z free.
 EndMotion pure_bending(double curvature);
 /// Turn of the middle fifth about the binormal over its length.
 double middle_curvature(const HeldTube& tube, const Points& positions);
 
-/// A small transverse force on the free end of a cantilever. The shear strain is what the sections' centres
-/// move beyond what their rotation carries them, between .4 and .6 of the length.
+/// A small transverse force on the free end of a cantilever. The shear strain is what the sections'
+/// centres move beyond what their rotation carries them, between .4 and .6 of the length.
 struct ShearGauge {
   double bending = 0;      ///< E I found, over E I
   double coefficient = 0;  ///< k of k G A

@@ -9,7 +9,8 @@ namespace vasorod::bench {
 
 using std::numbers::pi;
 
-HeldTube::HeldTube(TubeMesh the_mesh, double length, double radius, double t, double nu, double bend_deg)
+HeldTube::HeldTube(TubeMesh the_mesh, double length, double radius, double t, double nu,
+                   double bend_deg)
     : thickness(t), poisson(nu), mesh(std::move(the_mesh)) {
   shape.length = length;
   shape.radius = radius;
@@ -40,7 +41,8 @@ CarriedBody carried(const HeldTube& tube, const Vec6& strain) {
   body.points.resize(tube.rest.points.rows(), 3);
   const auto frame = [&](double s) { return exp_motion(s * strain); };
   const auto turned = [&](double s) {
-    return Pose{frame(s).rotation * tube_axis(tube.shape, s).rotation.transpose(), frame(s).position};
+    return Pose{frame(s).rotation * tube_axis(tube.shape, s).rotation.transpose(),
+                frame(s).position};
   };
   for (Eigen::Index i = 0; i < body.points.rows(); ++i) {
     const double s = tube.mesh.s[i];
@@ -64,7 +66,7 @@ WallInput wall_of(const HeldTube& tube) {
     for (int k = 0; k < 3; ++k) middle += tube.mesh.s[tube.rest.triangles(t, k)] / 3;
     wall.axis.push_back(tube_axis(tube.shape, middle).director(3));
   }
-  wall.material = WallMaterial::isotropic(1, tube.poisson);
+  wall.material = Material::isotropic(1, tube.poisson);
   return wall;
 }
 
@@ -88,7 +90,7 @@ HeldSection rim(const HeldTube& tube, double s) {
 }
 
 bool settled(const CoupledSolution& solution) {
-  return solution.status == CoupledStatus::converged && solution.smallest_curvature_positive;
+  return solution.status == Status::converged && solution.smallest_curvature_positive;
 }
 
 HeldAnswer solve(const HeldTube& tube, const EndMotion& motion) {
@@ -123,7 +125,8 @@ SectionMean section_mean(const HeldTube& tube, const Points& positions, double s
   if (rows) {
     window = 1e-9 * tube.shape.length;
     double nearest = std::numeric_limits<double>::max();
-    for (Eigen::Index i = 0; i < at.size(); ++i)  // vertices on the normal: every second row has one
+    for (Eigen::Index i = 0; i < at.size();
+         ++i)  // vertices on the normal: every second row has one
       if (std::abs(tube.mesh.angle[i]) < 1e-9 && std::abs(at[i] - s) < nearest) {
         nearest = std::abs(at[i] - s);
         mean.s = at[i];
@@ -141,8 +144,8 @@ SectionMean section_mean(const HeldTube& tube, const Points& positions, double s
   }
   Mat3 moment = Mat3::Zero();
   for (const Eigen::Index i : ring)
-    moment +=
-        (Vec3(positions.row(i)) - mean.centre) * (Vec3(tube.rest.points.row(i)) - centre_rest).transpose();
+    moment += (Vec3(positions.row(i)) - mean.centre) *
+              (Vec3(tube.rest.points.row(i)) - centre_rest).transpose();
   const Eigen::JacobiSVD<Mat3> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 sign = Mat3::Identity();
   sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
@@ -150,8 +153,8 @@ SectionMean section_mean(const HeldTube& tube, const Points& positions, double s
   Vec3 low = Vec3::Zero(), high = low, low_rest = low, high_rest = low;
   for (const Eigen::Index i : ring) {
     const Vec3 rest = axis.rotation.transpose() * (Vec3(tube.rest.points.row(i)) - centre_rest);
-    const Vec3 now =
-        axis.rotation.transpose() * mean.rotation.transpose() * (Vec3(positions.row(i)) - mean.centre);
+    const Vec3 now = axis.rotation.transpose() * mean.rotation.transpose() *
+                     (Vec3(positions.row(i)) - mean.centre);
     low = low.cwiseMin(now);
     high = high.cwiseMax(now);
     low_rest = low_rest.cwiseMin(rest);

@@ -1,9 +1,10 @@
-// A tube of E = 1 between two rigid sections, solved by the coupled minimum, and what its middle did.
+// A tube of E = 1 between two rigid sections, solved by the coupled minimum, and what its middle
+// did.
 #pragma once
 
 #include "accuracy/tube_meshes.h"
+#include "coupled/coupled_problem.h"
 #include "geometry/rigid_motion.h"
-#include "wall/coupled_problem.h"
 
 namespace vasorod::bench {
 
@@ -34,8 +35,8 @@ struct HeldAnswer {
   Vec3 force, moment;  ///< the end's on the wall, moment about its centre
 };
 
-/// The end carried by a constant change of the axis's strain (v, u). A freedom of the end (x, y, z, rx, ry,
-/// rz in its own frame) that is not held is free; `force` loads it.
+/// The end carried by a constant change of the axis's strain (v, u). A freedom of the end (x, y, z,
+/// rx, ry, rz in its own frame) that is not held is free; `force` loads it.
 struct EndMotion {
   Vec6 change = Vec6::Zero();
   std::array<bool, 6> held{true, true, true, true, true, true};
@@ -43,10 +44,11 @@ struct EndMotion {
 };
 HeldAnswer solve(const HeldTube& tube, const EndMotion& end);
 
-/// The section's mean pose: centre, and the rotation from rest that fits its vertices best. On staggered rows
-/// a section is the row nearest to s that starts on the normal, else what is within 0.8 spacings.
+/// The section's mean pose: centre, and the rotation from rest that fits its vertices best. On
+/// staggered rows a section is the row nearest to s that starts on the normal, else what is within
+/// 0.8 spacings.
 struct SectionMean {
-  double s = 0, radius = 0;             ///< where; mean distance from the centre over the one at rest
+  double s = 0, radius = 0;  ///< where; mean distance from the centre over the one at rest
   double flattening = 0, widening = 0;  ///< of the diameters along the normal and the binormal
   Vec3 centre = Vec3::Zero();
   Mat3 rotation = Mat3::Identity();

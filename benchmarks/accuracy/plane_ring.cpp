@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "geometry/triangle_surface.h"
-#include "surface/cholesky.h"
+#include "numerics/cholesky.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod::bench {
@@ -17,7 +17,8 @@ double ring_energy(const HeldTube& tube) {
   WallEnergy wall(in);
   const auto nearest = [&](double angle) {
     Eigen::Index at = 0;
-    (in.rest.points.rowwise() - Vec3(radius * std::cos(angle), radius * std::sin(angle), 0).transpose())
+    (in.rest.points.rowwise() -
+     Vec3(radius * std::cos(angle), radius * std::sin(angle), 0).transpose())
         .rowwise()
         .squaredNorm()
         .minCoeff(&at);
@@ -29,8 +30,8 @@ double ring_energy(const HeldTube& tube) {
   for (int i = 0; i < wall.vertices(); ++i) {
     held[static_cast<std::size_t>(3 * i + 2)] = 1;
     const double angle = tube.mesh.angle[i];
-    load.segment<3>(3 * i) = areas[i] / areas.sum() * 2 * pi * radius * length * std::cos(2 * angle) *
-                             Vec3(std::cos(angle), std::sin(angle), 0);
+    load.segment<3>(3 * i) = areas[i] / areas.sum() * 2 * pi * radius * length *
+                             std::cos(2 * angle) * Vec3(std::cos(angle), std::sin(angle), 0);
   }
   for (const std::size_t i : {nearest(0) + 1, nearest(pi / 2), nearest(pi) + 1}) held.at(i) = 1;
   const Eigen::SparseMatrix<double>& full = wall.hessian(wall.rest());

@@ -13,14 +13,16 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double radius = 8, length = 60, thickness = 1.2, depth = 3, gap = 0.01, cylinder_radius = 12;
+constexpr double radius = 8, length = 60, thickness = 1.2, depth = 3, gap = 0.01,
+                 cylinder_radius = 12;
 
 // Adds a tube placed by `pose`, its ends moved by `move`.
 void add_tube(CoupledProblem& problem, const HeldTube& tube, const char* name, const Pose& pose,
               const Vec3& move, bool rigid = true) {
   SurfaceBody body = body_of(tube);
   body.name = name;
-  body.rest.points = (tube.rest.points * pose.rotation.transpose()).rowwise() + pose.position.transpose();
+  body.rest.points =
+      (tube.rest.points * pose.rotation.transpose()).rowwise() + pose.position.transpose();
   CoupledVessel vessel;
   vessel.wall = wall_of(tube);
   vessel.wall.rest = body.rest;
@@ -70,7 +72,8 @@ CoupledSolution solve_pressed(CoupledProblem problem, const CoupledOptions& opti
       if (bodies[b].move == Vec3::Zero()) continue;
       const Vec3 by = t * bodies[b].move;
       carried[b].points = bodies[b].rest.rowwise() + by.transpose();
-      carried[b].rotations.assign(static_cast<std::size_t>(bodies[b].rest.rows()), Mat3::Identity());
+      carried[b].rotations.assign(static_cast<std::size_t>(bodies[b].rest.rows()),
+                                  Mat3::Identity());
       for (const Vec3& centre : bodies[b].centres)
         carried[b].sections.push_back({Mat3::Identity(), centre + by});
     }
@@ -146,7 +149,8 @@ PressedTubes two_tubes(Meeting meeting, int around) {
   // The other across lies a little off the middle.
   const Pose beside{Mat3::Identity(), Vec3(-apart, 0, 0)};
   const Pose across{exp_rotation(Vec3(pi / 2, 0, 0)), Vec3(-apart, 31, 29)};
-  add_tube(problem, other, "other", meeting == Meeting::across ? across : beside, Vec3::Zero(), rigid);
+  add_tube(problem, other, "other", meeting == Meeting::across ? across : beside, Vec3::Zero(),
+           rigid);
   return judged(solve_pressed(std::move(problem), {}), one.mesh.edge);
 }
 

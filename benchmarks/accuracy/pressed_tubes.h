@@ -1,9 +1,10 @@
-// Tubes that press on things, solved by the coupled minimum, and how well contact keeps its promises.
+// Tubes that press on things, solved by the coupled minimum, and how well contact keeps its
+// promises.
 #pragma once
 
 #include <optional>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::bench {
 
@@ -13,7 +14,8 @@ struct PressedTubes {
   Vec3 force = Vec3::Zero();
   double support_misfit = 0;  ///< |supports + contact| over the force; two tubes: of the pair
   double newton_misfit = 0;   ///< |force on a + force on b| over the force
-  /// |sum of pressure times area times normal + supports| over the force, where the normals are known.
+  /// |sum of pressure times area times normal + supports| over the force, where the normals are
+  /// known.
   std::optional<double> pressure_misfit;
   double penetration = 0;  ///< deepest, over the mean edge
 };
@@ -30,9 +32,10 @@ enum class Meeting {
 /// Two such tubes (the other t .8), both yielding, 3 into each other.
 PressedTubes two_tubes(Meeting meeting, int around);
 
-/// A short tube (R 8, t .2, L 4) hung at its ends' mean positions, sunk onto a plate. With a_n cos(n
-/// theta) without stretch the energy is pi/2 (E I / R^3) (n^2 - 1)^2 a_n^2, so the contact line rises against
-/// the ring's mean by P R^3 / (pi E I) sum_{n >= 2} 1 / (n^2 - 1)^2 = P R^3 / (pi E I) (pi^2/12 - 11/16).
+/// A short tube (R 8, t .2, L 4) hung at its ends' mean positions, sunk onto a plate. With a_n
+/// cos(n theta) without stretch the energy is pi/2 (E I / R^3) (n^2 - 1)^2 a_n^2, so the contact
+/// line rises against the ring's mean by P R^3 / (pi E I) sum_{n >= 2} 1 / (n^2 - 1)^2 = P R^3 /
+/// (pi E I) (pi^2/12 - 11/16).
 struct RingOnPlate {
   bool settled = false;
   int vertices = 0;

@@ -15,8 +15,8 @@ inline const char* remark(bool settled) {
   return settled ? "" : " (not a certified minimum)";
 }
 
-/// A program's main: runs the parts named as arguments, without arguments all of them. Exit code 2 where a
-/// name is not known.
+/// A program's main: runs the parts named as arguments, without arguments all of them. Exit code 2
+/// where a name is not known.
 using Parts = std::vector<std::pair<std::string, void (*)()>>;
 int run_parts(const Parts& parts, int count, char** arguments);
 

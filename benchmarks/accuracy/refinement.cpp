@@ -15,7 +15,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double radius = 10, length = 100, thickness = 1, nu = 0.3;
-constexpr int finest = 240;  // vertices around, of the structured mesh that all others are measured against
+constexpr int finest =
+    240;  // vertices around, of the structured mesh that all others are measured against
 
 /// Displacement on staggered rows at an angle and arc length, linear in both.
 Vec3 displacement(const BentTube& bent, int around, double angle, double s) {
@@ -51,24 +52,30 @@ double largest_distance(const BentTube& bent, const BentTube& reference, int aro
   for (Eigen::Index v = 0; v < bent.tube.rest.points.rows(); ++v) {
     const Vec3 moved = bent.answer.positions.row(v) - bent.tube.rest.points.row(v);
     far = std::max(
-        far, (moved - displacement(reference, around, bent.tube.mesh.angle[v], bent.tube.mesh.s[v])).norm());
+        far, (moved - displacement(reference, around, bent.tube.mesh.angle[v], bent.tube.mesh.s[v]))
+                 .norm());
   }
   return far;
 }
 
 std::vector<RefinedMesh> refined_meshes() {
-  return {{"structured", [](int n) { return structured(length, radius, n); }, {40, 80, 160, finest}},
-          {"shifted", [](int n) { return shifted(length, radius, n); }, {40, 80, 160, finest}},
-          {"blue-noise", [](int n) { return blue_noise(length, radius, n); }, {40, 80, 160, finest}},
-          {"long triangles", [](int n) { return structured(length, radius, n, 5); }, {88, 176, 352, 528}}};
+  return {
+      {"structured", [](int n) { return structured(length, radius, n); }, {40, 80, 160, finest}},
+      {"shifted", [](int n) { return shifted(length, radius, n); }, {40, 80, 160, finest}},
+      {"blue-noise", [](int n) { return blue_noise(length, radius, n); }, {40, 80, 160, finest}},
+      {"long triangles",
+       [](int n) { return structured(length, radius, n, 5); },
+       {88, 176, 352, 528}}};
 }
 
 void refinement() {
   print_head(
-      "Refinement: L 100, t 1, bent to half the Brazier curvature between rigid ends; against the structured "
+      "Refinement: L 100, t 1, bent to half the Brazier curvature between rigid ends; against the "
+      "structured "
       "mesh with " +
           std::to_string(finest) + " around",
-      "| mesh | around | vertices | moment | to the reference | largest distance, % of R | order |");
+      "| mesh | around | vertices | moment | to the reference | largest distance, % of R | order "
+      "|");
   const BentTube reference(structured(length, radius, finest));
   for (const auto& [name, make, levels] : refined_meshes()) {
     std::vector<double> moments;

@@ -1,5 +1,5 @@
-// What refining does to a bent tube's points and to its moment, on regular and on irregular meshes: tube R
-// 10, L 100, t 1, nu 0.3, bent to half its Brazier curvature between rigid ends.
+// What refining does to a bent tube's points and to its moment, on regular and on irregular meshes:
+// tube R 10, L 100, t 1, nu 0.3, bent to half its Brazier curvature between rigid ends.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace vasorod::bench {
 struct RefinedMesh {
   const char* name;
   std::function<TubeMesh(int)> make;  ///< with this many vertices around
-  std::vector<int> around;            ///< 3,000 to 100,000 vertices, the first three each twice as fine
+  std::vector<int> around;  ///< 3,000 to 100,000 vertices, the first three each twice as fine
 };
 std::vector<RefinedMesh> refined_meshes();
 
@@ -22,8 +22,8 @@ struct BentTube {
   explicit BentTube(TubeMesh mesh);
 };
 
-/// Of the tube's vertices from where the reference has the same material, which is a structured mesh with
-/// `around` vertices around. Length.
+/// Of the tube's vertices from where the reference has the same material, which is a structured
+/// mesh with `around` vertices around. Length.
 double largest_distance(const BentTube& bent, const BentTube& reference, int around);
 
 /// Prints the table of all meshes against the finest structured one.

@@ -3,7 +3,6 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -21,12 +20,14 @@ TubeMesh structured(double length, double radius, int around, double aspect) {
   tube.length = length;
   tube.radius = radius;
   tube.around = around;
-  tube.along = 2 * static_cast<int>(std::lround(length / (mesh.edge * std::sqrt(3.0) / 2 * aspect) / 2));
+  tube.along =
+      2 * static_cast<int>(std::lround(length / (mesh.edge * std::sqrt(3.0) / 2 * aspect) / 2));
   mesh.triangles = tube_surface(tube).triangles;
   mesh.s = tube_arc_lengths(tube);
   mesh.angle.resize(mesh.s.size());
   for (int row = 0; row <= tube.along; ++row)
-    for (int i = 0; i < around; ++i) mesh.angle[row * around + i] = 2 * pi * (i + 0.5 * (row % 2)) / around;
+    for (int i = 0; i < around; ++i)
+      mesh.angle[row * around + i] = 2 * pi * (i + 0.5 * (row % 2)) / around;
   return mesh;
 }
 
@@ -81,7 +82,9 @@ class Darts {
     return std::min(columns_ - 1, static_cast<int>(p.x() / width_ * columns_));
   }
   int row_of(const Vec2& p) const { return std::min(rows_ - 1, static_cast<int>(p.y() / least_)); }
-  std::size_t cell(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
+  std::size_t cell(int column, int row) const {
+    return static_cast<std::size_t>(row * columns_ + column);
+  }
 
   double width_, least_;
   int columns_, rows_;
@@ -91,10 +94,11 @@ class Darts {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 
-// Delaunay of the points and of copies beside the seam; of the copies of a triangle the one whose centroid
-// lies on the sheet counts.
+// Delaunay of the points and of copies beside the seam; of the copies of a triangle the one whose
+// centroid lies on the sheet counts.
 Triangles wrapped_delaunay(const std::vector<Vec2>& points, double width, double band) {
   std::vector<std::pair<Kernel::Point_2, int>> sheet;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -132,7 +136,8 @@ TubeMesh blue_noise(double length, double radius, int around) {
     darts.add({i * mesh.edge, length});
   }
   std::mt19937 engine(9);
-  std::uniform_real_distribution<double> across(0, width), along(0.45 * mesh.edge, length - 0.45 * mesh.edge);
+  std::uniform_real_distribution<double> across(0, width),
+      along(0.45 * mesh.edge, length - 0.45 * mesh.edge);
   for (int misses = 0; misses < 20000;) {
     const double x = across(engine);
     const Vec2 p(x, along(engine));
@@ -159,8 +164,9 @@ TriangleSurface placed(const TubeMesh& mesh, const TubeSpec& tube) {
   surface.triangles = mesh.triangles;
   surface.points.resize(mesh.s.size(), 3);
   for (Eigen::Index i = 0; i < mesh.s.size(); ++i)
-    surface.points.row(i) = tube_axis(tube, mesh.s[i]) * Vec3(tube.radius * std::cos(mesh.angle[i]),
-                                                              tube.radius * std::sin(mesh.angle[i]), 0);
+    surface.points.row(i) =
+        tube_axis(tube, mesh.s[i]) *
+        Vec3(tube.radius * std::cos(mesh.angle[i]), tube.radius * std::sin(mesh.angle[i]), 0);
   return surface;
 }
 

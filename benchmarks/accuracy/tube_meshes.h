@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/tube.h"
+#include <vasorod/tube.h>
 
 namespace vasorod::bench {
 
@@ -14,8 +14,8 @@ struct TubeMesh {
   double edge = 0;  ///< the mean spacing around
 };
 
-/// Staggered rows, triangles near-equilateral or `aspect` times longer along the axis; an even number of
-/// strips.
+/// Staggered rows, triangles near-equilateral or `aspect` times longer along the axis; an even
+/// number of strips.
 TubeMesh structured(double length, double radius, int around, double aspect = 1);
 
 /// The same with inner vertices shifted by up to a quarter of their spacing, both ways.

@@ -48,7 +48,8 @@ void stretch() {
 
 void twist() {
   print_head("Twist: L 100, t 1",
-             "| mesh | around | surface shear | torque / (G J twist) | largest change of the radius / R |");
+             "| mesh | around | surface shear | torque / (G J twist) | largest change of the "
+             "radius / R |");
   for (const auto& [around, shear] : {std::pair{48, 3e-4}, {48, 3e-5}, {96, 3e-4}})
     for (const TubeMesh& mesh : meshes(100, around)) {
       const HeldTube tube(mesh, 100, radius, 1);
@@ -63,7 +64,8 @@ void twist() {
 
 void shear() {
   print_head(
-      "Transverse force on the end of a cantilever: L 100, t 1, structured; from the sections between .4 and "
+      "Transverse force on the end of a cantilever: L 100, t 1, structured; from the sections "
+      "between .4 and "
       ".6 L",
       "| around | E I, from the change of curvature | k of k G A | k, Cowper |");
   for (const int around : {24, 48}) {
@@ -75,22 +77,25 @@ void shear() {
 }
 
 void ring() {
-  print_head("Ring under cos 2 theta in plane strain: L 100, rims free; energy over the thin ring's",
-             "| mesh | around | t/R .02 | t/R .05 | t/R .2 |");
+  print_head(
+      "Ring under cos 2 theta in plane strain: L 100, rims free; energy over the thin ring's",
+      "| mesh | around | t/R .02 | t/R .05 | t/R .2 |");
   std::vector<std::pair<int, TubeMesh>> rows;
   for (const int around : {24, 48})
     for (TubeMesh& mesh : meshes(100, around)) rows.emplace_back(around, std::move(mesh));
   for (const int around : {48, 96}) rows.emplace_back(around, structured(100, radius, around, 5));
   for (const auto& [around, mesh] : rows) {
     std::printf("| %s | %d |", mesh.name.c_str(), around);
-    for (const double t : {0.2, 0.5, 2.0}) std::printf(" %.4f |", ring_energy({mesh, 100, radius, t}));
+    for (const double t : {0.2, 0.5, 2.0})
+      std::printf(" %.4f |", ring_energy({mesh, 100, radius, t}));
     std::printf("\n");
   }
 }
 
 void bending() {
   print_head(
-      "Pure bending: L/R 40, t/R .1, ends glued; the turn is chosen so that the middle fifth has the "
+      "Pure bending: L/R 40, t/R .1, ends glued; the turn is chosen so that the middle fifth has "
+      "the "
       "curvature",
       "| mesh | around | k_b | M / (E I k) | ring | flattening | ring | widening | ring |");
   constexpr double length = 400, t = 1, nu = 0.3;
@@ -111,8 +116,8 @@ void bending() {
         asked_over_got *= k_b / got;
       }
       const SectionMean middle = section_mean(tube, answer.positions, length / 2);
-      std::printf("| %s | %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(),
-                  around, got, answer.moment.y() / (tube.inertia() * got * unit),
+      std::printf("| %s | %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f%s |\n",
+                  mesh.name.c_str(), around, got, answer.moment.y() / (tube.inertia() * got * unit),
                   exact.moment / (pi * std::pow(radius, 3) * t * k_b * unit), middle.flattening,
                   exact.flattening, middle.widening, exact.widening, remark(answer.settled));
       std::fflush(stdout);
@@ -120,11 +125,13 @@ void bending() {
   }
 }
 
-// A tube curved at rest bends softer: by (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 - nu^2)), where
-// its section ovalises by cos 2 theta alone (von Karman), by the ring's where it takes any shape.
+// A tube curved at rest bends softer: by (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 -
+// nu^2)), where its section ovalises by cos 2 theta alone (von Karman), by the ring's where it
+// takes any shape.
 void curved() {
   print_head(
-      "Tubes curved at rest, bent a little in their plane: L/R 40; E I of the straight tube over the middle "
+      "Tubes curved at rest, bent a little in their plane: L/R 40; E I of the straight tube over "
+      "the middle "
       "fifth's",
       "| mesh | around | angle at rest | t/R | l | softer by | ring | von Karman |");
   constexpr double length = 400, nu = 0.3;
@@ -138,8 +145,8 @@ void curved() {
       const double k0 = degrees * pi / 180 / length;
       const HeldAnswer answer = solve(tube, pure_bending(1e-4 * k0));
       const double l = t / (k0 * radius * radius * std::sqrt(1 - nu * nu));
-      std::printf("| %s | %d | %g | %g | %.3f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(), around, degrees,
-                  t / radius, l,
+      std::printf("| %s | %d | %g | %g | %.3f | %.4f | %.4f | %.4f%s |\n", mesh.name.c_str(),
+                  around, degrees, t / radius, l,
                   middle_curvature(tube, answer.positions) * tube.inertia() / answer.moment.y(),
                   curved_tube_softening(radius, t, nu, k0), (12 * l * l + 10) / (12 * l * l + 1),
                   remark(answer.settled));

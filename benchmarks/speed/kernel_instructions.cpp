@@ -1,7 +1,7 @@
-// Runs one kernel so many times: `kernel_instructions NAME RUNS`, for instructions.py, which counts the
-// instructions of a run with callgrind: 0 runs are the set-up alone. Without arguments it lists the names.
-// The surfaces are tubes R 8, t 1.6, L 40 with 64 vertices around, bent by half the Brazier curvature; the
-// rod is the 45 degree bend of 100 elements.
+// Runs one kernel so many times: `kernel_instructions NAME RUNS`, for instructions.py, which counts
+// the instructions of a run with callgrind: 0 runs are the set-up alone. Without arguments it lists
+// the names. The surfaces are tubes R 8, t 1.6, L 40 with 64 vertices around, bent by half the
+// Brazier curvature; the rod is the 45 degree bend of 100 elements.
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -10,10 +10,11 @@
 #include <numbers>
 #include <string>
 
+#include <vasorod/tube.h>
+
 #include "../chain.h"
-#include "contact/contact_pair.h"
-#include "geometry/tube.h"
-#include "surface/paper_energy.h"
+#include "bodies/contact_pair.h"
+#include "paper/paper_energy.h"
 #include "wall/wall_energy.h"
 
 namespace {
@@ -48,7 +49,7 @@ struct Wall {
     in.rest = tube_surface(straight());
     in.thickness.setConstant(in.rest.points.rows(), thickness);
     in.axis.assign(static_cast<std::size_t>(in.rest.triangles.rows()), Vec3::UnitZ());
-    in.material = WallMaterial::isotropic(1, nu);
+    in.material = Material::isotropic(1, nu);
     energy = std::make_unique<WallEnergy>(in);
     q = energy->rest();
     const Points points = tube_surface(bent()).points;
@@ -86,14 +87,14 @@ Kernel paper_gradient() {
   const TriangleSurface rest = tube_surface(straight());
   const auto count = static_cast<std::size_t>(rest.points.rows());
   paper->points = tube_surface(bent()).points;
-  append_body(paper->system, rest, paper->points, std::vector<Mat3>(count, Mat3::Identity()), {0.1, 1, 0.3},
-              std::vector<char>(count, 0));
+  append_body(paper->system, rest, paper->points, std::vector<Mat3>(count, Mat3::Identity()),
+              {0.1, 1, 0.3}, std::vector<char>(count, 0));
   return [paper] { paper_energy_gradient(paper->system, paper->points, paper->gradient); };
 }
 
 Kernel rod_solve() {
-  const auto tree = std::make_shared<RodTree>(
-      bench::chain(25 * std::numbers::pi, {0, .01, 0}, 100, bench::stiffness(5e6, 1e7, 1e7 / 12, 833333.3)));
+  const auto tree = std::make_shared<RodTree>(bench::chain(
+      25 * std::numbers::pi, {0, .01, 0}, 100, bench::stiffness(5e6, 1e7, 1e7 / 12, 833333.3)));
   return [tree] { solve_rod(*tree, bench::cantilever(*tree, {0, 600, 0})); };
 }
 
@@ -111,8 +112,9 @@ int main(int count, char** arguments) {
   }
   const auto found = kernels.find(arguments[1]);
   if (found == kernels.end() || count != 3) {
-    std::fprintf(stderr,
-                 "kernel_instructions: found no kernel and number of runs, expected one of its names\n");
+    std::fprintf(
+        stderr,
+        "kernel_instructions: found no kernel and number of runs, expected one of its names\n");
     return 2;
   }
   const Kernel kernel = found->second();

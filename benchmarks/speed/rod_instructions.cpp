@@ -1,5 +1,6 @@
-// Solves the 45 degree bend with the given number of elements once: run under `valgrind --tool=callgrind` its
-// instruction count is free of noise. `rod_instructions N SOLVES`; with SOLVES 0 only the set-up is counted.
+// Solves the 45 degree bend with the given number of elements once: run under `valgrind
+// --tool=callgrind` its instruction count is free of noise. `rod_instructions N SOLVES`; with
+// SOLVES 0 only the set-up is counted.
 #include <cstdio>
 #include <cstdlib>
 
@@ -8,8 +9,8 @@
 int main(int argc, char** argv) {
   using namespace vasorod;
   const int n = argc > 1 ? std::atoi(argv[1]) : 100, solves = argc > 2 ? std::atoi(argv[2]) : 1;
-  const RodTree tree =
-      bench::chain(25 * std::numbers::pi, {0, .01, 0}, n, bench::stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
+  const RodTree tree = bench::chain(25 * std::numbers::pi, {0, .01, 0}, n,
+                                    bench::stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
   int iterations = 0;
   for (int i = 0; i < solves; ++i)
     iterations = solve_rod(tree, bench::cantilever(tree, {0, 600, 0})).summary.iterations;

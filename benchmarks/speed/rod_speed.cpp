@@ -1,9 +1,8 @@
-// Time of rod solves, by Google Benchmark; --benchmark_format=json keeps it. Counters: microseconds per node
-// and iteration from the solver's own summary, all that it does included, and of that what Newton's steps
-// take (the rest: checks of the input, set-up, certificate, results); `sweep` and `stream` give one linear
-// step and one pass that only streams its blocks.
+// Time of rod solves, by Google Benchmark; --benchmark_format=json keeps it. Counters: microseconds
+// per node and iteration from the solver's own summary, all that it does included, and of that what
+// Newton's steps take (the rest: checks of the input, set-up, certificate, results); `sweep` and
+// `stream` give one linear step and one pass that only streams its blocks.
 #include <benchmark/benchmark.h>
-
 #include <limits>
 
 #include "../chain.h"
@@ -39,7 +38,8 @@ void elastica(benchmark::State& state) {  // 81 nodes, P L^2 / E I = 5, E A L^2 
 BENCHMARK(elastica)->Unit(benchmark::kMillisecond);
 
 void bend45(benchmark::State& state) {
-  const RodTree tree = chain(25 * std::numbers::pi, {0, .01, 0}, 64, stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
+  const RodTree tree =
+      chain(25 * std::numbers::pi, {0, .01, 0}, 64, stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
   report(state, tree, cantilever(tree, {0, 600, 0}));
 }
 BENCHMARK(bend45)->Unit(benchmark::kMillisecond);
@@ -48,19 +48,22 @@ void end_pose(benchmark::State& state) {
   const RodTree tree = chain(1, Vec3::Zero(), 64, stiffness(4.8e6, 1.2e7, 1, .8));
   RodConditions conditions;
   conditions.supports = {clamp(0), clamp(64)};
-  conditions.supports[1].motion = {Vec3(1, 1, .3).normalized() * (std::numbers::pi / 3), {.05, .1, -.2}};
+  conditions.supports[1].motion = {Vec3(1, 1, .3).normalized() * (std::numbers::pi / 3),
+                                   {.05, .1, -.2}};
   report(state, tree, conditions);
 }
 BENCHMARK(end_pose)->Unit(benchmark::kMillisecond);
 
 void long_bend(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
-  const RodTree tree = chain(25 * std::numbers::pi, {0, .01, 0}, n, stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
+  const RodTree tree =
+      chain(25 * std::numbers::pi, {0, .01, 0}, n, stiffness(5e6, 1e7, 1e7 / 12, 833333.3));
   report(state, tree, cantilever(tree, {0, 600, 0}));
 }
 BENCHMARK(long_bend)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMillisecond);
 
-// One factorisation and one way back, and what the same memory costs when it is only read and written.
+// One factorisation and one way back, and what the same memory costs when it is only read and
+// written.
 void sweep(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   std::vector<RodLink> links(static_cast<std::size_t>(n));
@@ -93,8 +96,9 @@ void sweep(benchmark::State& state) {
 BENCHMARK(sweep)->Arg(80)->Arg(10000)->Unit(benchmark::kMicrosecond);
 
 void stream(benchmark::State& state) {
-  // what one node's link keeps between the two ways: 6 x 8, 15, two 3 x 3, two 6 and a 3; S, g and C/L beside
-  // it, the pose, strain and stress that are read and the twist, stretch and stress that are written
+  // what one node's link keeps between the two ways: 6 x 8, 15, two 3 x 3, two 6 and a 3; S, g and
+  // C/L beside it, the pose, strain and stress that are read and the twist, stretch and stress that
+  // are written
   constexpr std::size_t doubles = 48 + 15 + 18 + 12 + 3 + 36 + 6 + 36 + 12 + 6 + 6 + 18;
   const std::size_t n = static_cast<std::size_t>(state.range(0)) * doubles;
   std::vector<double> blocks(n, 1.0);

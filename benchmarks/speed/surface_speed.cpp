@@ -1,29 +1,28 @@
-// The surface solves side by side: a tube (R 8, t 1.6, L 160) bent along the inextensible arc to half its
-// Brazier limit, by `paper`, by `coupled`, by CGAL's Surface_mesh_deformation (SR_ARAP, both rims as position
-// handles), each to a relative residual of 1e-4 of its own energy, and the floors: analyse, factorise and
-// solve once with the constant matrix of `paper`, and with the rest Hessian K0 of `coupled`. Counters:
-// vertices, iterations, residual.
-#include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
+// The surface solves side by side: a tube (R 8, t 1.6, L 160) bent along the inextensible arc to
+// half its Brazier limit, by `paper`, by `coupled`, by CGAL's Surface_mesh_deformation (SR_ARAP,
+// both rims as position handles), each to a relative residual of 1e-4 of its own energy, and the
+// floors: analyse, factorise and solve once with the constant matrix of `paper`, and with the rest
+// Hessian K0 of `coupled`. Counters: vertices, iterations, residual.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
-
 #include <Eigen/SparseCore>
+#include <benchmark/benchmark.h>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sys/resource.h>
 
+#include <vasorod/tube.h>
+
+#include "bodies/scaled_bodies.h"
+#include "coupled/coupled_problem.h"
 #include "geometry/rigid_motion.h"
-#include "geometry/tube.h"
-#include "surface/binding.h"
-#include "surface/blas.h"
-#include "surface/kept_factor.h"
-#include "surface/paper_energy.h"
-#include "surface/paper_solver.h"
-#include "surface/scaled_bodies.h"
-#include "wall/coupled_problem.h"
+#include "numerics/blas.h"
+#include "numerics/kept_factor.h"
+#include "paper/paper_energy.h"
+#include "paper/paper_solver.h"
+#include "rod/binding.h"
 
 namespace {
 
@@ -43,7 +42,8 @@ TubeSpec tube_of(int around) {
   return tube;
 }
 
-/// Half the Brazier limit (design.md: k_cr = 0.471 t / (R^2 sqrt(1 - nu^2))) as an angle over the length.
+/// Half the Brazier limit (design.md: k_cr = 0.471 t / (R^2 sqrt(1 - nu^2))) as an angle over the
+/// length.
 double bend_angle() {
   return 0.5 * 0.471 * thickness / (radius * radius * std::sqrt(1 - poisson * poisson)) * length;
 }
@@ -70,14 +70,12 @@ SurfaceBody carried_body(const TubeSpec& tube, double angle) {
   for (int k = 0; k < tube.around; ++k)
     body.fixed[static_cast<std::size_t>(k)] =
         body.fixed[body.fixed.size() - 1 - static_cast<std::size_t>(k)] = 1;
-  WallAndMesh wall;
-  wall.young = 1;
-  wall.poisson = poisson;
+  WallGeometry wall;
   wall.thickness = thickness;
   wall.radius = radius;
   wall.mean_edge = 2 * std::numbers::pi * radius / tube.around;
   wall.vertex_area = 2 * std::numbers::pi * radius * length / static_cast<double>(s.size());
-  body.k = coefficients_from_wall(wall);
+  body.k = coefficients_from_wall(Material::isotropic(1, poisson), wall);
   return body;
 }
 
@@ -90,9 +88,9 @@ PaperOptions paper_options() {
 
 void paper(benchmark::State& state) {
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
-  PaperProblem problem;
+  BodyProblem problem;
   problem.bodies = {carried_body(tube, bend_angle())};
-  PaperSolution last;
+  SurfaceSolution last;
   for (auto _ : state) last = solve_paper(problem, paper_options());
   state.counters["vertices"] = static_cast<double>(problem.bodies[0].rest.points.rows());
   state.counters["iterations"] = last.iterations;
@@ -105,14 +103,15 @@ void paper(benchmark::State& state) {
 BENCHMARK(paper)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 BENCHMARK(paper)->Name("paper_million")->Arg(521)->Iterations(1)->Unit(benchmark::kSecond);
 
-void paper_again(benchmark::State& state) {  // the factor kept, two bends in turn: never the last one again
+void paper_again(
+    benchmark::State& state) {  // the factor kept, two bends in turn: never the last one again
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
-  PaperProblem problems[2];
+  BodyProblem problems[2];
   problems[0].bodies = {carried_body(tube, bend_angle())};
   problems[1].bodies = {carried_body(tube, 0.9 * bend_angle())};
   PaperSolver solver(paper_options());
   solver.solve(problems[0]);
-  PaperSolution last;
+  SurfaceSolution last;
   std::size_t next = 1;
   for (auto _ : state) {
     last = solver.solve(problems[next]);
@@ -126,7 +125,7 @@ void paper_again(benchmark::State& state) {  // the factor kept, two bends in tu
 BENCHMARK(paper_again)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 
 void paper_floor(benchmark::State& state) {
-  PaperProblem problem;
+  BodyProblem problem;
   problem.bodies = {carried_body(tube_of(static_cast<int>(state.range(0))), bend_angle())};
   const ScaledBodies scaled = scale_bodies(problem);
   const ScaledBody& body = scaled.bodies[0];
@@ -174,11 +173,14 @@ CoupledProblem coupled_problem(const TubeSpec& tube, double angle) {
   CoupledVessel vessel;
   vessel.wall.rest = problem.surfaces.bodies[0].rest;
   vessel.wall.thickness.setConstant(vessel.wall.rest.points.rows(), thickness);
-  vessel.wall.axis.assign(static_cast<std::size_t>(vessel.wall.rest.triangles.rows()), Vec3::UnitZ());
-  vessel.wall.material = WallMaterial::isotropic(1, poisson);
+  vessel.wall.axis.assign(static_cast<std::size_t>(vessel.wall.rest.triangles.rows()),
+                          Vec3::UnitZ());
+  vessel.wall.material = Material::isotropic(1, poisson);
   vessel.sections = {rim(tube, 0), moved_rim(tube, angle)};
   problem.vessels.push_back(std::make_unique<CoupledVessel>(std::move(vessel)));
-  problem.carried = [=](double t) { return std::vector<CarriedBody>{carried_wall(tube, t * angle)}; };
+  problem.carried = [=](double t) {
+    return std::vector<CarriedBody>{carried_wall(tube, t * angle)};
+  };
   return problem;
 }
 
@@ -200,7 +202,8 @@ void report(benchmark::State& state, const CoupledSolution& last) {
 void coupled(benchmark::State& state) {
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
   CoupledSolution last;
-  for (auto _ : state) last = CoupledSolver(coupled_problem(tube, bend_angle()), coupled_options()).solve();
+  for (auto _ : state)
+    last = CoupledSolver(coupled_problem(tube, bend_angle()), coupled_options()).solve();
   report(state, last);
 }
 BENCHMARK(coupled)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
@@ -213,7 +216,8 @@ void coupled_again(benchmark::State& state) {  // another bend, factors kept
   CoupledSolution last;
   for (auto _ : state) {
     solver.set_sections(0, {rim(tube, 0), moved_rim(tube, other)});
-    solver.set_carried([=](double t) { return std::vector<CarriedBody>{carried_wall(tube, t * other)}; });
+    solver.set_carried(
+        [=](double t) { return std::vector<CarriedBody>{carried_wall(tube, t * other)}; });
     last = solver.solve();
   }
   report(state, last);
@@ -221,7 +225,8 @@ void coupled_again(benchmark::State& state) {  // another bend, factors kept
 BENCHMARK(coupled_again)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 
 void coupled_floor(benchmark::State& state) {
-  const CoupledProblem problem = coupled_problem(tube_of(static_cast<int>(state.range(0))), bend_angle());
+  const CoupledProblem problem =
+      coupled_problem(tube_of(static_cast<int>(state.range(0))), bend_angle());
   const WallInput& input = problem.vessels[0]->wall;
   WallEnergy wall(input);
   Eigen::SparseMatrix<double> k0 = wall.hessian(wall.rest());
@@ -247,15 +252,16 @@ BENCHMARK(coupled_floor)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Deformation = CGAL::Surface_mesh_deformation<Mesh, CGAL::Default, CGAL::Default, CGAL::SRE_ARAP>;
+using Deformation =
+    CGAL::Surface_mesh_deformation<Mesh, CGAL::Default, CGAL::Default, CGAL::SRE_ARAP>;
 
 class Arap {
  public:
   explicit Arap(const SurfaceBody& body) {
     std::vector<Mesh::Vertex_index> vertex;
     for (Eigen::Index i = 0; i < body.rest.points.rows(); ++i)
-      vertex.push_back(
-          mesh_.add_vertex({body.rest.points(i, 0), body.rest.points(i, 1), body.rest.points(i, 2)}));
+      vertex.push_back(mesh_.add_vertex(
+          {body.rest.points(i, 0), body.rest.points(i, 1), body.rest.points(i, 2)}));
     const auto at = [&](int i) { return vertex[static_cast<std::size_t>(i)]; };
     for (Eigen::Index t = 0; t < body.rest.triangles.rows(); ++t)
       mesh_.add_face(at(body.rest.triangles(t, 0)), at(body.rest.triangles(t, 1)),
@@ -269,8 +275,8 @@ class Arap {
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {
       const Eigen::Index row = static_cast<Eigen::Index>(i);
       if (body.fixed[i])
-        deformation_->set_target_position(vertex[i],
-                                          {body.carried(row, 0), body.carried(row, 1), body.carried(row, 2)});
+        deformation_->set_target_position(
+            vertex[i], {body.carried(row, 0), body.carried(row, 1), body.carried(row, 2)});
     }
     fixed_ = body.fixed;
   }
@@ -286,11 +292,12 @@ class Arap {
     return p;
   }
 
-  /// What the step from `before` has left of the force: a local-global step solves L (p_after - p_before) =
-  /// force(p_before), so |L dp| is the out-of-balance force, |L p_before| and |L p_after - L dp| the two it
-  /// is made of.
+  /// What the step from `before` has left of the force: a local-global step solves L (p_after -
+  /// p_before) = force(p_before), so |L dp| is the out-of-balance force, |L p_before| and |L
+  /// p_after - L dp| the two it is made of.
   double residual(const Points& before, const Points& after) const {
-    Points step = laplacian_ * (after - before), now = laplacian_ * before, then = laplacian_ * after;
+    Points step = laplacian_ * (after - before), now = laplacian_ * before,
+           then = laplacian_ * after;
     for (std::size_t i = 0; i < fixed_.size(); ++i)
       if (fixed_[i]) {
         const Eigen::Index row = static_cast<Eigen::Index>(i);
@@ -308,7 +315,8 @@ class Arap {
     for (const Mesh::Edge_index e : mesh_.edges()) {
       const Mesh::Halfedge_index h = mesh_.halfedge(e);
       const double w = 2 * weight(h, mesh_, get(CGAL::vertex_point, mesh_));
-      const int a = static_cast<int>(mesh_.source(h).idx()), b = static_cast<int>(mesh_.target(h).idx());
+      const int a = static_cast<int>(mesh_.source(h).idx()),
+                b = static_cast<int>(mesh_.target(h).idx());
       entries.insert(entries.end(), {{a, a, w}, {b, b, w}, {a, b, -w}, {b, a, -w}});
     }
     const int n = static_cast<int>(mesh_.number_of_vertices());

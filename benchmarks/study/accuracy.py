@@ -10,7 +10,7 @@ DEMANDS = ("demand_stretch", "demand_twist", "demand_bend", "demand_press")
 
 
 def demand_of(store, case):
-    """What the case asks of a vessel, as the hybrid's rod sees it: see hybrid/vessel/accuracy_table.h."""
+    """What the case asks of a vessel, as the hybrid's rod sees it: see hybrid/judge/accuracy_table.h."""
     run = hybrid(case, "skin", 48)
     if not converged(store, store.record(run.identity)):
         return {name: None for name in DEMANDS}

@@ -1,4 +1,4 @@
-"""The table behind `accuracy: x`, hybrid/vessel/accuracy_table.cpp, from the accuracy table. It is made from pulled, twisted and bent
+"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is made from pulled, twisted and bent
 straight tubes; all other cases check that its promise is kept (see held_out)."""
 
 import math
@@ -13,12 +13,11 @@ KINDS = ("stretch", "twist", "bend")
 SAFETY = 1.5  # on what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %
 HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
 // clang-format off
-#include "vessel/accuracy_table.h"
+#include "judge/accuracy_table.h"
 
 namespace vasorod {{
 namespace {{
 
-using enum Fidelity;
 using enum LoadKind;
 
 constexpr AccuracyRow rows[] = {{
@@ -78,12 +77,12 @@ def source_text(accuracy, source):
     def span(column):
         values = [row[column] for row in tubes]
         return f"{min(values):g}, {max(values):g}"
-    lines = [f"    {{{fidelity}, {kind}, {edge:.4f}, {demand:.4g}, {up(error)}}}," for fidelity, kind, edge, demand, error in rows]
+    lines = [f"    {{\"{fidelity}\", {kind}, {edge:.4f}, {demand:.4g}, {up(error)}}}," for fidelity, kind, edge, demand, error in rows]
     return HEAD.format(source=source, rows="\n".join(lines), thickness=span("thickness_over_radius"), length=span("length_over_radius"))
 
 
 def promised(rows, fidelity, around, demands):
-    """As hybrid/vessel/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds of load; None where the table ends."""
+    """As hybrid/judge/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds of load; None where the table ends."""
     total = 0.0
     for kind in KINDS:
         mine = [(demand, error) for f, k, edge, demand, error in rows if f == fidelity and k == kind and edge == mean_edge(around)]

@@ -163,7 +163,7 @@ def promise_section(rows, asked):
     if not kept:
         return ""
     fresh = [pair for pair in kept if pair[0]["family"] == "fresh"]
-    text = ["## `accuracy: x`\n", "The table behind it (`hybrid/vessel/accuracy_table.cpp`) is made from the pulled, twisted and bent straight tubes "
+    text = ["## `accuracy: x`\n", "The table behind it (`hybrid/judge/accuracy_table.cpp`) is made from the pulled, twisted and bent straight tubes "
             "above: at each level the largest error over their walls plus the reference's own, "
             f"times {promise.SAFETY}. Between levels it is interpolated linearly, over kinds of load summed. Tubes curved at rest it does not cover, nor "
             "pressed ones: of those it promised too much until a fresh case, the one that presses its tube, showed it.\n"]

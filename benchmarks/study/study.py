@@ -104,7 +104,7 @@ def tables(arguments):
 
 
 def write_promise(arguments):
-    promise.write_promise(arguments.baselines, REPOSITORY / "hybrid" / "vessel" / "accuracy_table.cpp")
+    promise.write_promise(arguments.baselines, REPOSITORY / "hybrid" / "judge" / "accuracy_table.cpp")
 
 
 def write_report(arguments):

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
 
-#include "app/options.h"
+#include <vasorod/fit.h>
+#include <vasorod/predict.h>
 
 namespace vasorod {
 
 struct CommandOptions {
   std::filesystem::path input, second, folder;
   bool json = false;
-  std::string length_unit = "mm";  ///< `fit` only
-  std::optional<double> remesh;    ///< `fit` only: target edge, length
-  SolveOptions solve;
+  FitRequest fit;      ///< `fit` only
+  SolveOptions solve;  ///< `solve` only
 };
-
-/// "vasorod 0.1.0".
-std::string program_version();
 
 int solve_command(const CommandOptions& options);    ///< 0 converged, 1 any other status
 int fit_command(const CommandOptions& options);      ///< 0

@@ -1,14 +1,16 @@
 // The program `vasorod`: its commands, and what each way of ending means to a shell.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <unistd.h>
+
+#include <vasorod/error.h>
+#include <vasorod/version.h>
 
 #include "app/commands.h"
 #include "app/stop.h"
-#include "geometry/error.h"
+#include "data/sentence.h"
 
 namespace {
 
@@ -17,7 +19,6 @@ using namespace vasorod;
 // The options every command has.
 struct Common {
   CommandOptions command;
-  std::string fidelity;
   double time_limit = 0;
   bool quiet = false;
 };
@@ -26,45 +27,45 @@ struct Common {
 CLI::Validator number(const std::string& expected, bool (*good)(double)) {
   return {[=](std::string& text) {
             double value = 0;
-            const bool fine = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && good(value);
+            const bool fine =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && good(value);
             return fine ? std::string() : "found " + text + ", expected " + expected;
           },
           "NUMBER"};
 }
 
 void add_output(CLI::App* app, Common* common) {
-  app->add_option("-o,--output", common->command.folder, "Result folder: absent, empty or an earlier result")
+  app->add_option("-o,--output", common->command.folder,
+                  "Result folder: absent, empty or an earlier result")
       ->required();
   app->add_flag("--json", common->command.json, "Print result.json on standard output");
   app->add_flag("-q,--quiet", common->quiet, "No progress");
 }
 
 void add_solving(CLI::App* app, Common* common) {
-  app->add_option("--fidelity", common->fidelity, "rod, skin, paper or coupled; overrides the scene's")
-      ->check(CLI::IsMember({"rod", "skin", "paper", "coupled"}));
+  app->add_option("--fidelity", common->command.solve.fidelity,
+                  listed(fidelity_names()) + "; overrides the scene's")
+      ->check(CLI::IsMember(fidelity_names()));
   app->add_flag("--certify", common->command.solve.certify,
                 "Ask for the sign of the surfaces' smallest curvature too");
   app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")
       ->check(CLI::Range(1, 1024));
-  app->add_option("--time-limit", common->time_limit, "Seconds after which the best state so far is written")
+  app->add_option("--time-limit", common->time_limit,
+                  "Seconds after which the best state so far is written")
       ->check(number("a number of at least 0", [](double value) { return value >= 0; }));
 }
 
 bool has_command(const CLI::App& app, const std::string& name) {
-  return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
-}
-
-std::optional<Fidelity> fidelity_named(const std::string& name) {
-  for (const Fidelity f : {Fidelity::rod, Fidelity::skin, Fidelity::paper, Fidelity::coupled})
-    if (to_string(f) == name) return f;
-  return std::nullopt;
+  return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; })
+              .empty();
 }
 
 int run(int argc, char** argv) {
   CLI::App app{
-      "Vasorod: predicts how blood vessels bend, twist, stretch and touch when a surgeon re-joins them.\n"
+      "Vasorod: predicts how blood vessels bend, twist, stretch and touch when a surgeon re-joins "
+      "them.\n"
       "Research software, not for clinical use."};
-  app.set_version_flag("--version", program_version());
+  app.set_version_flag("--version", "vasorod " + version());
   app.require_subcommand(1);
   Common common;
 
@@ -73,17 +74,21 @@ int run(int argc, char** argv) {
   add_output(solve, &common);
   add_solving(solve, &common);
 
-  auto* fit = app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");
-  fit->add_option("surface", common.command.input, "Surface: VTP, STL, PLY or OBJ")->required();
-  fit->add_option("--length-unit", common.command.length_unit, "The surface's unit")
+  auto* fit =
+      app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");
+  fit->add_option("surface", common.command.fit.surface, "Surface: VTP, STL, PLY or OBJ")
+      ->required();
+  fit->add_option("--length-unit", common.command.fit.length_unit, "The surface's unit")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
-  fit->add_option("--remesh", common.command.remesh, "Remesh to this edge length first")
+  fit->add_option("--remesh", common.command.fit.remesh, "Remesh to this edge length first")
       ->check(number("a number above 0", [](double value) { return value > 0; }));
   add_output(fit, &common);
 
   auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
   compare->add_option("a", common.command.input, "Result folder A")->required();
-  compare->add_option("b", common.command.second, "Result folder B: each rest point of A is looked up on B")
+  compare
+      ->add_option("b", common.command.second,
+                   "Result folder B: each rest point of A is looked up on B")
       ->required();
   compare->add_flag("--json", common.command.json, "Print JSON instead of the table");
 
@@ -99,10 +104,11 @@ int run(int argc, char** argv) {
     std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
     return 2;
   }
-  common.command.solve.fidelity = fidelity_named(common.fidelity);
   common.command.solve.stop = stop_on_signal_or_after(common.time_limit);
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
-    common.command.solve.progress = [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
+    common.command.solve.progress = [](const std::string& what) {
+      std::cerr << "vasorod: " << what << '\n';
+    };
 
   const int exit_code = *solve ? solve_command(common.command)
                         : *fit ? fit_command(common.command)

@@ -8,7 +8,8 @@ namespace vasorod {
 namespace {
 
 std::atomic<bool> signalled{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+static_assert(std::atomic<bool>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
 
 extern "C" void raise_flag(int) {
   signalled.store(true);
@@ -23,7 +24,8 @@ std::function<bool()> stop_on_signal_or_after(double seconds) {
   return [begin, seconds] {
     if (signalled.load()) return true;
     return seconds > 0 &&
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds;
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >
+               seconds;
   };
 }
 

@@ -4,14 +4,14 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -61,18 +61,21 @@ Vec3 closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 }
 
 struct ClosestPoint::Tree {
-  explicit Tree(const TriangleSurface& surface) : points(surface.points), triangles(surface.triangles) {
+  explicit Tree(const TriangleSurface& surface)
+      : points(surface.points), triangles(surface.triangles) {
     if (triangles.rows() == 0) throw InputError("a surface without triangles has no closest point");
     const auto count = static_cast<size_t>(triangles.rows());
     neighbour.assign(count, {-1, -1, -1});
     on_boundary.assign(static_cast<size_t>(points.rows()), 0);
     for (const Edge& e : edges_of(triangles)) {
-      if (e.boundary()) on_boundary[static_cast<size_t>(e.a)] = on_boundary[static_cast<size_t>(e.b)] = 1;
+      if (e.boundary())
+        on_boundary[static_cast<size_t>(e.a)] = on_boundary[static_cast<size_t>(e.b)] = 1;
       for (size_t side = 0; side < 2; ++side) {
         if (e.triangle[side] < 0) continue;
         for (int k = 0; k < 3; ++k)  // neighbour[k] lies across the edge opposite to corner k
           if (triangles(e.triangle[side], k) == e.opposite[side])
-            neighbour[static_cast<size_t>(e.triangle[side])][static_cast<size_t>(k)] = e.triangle[1 - side];
+            neighbour[static_cast<size_t>(e.triangle[side])][static_cast<size_t>(k)] =
+                e.triangle[1 - side];
       }
     }
     rebuild();
@@ -109,7 +112,8 @@ struct ClosestPoint::Tree {
   std::vector<char> on_boundary;  // per vertex
 };
 
-ClosestPoint::ClosestPoint(const TriangleSurface& surface) : tree_(std::make_unique<Tree>(surface)) {}
+ClosestPoint::ClosestPoint(const TriangleSurface& surface)
+    : tree_(std::make_unique<Tree>(surface)) {}
 ClosestPoint::~ClosestPoint() = default;
 ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
@@ -120,7 +124,8 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
   const auto found = tree.aabb.closest_point_and_primitive(to_cgal(point));
   hit.triangle = static_cast<int>(found.second - tree.soup.cbegin());
   const int t = hit.triangle;
-  hit.barycentric = closest_in_triangle(point, tree.corner(t, 0), tree.corner(t, 1), tree.corner(t, 2));
+  hit.barycentric =
+      closest_in_triangle(point, tree.corner(t, 0), tree.corner(t, 1), tree.corner(t, 2));
   hit.point = hit.barycentric[0] * tree.corner(t, 0) + hit.barycentric[1] * tree.corner(t, 1) +
               hit.barycentric[2] * tree.corner(t, 2);
 
@@ -142,7 +147,8 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
     hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
     hit.normal = tree.vertex_normal.row(vertex);
   }
-  // A degenerate triangle, or two folded onto each other, has no normal of its own: its vertices have.
+  // A degenerate triangle, or two folded onto each other, has no normal of its own: its vertices
+  // have.
   if (hit.normal.squaredNorm() < 1e-24) {
     int k = 0;
     hit.barycentric.maxCoeff(&k);

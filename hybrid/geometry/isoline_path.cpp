@@ -11,7 +11,8 @@ namespace {
 
 class Walker {
  public:
-  Walker(SurfaceEditor& editor, const IsolineRequest& request) : editor_(editor), request_(request) {}
+  Walker(SurfaceEditor& editor, const IsolineRequest& request)
+      : editor_(editor), request_(request) {}
 
   IsolinePath run() {
     const int start = place_start();
@@ -31,7 +32,8 @@ class Walker {
   }
 
  private:
-  // Where the isoline leaves the triangles round a vertex: at vertex a (b < 0), or on the edge a-b at t.
+  // Where the isoline leaves the triangles round a vertex: at vertex a (b < 0), or on the edge a-b
+  // at t.
   struct Exit {
     int a = -1, b = -1;
     double t = 0;
@@ -42,7 +44,8 @@ class Walker {
   double value(const Eigen::VectorXd& field, int v) const {
     const VertexSource& source = editor_.source(v);
     double sum = 0;
-    for (size_t k = 0; k < source.vertex.size(); ++k) sum += source.weight[k] * field[source.vertex[k]];
+    for (size_t k = 0; k < source.vertex.size(); ++k)
+      sum += source.weight[k] * field[source.vertex[k]];
     return sum;
   }
 
@@ -56,12 +59,13 @@ class Walker {
     return {{exit.a, 1 - exit.t}, {exit.b, exit.t}};
   }
 
-  // The start as a vertex: the nearest corner moved there, else a split edge's new vertex moved there, else a
-  // new one.
+  // The start as a vertex: the nearest corner moved there, else a split edge's new vertex moved
+  // there, else a new one.
   int place_start() {
     const auto corners = editor_.triangle(request_.triangle);
     Blend target;
-    for (size_t k = 0; k < 3; ++k) target.emplace_back(corners[k], request_.barycentric[static_cast<int>(k)]);
+    for (size_t k = 0; k < 3; ++k)
+      target.emplace_back(corners[k], request_.barycentric[static_cast<int>(k)]);
     const Vec3 at = editor_.point(target);
     std::array<size_t, 3> order{0, 1, 2};
     std::sort(order.begin(), order.end(), [&](size_t i, size_t j) {
@@ -77,10 +81,12 @@ class Walker {
       const Vec3 edge = editor_.point(b) - editor_.point(a);
       const double t = (at - editor_.point(a)).dot(edge) / edge.squaredNorm();
       const double distance = (at - editor_.point(a) - t * edge).norm();
-      if (distance > 0.7 * editor_.snap() || t <= 0 || t >= 1 || editor_.triangle_left_of(b, a) < 0) continue;
+      if (distance > 0.7 * editor_.snap() || t <= 0 || t >= 1 || editor_.triangle_left_of(b, a) < 0)
+        continue;
       const int m = editor_.split_edge(a, b, t);
-      editor_.move(m,
-                   target);  // if that folds a triangle the start stays on the edge, a fifth of an edge away
+      editor_.move(
+          m,
+          target);  // if that folds a triangle the start stays on the edge, a fifth of an edge away
       return m;
     }
     return editor_.split_triangle(request_.triangle, request_.barycentric);
@@ -106,8 +112,8 @@ class Walker {
     return found;
   }
 
-  // The exit that leads on: at the start the one where `along` grows with the sense asked for, later straight
-  // ahead.
+  // The exit that leads on: at the start the one where `along` grows with the sense asked for,
+  // later straight ahead.
   std::optional<Exit> lead_on(int v, int previous, int sense) const {
     std::optional<Exit> best;
     double best_score = 0;
@@ -139,7 +145,8 @@ class Walker {
                                                  std::pair{(1 - exit.t) * whole, exit.b}};
       if (ends[1].first < ends[0].first) std::swap(ends[0], ends[1]);
       for (const auto& [distance, v] : ends) {
-        if (next >= 0 || distance > editor_.snap() || path_.contains(v) || editor_.on_boundary(v)) continue;
+        if (next >= 0 || distance > editor_.snap() || path_.contains(v) || editor_.on_boundary(v))
+          continue;
         if (editor_.move(v, blend_of(exit))) next = v;
       }
       if (next < 0) next = editor_.split_edge(exit.a, exit.b, exit.t);
@@ -162,8 +169,8 @@ class Walker {
     return true;
   }
 
-  // Slides the path's last vertex, `next`, so that it is `wanted` away from v: back towards v, or on along
-  // the isoline.
+  // Slides the path's last vertex, `next`, so that it is `wanted` away from v: back towards v, or
+  // on along the isoline.
   bool slide(int v, int next, double wanted, int sense) {
     const Vec3 from = editor_.point(v);
     const double now = editor_.length(v, next);
@@ -173,7 +180,8 @@ class Walker {
     if (!ahead) return false;
     // On next + r (exit - next), where the distance from v is `wanted`.
     const Vec3 base = editor_.point(next) - from, step = ahead->point - editor_.point(next);
-    const double a = step.squaredNorm(), b = base.dot(step), c = base.squaredNorm() - wanted * wanted;
+    const double a = step.squaredNorm(), b = base.dot(step),
+                 c = base.squaredNorm() - wanted * wanted;
     const double r = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
     if (!(r >= 0 && r < 0.8)) return false;
     Blend target{{next, 1 - r}};
@@ -247,8 +255,8 @@ class Walker {
   // Along the path short edges are not only ugly: the seam copies them to the other vessel.
   double short_on_path() const { return 1.2 * editor_.snap(); }
 
-  // A step across the narrow corner of a triangle would leave a short edge: one of its two vertices goes, the
-  // one surgery made. True when done; `path` then ends where the walk goes on.
+  // A step across the narrow corner of a triangle would leave a short edge: one of its two vertices
+  // goes, the one surgery made. True when done; `path` then ends where the walk goes on.
   bool shorten(std::vector<int>& path, int next, double& done) {
     const int v = path.back();
     if (next >= editor_.input_count()) {
@@ -269,8 +277,8 @@ class Walker {
   double walk(std::vector<int>& path, int sense) {
     double done = 0;
     const double total = request_.length / 2, margin = editor_.snap();
-    // A path crosses each triangle once; the bound only guards against a function that is not what it should
-    // be.
+    // A path crosses each triangle once; the bound only guards against a function that is not what
+    // it should be.
     for (int guard = 2 * editor_.triangle_count(); guard > 0; --guard) {
       const int v = path.back(), previous = path.size() > 1 ? path[path.size() - 2] : -1;
       if (editor_.on_boundary(v)) {

@@ -30,7 +30,8 @@ class LevelSetSplit {
                                       : std::pair(l.vertex, l.other) < std::pair(r.vertex, r.other);
     });
     for (const auto& [distance, v, w] : candidates) {
-      if (value(v) * value(w) >= 0 || crossing(v, w) * editor_.length(v, w) > editor_.snap()) continue;
+      if (value(v) * value(w) >= 0 || crossing(v, w) * editor_.length(v, w) > editor_.snap())
+        continue;
       if (editor_.on_boundary(v) || !stays_simple(v)) continue;
       const double t = crossing(v, w);
       if (editor_.move(v, {{v, 1 - t}, {w, t}})) put_on_curve(v);
@@ -46,8 +47,8 @@ class LevelSetSplit {
     }
   }
 
-  // Merges what is still too short: a vertex of the curve into the next one, or with an old vertex beside the
-  // curve.
+  // Merges what is still too short: a vertex of the curve into the next one, or with an old vertex
+  // beside the curve.
   void merge_short_edges() {
     bool changed = true;
     for (int round = 0; changed && round < 4; ++round) {
@@ -109,9 +110,11 @@ class LevelSetSplit {
     return 0;
   }
 
-  // Would the curve still be simple, and no triangle lie in it, with v on it? Round v there must then be one
-  // run of positive and one of negative neighbours, at most single zeros between them.
-  bool stays_simple(int v) const { return simple_round(editor_.ring(v), -1) && neighbours_stay_simple(v); }
+  // Would the curve still be simple, and no triangle lie in it, with v on it? Round v there must
+  // then be one run of positive and one of negative neighbours, at most single zeros between them.
+  bool stays_simple(int v) const {
+    return simple_round(editor_.ring(v), -1) && neighbours_stay_simple(v);
+  }
 
   bool simple_round(const std::vector<int>& ring, int as_zero) const {
     int changes = 0, previous = 0;
@@ -150,13 +153,15 @@ class LevelSetSplit {
       const int keep = std::min(v, w), gone = std::max(v, w);
       const int left = editor_.triangle_left_of(v, w), right = editor_.triangle_left_of(w, v);
       if (left < 0 || right < 0 || side(left) * side(right) >= 0) return false;
-      if (!editor_.collapse(keep, gone, {{keep, 1.0}}) && !editor_.collapse(keep, gone, {{gone, 1.0}}))
+      if (!editor_.collapse(keep, gone, {{keep, 1.0}}) &&
+          !editor_.collapse(keep, gone, {{gone, 1.0}}))
         return false;
       on_curve_.erase(gone);
       return true;
     }
     if (editor_.on_boundary(w)) return false;
-    for (const int t : editor_.triangles_of(w)) {  // no triangle may end with all corners on the curve
+    for (const int t :
+         editor_.triangles_of(w)) {  // no triangle may end with all corners on the curve
       int zeros = 0;
       bool has_v = false;
       for (const int c : editor_.triangle(t)) {

@@ -1,10 +1,10 @@
-// Closed polygons by arc length: parametrisation, points between the corners, and the best match of two of
-// them.
+// Closed polygons by arc length: parametrisation, points between the corners, and the best match of
+// two of them.
 #pragma once
 
 #include <vector>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod {
 
@@ -25,9 +25,9 @@ class LoopCurve {
   std::vector<double> position_;
 };
 
-/// The offset for which the loops, run through in opposite senses, lie closest: it minimises the mean over u
-/// of |a(u) - b(offset - u)|^2, u and offset being fractions of arc length. In [0, 1), exact to about 1e-8
-/// (what rounding leaves of a minimum).
+/// The offset for which the loops, run through in opposite senses, lie closest: it minimises the
+/// mean over u of |a(u) - b(offset - u)|^2, u and offset being fractions of arc length. In [0, 1),
+/// exact to about 1e-8 (what rounding leaves of a minimum).
 double opposite_offset(const LoopCurve& a, const LoopCurve& b);
 
 /// That mean, length^2, by the trapezoidal rule.

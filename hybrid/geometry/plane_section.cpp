@@ -64,15 +64,17 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
   std::unordered_map<EdgeKey, size_t> starts, ends;  // edge -> the piece that starts or ends there
   for (int t = 0; t < surface.triangles.rows(); ++t) {
     std::array<bool, 3> above{};
-    for (int k = 0; k < 3; ++k) above[static_cast<size_t>(k)] = height[surface.triangles(t, k)] >= 0;
+    for (int k = 0; k < 3; ++k)
+      above[static_cast<size_t>(k)] = height[surface.triangles(t, k)] >= 0;
     if (above[0] == above[1] && above[1] == above[2]) continue;
     Piece piece{t, 0, 0};
     for (size_t k = 0; k < 3; ++k) {
       const size_t l = (k + 1) % 3;
       if (above[k] == above[l]) continue;
-      const EdgeKey key =
-          key_of(surface.triangles(t, static_cast<int>(k)), surface.triangles(t, static_cast<int>(l)));
-      (above[k] ? piece.from : piece.to) = key;  // the part above stays on the left, seen from outside
+      const EdgeKey key = key_of(surface.triangles(t, static_cast<int>(k)),
+                                 surface.triangles(t, static_cast<int>(l)));
+      (above[k] ? piece.from : piece.to) =
+          key;  // the part above stays on the left, seen from outside
     }
     starts.emplace(piece.from, pieces.size());
     ends.emplace(piece.to, pieces.size());

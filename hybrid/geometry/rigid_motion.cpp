@@ -14,24 +14,28 @@ ExpCoefficients exp_coefficients(double z) {
     const double d = (a - std::sin(a)) / (z * a);
     return {b, d, (std::sin(a) / a - 2 * b) / z, (b - 3 * d) / z};
   }
-  // b = sum (-z)^k / (2k + 2)!, d = sum (-z)^k / (2k + 3)!; b2 and d2 are twice their derivatives by z.
-  // Horner, with as many terms as z = 0.5 needs for the last digit.
+  // b = sum (-z)^k / (2k + 2)!, d = sum (-z)^k / (2k + 3)!; b2 and d2 are twice their derivatives
+  // by z. Horner, with as many terms as z = 0.5 needs for the last digit.
   const double b =
       1. / 2 -
-      z * (1. / 24 - z * (1. / 720 - z * (1. / 40320 - z * (1. / 3628800 - z * (1. / 479001600 -
-                                                                                z * (1. / 87178291200.))))));
+      z * (1. / 24 -
+           z * (1. / 720 - z * (1. / 40320 - z * (1. / 3628800 - z * (1. / 479001600 -
+                                                                      z * (1. / 87178291200.))))));
   const double d =
       1. / 6 -
       z * (1. / 120 -
-           z * (1. / 5040 - z * (1. / 362880 -
-                                 z * (1. / 39916800 - z * (1. / 6227020800. - z * (1. / 1307674368000.))))));
+           z * (1. / 5040 -
+                z * (1. / 362880 -
+                     z * (1. / 39916800 - z * (1. / 6227020800. - z * (1. / 1307674368000.))))));
   const double b2 =
-      -2 * (1. / 24 - z * (2. / 720 - z * (3. / 40320 - z * (4. / 3628800 - z * (5. / 479001600 -
-                                                                                 z * (6. / 87178291200.))))));
+      -2 * (1. / 24 -
+            z * (2. / 720 - z * (3. / 40320 - z * (4. / 3628800 - z * (5. / 479001600 -
+                                                                       z * (6. / 87178291200.))))));
   const double d2 =
       -2 * (1. / 120 -
-            z * (2. / 5040 - z * (3. / 362880 -
-                                  z * (4. / 39916800 - z * (5. / 6227020800. - z * (6. / 1307674368000.))))));
+            z * (2. / 5040 -
+                 z * (3. / 362880 -
+                      z * (4. / 39916800 - z * (5. / 6227020800. - z * (6. / 1307674368000.))))));
   return {b, d, b2, d2};
 }
 
@@ -48,20 +52,26 @@ LogCoefficients log_coefficients(double z) {
     return {c, c2, c3};
   }
   // c = sum |B_(2k+2)| / (2k+2)! z^k; ratio of terms at z = 1 is 1/39.5.
-  constexpr double a0 = 1. / 12, a1 = 1. / 720, a2 = 1. / 30240, a3 = 1. / 1209600, a4 = 1. / 47900160,
-                   a5 = 691. / 1307674368000., a6 = 1. / 74724249600., a7 = 3617. / 10670622842880000.,
-                   a8 = 43867. / 5109094217170944000., a9 = 174611. / 802857662698291200000.;
+  constexpr double a0 = 1. / 12, a1 = 1. / 720, a2 = 1. / 30240, a3 = 1. / 1209600,
+                   a4 = 1. / 47900160, a5 = 691. / 1307674368000., a6 = 1. / 74724249600.,
+                   a7 = 3617. / 10670622842880000., a8 = 43867. / 5109094217170944000.,
+                   a9 = 174611. / 802857662698291200000.;
   const double c =
-      a0 + z * (a1 + z * (a2 + z * (a3 + z * (a4 + z * (a5 + z * (a6 + z * (a7 + z * (a8 + z * a9))))))));
+      a0 +
+      z * (a1 +
+           z * (a2 + z * (a3 + z * (a4 + z * (a5 + z * (a6 + z * (a7 + z * (a8 + z * a9))))))));
   const double c2 =
-      2 * (a1 +
-           z * (2 * a2 +
-                z * (3 * a3 +
-                     z * (4 * a4 + z * (5 * a5 + z * (6 * a6 + z * (7 * a7 + z * (8 * a8 + z * 9 * a9))))))));
+      2 *
+      (a1 +
+       z * (2 * a2 +
+            z * (3 * a3 +
+                 z * (4 * a4 +
+                      z * (5 * a5 + z * (6 * a6 + z * (7 * a7 + z * (8 * a8 + z * 9 * a9))))))));
   const double c3 =
       4 * (2 * a2 +
            z * (6 * a3 +
-                z * (12 * a4 + z * (20 * a5 + z * (30 * a6 + z * (42 * a7 + z * (56 * a8 + z * 72 * a9)))))));
+                z * (12 * a4 +
+                     z * (20 * a5 + z * (30 * a6 + z * (42 * a7 + z * (56 * a8 + z * 72 * a9)))))));
   return {c, c2, c3};
 }
 
@@ -73,8 +83,8 @@ Mat3 exp_rotation(const Vec3& vector) {
 }
 
 Vec3 log_rotation(const Mat3& rotation) {
-  // Through the quaternion: its vector part keeps full accuracy at both ends, where the matrix's skew part
-  // has lost the axis (pi) and its trace the angle (0).
+  // Through the quaternion: its vector part keeps full accuracy at both ends, where the matrix's
+  // skew part has lost the axis (pi) and its trace the angle (0).
   const Eigen::Quaterniond q(rotation);
   const double s = q.vec().norm();
   if (s < 1e-150) return 2 * q.vec() / (q.w() < 0 ? -1 : 1);
@@ -116,8 +126,8 @@ Vec6 log_motion(const Pose& motion) {
   return twist;
 }
 
-// A twist is a rotation vector over the dual numbers, u + eps v, so the coupling block of each six by six
-// Jacobian is the derivative of the three by three one in the direction v.
+// A twist is a rotation vector over the dual numbers, u + eps v, so the coupling block of each six
+// by six Jacobian is the derivative of the three by three one in the direction v.
 Mat6 left_jacobian(const Vec6& twist) {
   const Vec3 v = twist.head<3>(), u = twist.tail<3>();
   const ExpCoefficients k = exp_coefficients(u.squaredNorm());

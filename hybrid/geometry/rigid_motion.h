@@ -1,15 +1,15 @@
 // Rotations SO(3) and rigid motions SE(3): exponential, logarithm and their derivatives.
 //
-// A rotation vector is axis times angle (radians). A twist is (v, u): translation part first, rotation part
-// second, the order of the rod's strains. Every rigid motion is an exponential of a twist, and a two-node rod
-// element carries one logarithm, which is why stretch, shear, twist, arcs and helices are exact in it
-// (Sonneville, Cardona and Bruls 2014). Jacobians follow the usual convention: exp(x + dx) = exp(Jl(x) dx)
-// exp(x) = exp(x) exp(Jr(x) dx) to first order.
+// A rotation vector is axis times angle (radians). A twist is (v, u): translation part first,
+// rotation part second, the order of the rod's strains. Every rigid motion is an exponential of a
+// twist, and a two-node rod element carries one logarithm, which is why stretch, shear, twist, arcs
+// and helices are exact in it (Sonneville, Cardona and Bruls 2014). Jacobians follow the usual
+// convention: exp(x + dx) = exp(Jl(x) dx) exp(x) = exp(x) exp(Jr(x) dx) to first order.
 #pragma once
 
 #include <Eigen/Geometry>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod {
 

@@ -7,8 +7,9 @@ namespace vasorod {
 
 Slit open_slit(SurfaceEditor& editor, const std::vector<int>& path) {
   if (path.size() < 3) throw std::logic_error("open_slit: a slit needs at least two edges");
-  // The right bank of each inner vertex, found before anything is doubled: its ring runs counter-clockwise,
-  // so between `next` and `previous` lies the left bank, between `previous` and `next` the right one.
+  // The right bank of each inner vertex, found before anything is doubled: its ring runs
+  // counter-clockwise, so between `next` and `previous` lies the left bank, between `previous` and
+  // `next` the right one.
   std::vector<std::vector<int>> right(path.size());
   for (size_t k = 1; k + 1 < path.size(); ++k) {
     auto ring = editor.ring(path[k]);
@@ -25,7 +26,8 @@ Slit open_slit(SurfaceEditor& editor, const std::vector<int>& path) {
   Slit slit;
   slit.rim.assign(path.begin(), path.end());
   slit.other_tip = static_cast<int>(path.size()) - 1;
-  for (size_t k = path.size() - 2; k > 0; --k) slit.rim.push_back(editor.duplicate(path[k], right[k]));
+  for (size_t k = path.size() - 2; k > 0; --k)
+    slit.rim.push_back(editor.duplicate(path[k], right[k]));
   return slit;
 }
 

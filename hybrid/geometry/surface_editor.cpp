@@ -155,13 +155,15 @@ int SurfaceEditor::split_edge(int a, int b, double t) {
 
 int SurfaceEditor::split_triangle(int t, const Vec3& barycentric) {
   const auto c = triangle(t);
-  const int m = add_vertex({{c[0], barycentric[0]}, {c[1], barycentric[1]}, {c[2], barycentric[2]}});
+  const int m =
+      add_vertex({{c[0], barycentric[0]}, {c[1], barycentric[1]}, {c[2], barycentric[2]}});
   remove_triangle(t);
   for (size_t k = 0; k < 3; ++k) add_triangle({c[k], c[(k + 1) % 3], m});
   return m;
 }
 
-bool SurfaceEditor::acceptable(const std::vector<Corners>& before, const std::vector<Corners>& after) const {
+bool SurfaceEditor::acceptable(const std::vector<Corners>& before,
+                               const std::vector<Corners>& after) const {
   double quality_before = 1, shortest_before = mean_edge_;
   Vec3 mean_normal = Vec3::Zero();
   for (const Corners& c : before) {
@@ -173,9 +175,10 @@ bool SurfaceEditor::acceptable(const std::vector<Corners>& before, const std::ve
   const double length_limit = std::min(min_edge(), shortest_before);
   for (size_t k = 0; k < after.size(); ++k) {
     const Vec3 normal = normal_of(after[k]);
-    // Against what the triangle was, and, where that was a sliver without a trustworthy normal, against its
-    // surroundings.
-    const Vec3 was = k < before.size() && quality_of(before[k]) > 0.05 ? normal_of(before[k]) : mean_normal;
+    // Against what the triangle was, and, where that was a sliver without a trustworthy normal,
+    // against its surroundings.
+    const Vec3 was =
+        k < before.size() && quality_of(before[k]) > 0.05 ? normal_of(before[k]) : mean_normal;
     if (normal.dot(was) <= 0.5 * normal.norm() * was.norm()) return false;
     if (quality_of(after[k]) < quality_limit || shortest_of(after[k]) < length_limit) return false;
   }
@@ -203,13 +206,15 @@ bool SurfaceEditor::move(int v, const Blend& target) {
 }
 
 bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
-  // Link condition: the two share exactly the corners opposite to their edge, and a boundary never closes up.
+  // Link condition: the two share exactly the corners opposite to their edge, and a boundary never
+  // closes up.
   const int left = triangle_left_of(keep, gone), right = triangle_left_of(gone, keep);
   if (left < 0 && right < 0) return false;
   const bool boundary_edge = left < 0 || right < 0;
   const auto ring_keep = ring(keep), ring_gone = ring(gone);
   int shared = 0;
-  for (const int v : ring_gone) shared += static_cast<int>(std::count(ring_keep.begin(), ring_keep.end(), v));
+  for (const int v : ring_gone)
+    shared += static_cast<int>(std::count(ring_keep.begin(), ring_keep.end(), v));
   if (shared != (boundary_edge ? 1 : 2)) return false;
   if (on_boundary(gone) && !boundary_edge) return false;
   if (on_boundary(keep) && !boundary_edge && point(target) != point(keep)) return false;
@@ -229,10 +234,11 @@ bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
       after.push_back(d);
       if (v == gone) renamed.push_back(t);
     }
-  // The two that vanish count among what was: a short edge or a sliver may go even if what stays is not
-  // perfect.
+  // The two that vanish count among what was: a short edge or a sliver may go even if what stays is
+  // not perfect.
   for (const int t : {left, right})
-    if (t >= 0) before.push_back({point(triangle(t)[0]), point(triangle(t)[1]), point(triangle(t)[2])});
+    if (t >= 0)
+      before.push_back({point(triangle(t)[0]), point(triangle(t)[1]), point(triangle(t)[2])});
   if (after.empty() || !acceptable(before, after)) return false;
 
   VertexSource from = source_of(target);
@@ -276,8 +282,8 @@ void SurfaceEditor::improve(const std::function<bool(int, int)>& fixed) {
     for (const int t : triangles_of(v))
       for (size_t k = 0; k < 3; ++k) enqueue(triangle(t)[k], triangle(t)[(k + 1) % 3]);
   }
-  // Every Delaunay flip on a flat patch lowers a potential; the bound only guards against curved corner
-  // cases.
+  // Every Delaunay flip on a flat patch lowers a potential; the bound only guards against curved
+  // corner cases.
   for (size_t guard = 20 * queue.size(); guard > 0 && !queue.empty(); --guard) {
     const auto [a, b] = queue.front();
     queue.pop_front();

@@ -1,14 +1,13 @@
 #include "geometry/triangle_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <unordered_map>
 
-#include <Eigen/Geometry>
-
-#include "geometry/error.h"
+#include <vasorod/error.h>
 
 namespace vasorod {
 
@@ -22,7 +21,8 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
   const auto bucket = [&](int a) { return static_cast<size_t>(a - lowest); };
   std::vector<size_t> first(bucket(triangles.maxCoeff()) + 2, 0);
   for (int t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) ++first[bucket(std::min(triangles(t, k), triangles(t, (k + 1) % 3))) + 1];
+    for (int k = 0; k < 3; ++k)
+      ++first[bucket(std::min(triangles(t, k), triangles(t, (k + 1) % 3))) + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Half> halves(first.back());
   std::vector<size_t> next(first.begin(), first.end() - 1);
@@ -34,7 +34,9 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
   for (size_t a = 0; a + 1 < first.size(); ++a)
     std::sort(halves.begin() + static_cast<std::ptrdiff_t>(first[a]),
               halves.begin() + static_cast<std::ptrdiff_t>(first[a + 1]),
-              [](const Half& l, const Half& r) { return l.b != r.b ? l.b < r.b : l.triangle < r.triangle; });
+              [](const Half& l, const Half& r) {
+                return l.b != r.b ? l.b < r.b : l.triangle < r.triangle;
+              });
   std::vector<Edge> edges;
   edges.reserve(halves.size() / 2 + 1);
   for (const Half& h : halves) {
@@ -49,7 +51,8 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
       edges.back().triangle[1] = h.triangle;
       edges.back().opposite[1] = h.opposite;
     } else {
-      throw InputError("non-manifold edge: points " + std::to_string(h.a) + " and " + std::to_string(h.b) +
+      throw InputError("non-manifold edge: points " + std::to_string(h.a) + " and " +
+                       std::to_string(h.b) +
                        " are joined by three or more triangles, expected at most two");
     }
   }
@@ -65,7 +68,8 @@ std::vector<std::vector<int>> boundary_loops(const Triangles& triangles) {
     for (int k = 0; k < 3; ++k)
       if (triangles(t, k) == e.b && triangles(t, (k + 1) % 3) == e.a) std::swap(from, to);
     if (!next.emplace(from, to).second)
-      throw InputError("non-manifold boundary: two boundary loops meet in point " + std::to_string(from));
+      throw InputError("non-manifold boundary: two boundary loops meet in point " +
+                       std::to_string(from));
   }
   std::vector<int> starts;
   starts.reserve(next.size());
@@ -83,8 +87,8 @@ std::vector<std::vector<int>> boundary_loops(const Triangles& triangles) {
       at = to;
     }
     if (at != start)
-      throw InputError("inconsistent orientation: the boundary through point " + std::to_string(start) +
-                       " does not close");
+      throw InputError("inconsistent orientation: the boundary through point " +
+                       std::to_string(start) + " does not close");
     loops.push_back(std::move(loop));
   }
   return loops;
@@ -96,7 +100,8 @@ int euler_number(const Triangles& triangles) {
   for (int t = 0; t < triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k) used[static_cast<size_t>(triangles(t, k))] = 1;
   const int vertices = static_cast<int>(std::count(used.begin(), used.end(), 1));
-  return vertices - static_cast<int>(edges_of(triangles).size()) + static_cast<int>(triangles.rows());
+  return vertices - static_cast<int>(edges_of(triangles).size()) +
+         static_cast<int>(triangles.rows());
 }
 
 std::vector<int> components(const Triangles& triangles, int vertex_count) {
@@ -151,7 +156,8 @@ Points vertex_normals(const TriangleSurface& surface) {
   Points normals = Points::Zero(surface.points.rows(), 3);
   for (int t = 0; t < surface.triangles.rows(); ++t) {
     std::array<Vec3, 3> p;
-    for (size_t k = 0; k < 3; ++k) p[k] = surface.points.row(surface.triangles(t, static_cast<int>(k)));
+    for (size_t k = 0; k < 3; ++k)
+      p[k] = surface.points.row(surface.triangles(t, static_cast<int>(k)));
     const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]);
     const double length = n.norm();
     if (length == 0) continue;

@@ -1,8 +1,7 @@
-#include "geometry/tube.h"
-
+#include <Eigen/Geometry>
 #include <cmath>
 
-#include <Eigen/Geometry>
+#include <vasorod/tube.h>
 
 namespace vasorod {
 
@@ -14,7 +13,8 @@ Pose tube_axis(const TubeSpec& tube, double s) {
   const double half = angle / 2;
   const double chord = s * (std::abs(half) < 1e-8 ? 1 : std::sin(half) / half);
   Pose pose;
-  pose.position = tube.position + chord * (std::cos(half) * tube.tangent + std::sin(half) * tube.normal);
+  pose.position =
+      tube.position + chord * (std::cos(half) * tube.tangent + std::sin(half) * tube.normal);
   pose.rotation.col(0) = std::cos(angle) * tube.normal - std::sin(angle) * tube.tangent;
   pose.rotation.col(1) = binormal;
   pose.rotation.col(2) = std::cos(angle) * tube.tangent + std::sin(angle) * tube.normal;
@@ -42,7 +42,8 @@ TriangleSurface tube_surface(const TubeSpec& tube) {
     const double radius = tube_radius(tube, s);
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * M_PI * (i + 0.5 * (row % 2)) / n;
-      surface.points.row(row * n + i) = axis * Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+      surface.points.row(row * n + i) =
+          axis * Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
   }
   surface.triangles.resize(2 * n * tube.along, 3);

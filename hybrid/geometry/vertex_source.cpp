@@ -12,7 +12,8 @@ int VertexSource::dominant() const {
   return vertex[best];
 }
 
-VertexSource blend(const std::vector<const VertexSource*>& sources, const std::vector<double>& weights) {
+VertexSource blend(const std::vector<const VertexSource*>& sources,
+                   const std::vector<double>& weights) {
   std::map<int, double> sum;
   for (size_t i = 0; i < sources.size(); ++i)
     for (size_t k = 0; k < sources[i]->vertex.size(); ++k)
@@ -37,18 +38,22 @@ VertexSources compose(const VertexSources& last, const VertexSources& first) {
   return result;
 }
 
-Eigen::MatrixXd interpolate(const VertexSources& sources, const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sources.size()), values.cols());
+Eigen::MatrixXd interpolate(const VertexSources& sources,
+                            const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sources.size()), values.cols());
   for (size_t i = 0; i < sources.size(); ++i)
     for (size_t k = 0; k < sources[i].vertex.size(); ++k)
-      result.row(static_cast<Eigen::Index>(i)) += sources[i].weight[k] * values.row(sources[i].vertex[k]);
+      result.row(static_cast<Eigen::Index>(i)) +=
+          sources[i].weight[k] * values.row(sources[i].vertex[k]);
   return result;
 }
 
 std::vector<int> carry_labels(const VertexSources& sources, const std::vector<int>& labels) {
   std::vector<int> result;
   result.reserve(sources.size());
-  for (const VertexSource& source : sources) result.push_back(labels[static_cast<size_t>(source.dominant())]);
+  for (const VertexSource& source : sources)
+    result.push_back(labels[static_cast<size_t>(source.dominant())]);
   return result;
 }
 

@@ -8,9 +8,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "data/index.h"
 #include "geometry/rigid_motion.h"
-#include "rod/index.h"
 
 namespace vasorod {
 namespace {
@@ -36,7 +37,8 @@ bool is_positive_definite(const Mat6& c) {
   if (!(diagonal.minCoeff() > 0)) return false;
   const Vec6 s = diagonal.cwiseSqrt().cwiseInverse();
   const Mat6 scaled = s.asDiagonal() * c * s.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] >= 1e-13;
+  return Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] >=
+         1e-13;
 }
 
 }  // namespace
@@ -57,17 +59,19 @@ RodSupport clamp_at(const RodTree& tree, int node, const Pose& target) {
 
 Pose target_pose(const RodTree& tree, const RodSupport& support, double t) {
   const Pose& rest = tree.rest.at(index(support.node));
-  return {exp_rotation(t * support.motion.rotate) * rest.rotation, rest.position + t * support.motion.move};
+  return {exp_rotation(t * support.motion.rotate) * rest.rotation,
+          rest.position + t * support.motion.move};
 }
 
 double length_scale(const RodTree& tree) {
   std::vector<double> way(index(tree.node_count()), 0);
   double longest = 0;
-  // elements need not come in order from the root: repeat until nothing changes is avoided by walking the
-  // branches, which are ordered parents first
+  // elements need not come in order from the root: repeat until nothing changes is avoided by
+  // walking the branches, which are ordered parents first
   for (const RodBranch& branch : tree.branches)
     for (std::size_t i = 0; i < branch.elements.size(); ++i) {
-      const double end = way[index(branch.nodes[i])] + tree.elements[index(branch.elements[i])].length;
+      const double end =
+          way[index(branch.nodes[i])] + tree.elements[index(branch.elements[i])].length;
       way[index(branch.nodes[i + 1])] = end;
       longest = std::max(longest, end);
     }
@@ -75,7 +79,8 @@ double length_scale(const RodTree& tree) {
 }
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> free_rigid_motions(const RodTree& tree,
-                                                            const RodConditions& conditions, double scale) {
+                                                            const RodConditions& conditions,
+                                                            double scale) {
   std::vector<Vec6> rows;
   for (const RodSupport& support : conditions.supports) {
     const Pose pose = target_pose(tree, support, 0);
@@ -112,8 +117,8 @@ void check_tree(const RodTree& tree, const std::string& where) {
   const auto fail = [&](const std::string& sentence) { throw InputError(where + ": " + sentence); };
   if (n < 2 || tree.elements.empty()) fail("the rod has no element, expected at least one");
   if (static_cast<int>(tree.elements.size()) != n - 1)
-    fail("found " + text(static_cast<double>(tree.elements.size())) + " elements between " + text(n) +
-         " nodes, expected one less than nodes (a tree without closed loops)");
+    fail("found " + text(static_cast<double>(tree.elements.size())) + " elements between " +
+         text(n) + " nodes, expected one less than nodes (a tree without closed loops)");
   for (int i = 0; i < n; ++i) {
     const Pose& pose = tree.rest[index(i)];
     if (!pose.rotation.allFinite() || !pose.position.allFinite())
@@ -168,19 +173,21 @@ void check_tree(const RodTree& tree, const std::string& where) {
   }
 }
 
-void check_conditions(const RodTree& tree, const RodConditions& conditions, const std::string& where) {
+void check_conditions(const RodTree& tree, const RodConditions& conditions,
+                      const std::string& where) {
   const auto fail = [&](const std::string& sentence) { throw InputError(where + ": " + sentence); };
   const int n = tree.node_count();
   std::vector<bool> supported(index(n), false);
   for (const RodSupport& s : conditions.supports) {
     if (s.node < 0 || s.node >= n)
       fail("a support names node " + text(s.node) + ", expected 0 to " + text(n - 1));
-    if (supported[index(s.node)]) fail("node " + text(s.node) + " has two supports, expected at most one");
+    if (supported[index(s.node)])
+      fail("node " + text(s.node) + " has two supports, expected at most one");
     supported[index(s.node)] = true;
     if (!s.motion.rotate.allFinite() || !s.motion.move.allFinite())
       fail("the motion of node " + text(s.node) + " is not finite");
-    if (s.frame &&
-        ((s.frame->transpose() * *s.frame - Mat3::Identity()).norm() > 1e-6 || s.frame->determinant() < 0))
+    if (s.frame && ((s.frame->transpose() * *s.frame - Mat3::Identity()).norm() > 1e-6 ||
+                    s.frame->determinant() < 0))
       fail("the support's frame at node " + text(s.node) + " is not right-handed and orthonormal");
   }
   const double scale = length_scale(tree);
@@ -192,7 +199,8 @@ void check_conditions(const RodTree& tree, const RodConditions& conditions, cons
     if (!load.force.allFinite() || !load.moment.allFinite())
       fail("the load of node " + text(load.node) + " is not finite");
     const Pose& pose = tree.rest[index(load.node)];
-    const Vec3 moment = (load.moment_in_body ? Vec3(pose.rotation * load.moment) : load.moment) / scale;
+    const Vec3 moment =
+        (load.moment_in_body ? Vec3(pose.rotation * load.moment) : load.moment) / scale;
     total.head<3>() += load.force;
     total.tail<3>() += moment + (pose.position / scale).cross(load.force);
     size += load.force.norm() + moment.norm();
@@ -208,7 +216,8 @@ void check_conditions(const RodTree& tree, const RodConditions& conditions, cons
       if ((motions * (motions.transpose() * translation) - translation).norm() < 1e-9 * size &&
           translation.norm() > 1e-9 * size)
         driven = translation;
-      fail("the loads drive a rigid motion that no support stops: " + describe_rigid_motion(driven, scale));
+      fail("the loads drive a rigid motion that no support stops: " +
+           describe_rigid_motion(driven, scale));
     }
 }
 

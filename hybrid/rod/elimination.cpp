@@ -17,13 +17,15 @@ namespace {
 /// A pivot this small, relative to the link's own stiffness, is round-off.
 constexpr double neutral_pivot = 1e-10;
 
-// From the second node's twist space to its parent's: A = (1, -hat(lever); 0, 1), S_i += A^T S A, g_i += A^T
-// g.
-void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, bool first, Mat6& to_s, Vec6& to_g) {
+// From the second node's twist space to its parent's: A = (1, -hat(lever); 0, 1), S_i += A^T S A,
+// g_i += A^T g.
+void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, bool first, Mat6& to_s,
+                    Vec6& to_g) {
   const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>();
   const Mat3 left = s.bottomLeftCorner<3, 3>() + cross_columns(lever, vv);
   const Mat3 right = vw - cross_rows(vv, lever);
-  const Mat3 turn = s.bottomRightCorner<3, 3>() + cross_columns(lever, vw) - cross_rows(left, lever);
+  const Mat3 turn =
+      s.bottomRightCorner<3, 3>() + cross_columns(lever, vw) - cross_rows(left, lever);
   const Vec3 moment = g.tail<3>() + lever.cross(g.head<3>());
   if (first) {
     to_s.topLeftCorner<3, 3>() = vv;
@@ -99,12 +101,14 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
   channels_.set_up(links_, conditions_);
 }
 
-// Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force F does the
-// work F.(v + omega x v / 2); that form takes fewest steps. With the force that the links pass to the node in
-// place of F (`from_links`; the same at equilibrium) the coordinates are r and omega instead, in which a dead
-// load adds nothing: an unstressed rod's matrix is then positive. A moment without energy adds an
-// antisymmetric part, -M/2 dead in space, +M/2 in the body.
-void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symmetric, bool from_links) {
+// Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force
+// F does the work F.(v + omega x v / 2); that form takes fewest steps. With the force that the
+// links pass to the node in place of F (`from_links`; the same at equilibrium) the coordinates are
+// r and omega instead, in which a dead load adds nothing: an unstressed rod's matrix is then
+// positive. A moment without energy adds an antisymmetric part, -M/2 dead in space, +M/2 in the
+// body.
+void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symmetric,
+                                       bool from_links) {
   std::fill(begun_.begin(), begun_.end(), 0);
   for (const NodeCondition& c : conditions_) {
     const std::size_t k = index(c.node);
@@ -119,7 +123,8 @@ void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symm
     const Mat3 f = hat(0.5 * (from_links || fixed > 0 ? Vec3(c.carried.head<3>()) : c.force));
     s_[k].bottomLeftCorner<3, 3>() += f;
     s_[k].topRightCorner<3, 3>() -= f;
-    if (!symmetric) s_[k].bottomRightCorner<3, 3>() += 0.5 * hat(load.tail<3>() - 2 * c.space_moment);
+    if (!symmetric)
+      s_[k].bottomRightCorner<3, 3>() += 0.5 * hat(load.tail<3>() - 2 * c.space_moment);
     if (c.fixed[3] || c.fixed[4] || c.fixed[5]) {
       const Vec3 turn = log_rotation(pose.rotation * c.target.rotation.transpose());
       const Vec3 reaction = c.carried.tail<3>() - load.tail<3>();
@@ -184,7 +189,8 @@ void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec
       const Mat6& c = links_[k].stiffness;
       const int condition = condition_of_[k + 1];
       channels_.begin(node, condition >= 0 ? &conditions_[index(condition)] : nullptr, second,
-                      10 * links_[k].length * std::min(c(3, 3), c(4, 4)), homogeneous, s_[k + 1], g_[k + 1]);
+                      10 * links_[k].length * std::min(c(3, 3), c(4, 4)), homogeneous, s_[k + 1],
+                      g_[k + 1]);
     }
     if (symmetric)
       eliminate(k, first, second, strain[k], stress[k], homogeneous);
@@ -196,8 +202,8 @@ void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec
 }
 
 VASOROD_VECTORIZED
-void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& second, const Vec6& strain,
-                               const Vec6& stress, bool homogeneous) {
+void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& second,
+                               const Vec6& strain, const Vec6& stress, bool homogeneous) {
   const RodLink& link = links_[k];
   LinkWork& work = work_[k];
   const LinkGeometry geometry = link_geometry(strain, stress);
@@ -210,8 +216,8 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
     work.eps = strain - link.natural;
   const Mat6& s = s_[k + 1];
   const Mat3 &j = work.j, &b = work.b;
-  const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>(), wv = s.bottomLeftCorner<3, 3>(),
-             ww = s.bottomRightCorner<3, 3>();
+  const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>(),
+             wv = s.bottomLeftCorner<3, 3>(), ww = s.bottomRightCorner<3, 3>();
 
   const Mat3 a11 = transposed_times(j, vv);  // Jr^T S
   Mat3 a12 = transposed_times(j, vw), a21 = transposed_times(b, vv, j, wv),
@@ -224,7 +230,8 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
   t.bottomRightCorner<3, 3>() = times(a21, b) + times(a22, j) + geometry.g22;
 
   // P has the blocks (0, f; f, m): f = -hat(force)/2, m = -hat(moment)/2
-  const Vec3 f = second.rotation * (-0.5 * geometry.force), m = second.rotation * (-0.5 * geometry.moment);
+  const Vec3 f = second.rotation * (-0.5 * geometry.force),
+             m = second.rotation * (-0.5 * geometry.moment);
   const Mat3 jf = transposed_cross(j, f);
   a12 += jf;
   a21 += jf;
@@ -234,8 +241,8 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
   Vec6 q;
   for (int r = 0; r < 3; ++r) {
     q[r] = j(0, r) * g[0] + j(1, r) * g[1] + j(2, r) * g[2];
-    q[r + 3] =
-        b(0, r) * g[0] + b(1, r) * g[1] + b(2, r) * g[2] + j(0, r) * g[3] + j(1, r) * g[4] + j(2, r) * g[5];
+    q[r + 3] = b(0, r) * g[0] + b(1, r) * g[1] + b(2, r) * g[2] + j(0, r) * g[3] + j(1, r) * g[4] +
+               j(2, r) * g[5];
   }
   for (int c = 0; c < 6; ++c)
     for (int r = 0; r < 6; ++r) q[r] -= t(r, c) * work.eps[c];
@@ -285,7 +292,8 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
   });
   unrolled(six, [&](auto row) VASOROD_INLINE {
     constexpr int r = row;
-    for (int c = 0; c < 6; ++c) subtract<(r & ~1), 8>(next[r], w[c][r] * work.inverse_pivot[c], w[c]);
+    for (int c = 0; c < 6; ++c)
+      subtract<(r & ~1), 8>(next[r], w[c][r] * work.inverse_pivot[c], w[c]);
   });
   if (low) check_pivots(k, t);
 
@@ -341,12 +349,14 @@ void RodElimination::eliminate_unsymmetric(std::size_t k, const Pose& first, con
   Mat6 jacobian = Mat6::Zero(), p = Mat6::Zero(), t = Mat6::Zero();
   jacobian.topLeftCorner<3, 3>() = jacobian.bottomRightCorner<3, 3>() = work.j;
   jacobian.topRightCorner<3, 3>() = work.b;
-  p.topRightCorner<3, 3>() = p.bottomLeftCorner<3, 3>() = hat(second.rotation * (-0.5 * geometry.force));
+  p.topRightCorner<3, 3>() = p.bottomLeftCorner<3, 3>() =
+      hat(second.rotation * (-0.5 * geometry.force));
   p.bottomRightCorner<3, 3>() = hat(second.rotation * (-0.5 * geometry.moment));
   t.topRightCorner<3, 3>() = t.bottomLeftCorner<3, 3>() = geometry.g12;
   t.bottomRightCorner<3, 3>() = geometry.g22;
   t += jacobian.transpose() * s * jacobian;
-  const Mat6 q_right = jacobian.transpose() * (s + p), q_left = jacobian.transpose() * (s.transpose() + p);
+  const Mat6 q_right = jacobian.transpose() * (s + p),
+             q_left = jacobian.transpose() * (s.transpose() + p);
   const Vec6 q = jacobian.transpose() * g - t * work.eps;
   t += link.stiffness;
   const Eigen::PartialPivLU<Mat6> lu(t);
@@ -377,12 +387,13 @@ void RodElimination::eliminate_unsymmetric(std::size_t k, const Pose& first, con
 
 void RodElimination::eliminate_root(const std::vector<Pose>& poses, bool homogeneous) {
   const int c = condition_of_[0];
-  root_step_ = channels_.close(c >= 0 ? &conditions_[index(c)] : nullptr, poses[0], homogeneous, s_[0], g_[0],
-                               negative_, singular_);
+  root_step_ = channels_.close(c >= 0 ? &conditions_[index(c)] : nullptr, poses[0], homogeneous,
+                               s_[0], g_[0], negative_, singular_);
   negative_ += channels_.negative_pivots() - channels_.condition_count();
 }
 
-void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, std::vector<Vec6>& stretch) {
+void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress,
+                           std::vector<Vec6>& stretch) {
   step.resize(links_.size() + 1);
   stress.resize(links_.size());
   stretch.resize(links_.size());

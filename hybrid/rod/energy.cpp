@@ -30,7 +30,8 @@ Vec12 element_energy_gradient(const RodElement& element, const Pose& first, cons
 Mat3 right_jacobian_inverse_transposed_derivative(const Vec3& u, const Vec3& n) {
   const LogCoefficients k = log_coefficients(u.squaredNorm());
   const Vec3 p = u.cross(u.cross(n));
-  return 0.5 * hat(n) + k.c * (u * n.transpose() + u.dot(n) * Mat3::Identity() - 2 * n * u.transpose()) +
+  return 0.5 * hat(n) +
+         k.c * (u * n.transpose() + u.dot(n) * Mat3::Identity() - 2 * n * u.transpose()) +
          k.c2 * p * u.transpose();
 }
 
@@ -65,8 +66,10 @@ Mat12 element_energy_hessian(const RodElement& element, const Pose& first, const
   const Pose h = first.inverse() * second;
   const Vec6 xi = log_motion(element.start.inverse() * h);
   const Mat6 jr = right_jacobian_inverse(xi);
-  // In a = -adjoint(h^-1) eta_first and b = eta_second: h -> h exp(b') with b' = a + b + [a, b] / 2 + ...
-  const Mat6 k = jr.transpose() * (element.stiffness / element.length + geometric_stiffness(xi, stress)) * jr;
+  // In a = -adjoint(h^-1) eta_first and b = eta_second: h -> h exp(b') with b' = a + b + [a, b] / 2
+  // + ...
+  const Mat6 k =
+      jr.transpose() * (element.stiffness / element.length + geometric_stiffness(xi, stress)) * jr;
   const Vec6 wrench = jr.transpose() * stress;
   Mat6 bracket = Mat6::Zero();  // a^T bracket b = wrench . [a, b] / 2
   bracket.topRightCorner<3, 3>() = bracket.bottomLeftCorner<3, 3>() = -0.5 * hat(wrench.head<3>());

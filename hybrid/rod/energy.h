@@ -1,8 +1,9 @@
-// Elastic energy of one rod element [3-5] as a function of its two frames: value, gradient, Hessian.
+// Elastic energy of one rod element [3-5] as a function of its two frames: value, gradient,
+// Hessian.
 //
-// With xi = log(start^-1 g_first^-1 g_second) = length * strain, U = (xi - L n)^T C (xi - L n) / (2 L), n the
-// natural strain. Derivatives are by body increments, g -> g exp(eta), eta = (first node, second node), 12
-// numbers: d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second.
+// With xi = log(start^-1 g_first^-1 g_second) = length * strain, U = (xi - L n)^T C (xi - L n) / (2
+// L), n the natural strain. Derivatives are by body increments, g -> g exp(eta), eta = (first node,
+// second node), 12 numbers: d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second.
 #pragma once
 
 #include "rod/rod_tree.h"
@@ -20,13 +21,14 @@ Vec6 element_stress(const RodElement& element, const Vec6& strain);
 double element_energy(const RodElement& element, const Pose& first, const Pose& second);
 Vec12 element_energy_gradient(const RodElement& element, const Pose& first, const Pose& second);
 
-/// B^T C B / L + geometric term at `stress`. With the element's own stress it is the second derivative of the
-/// energy along eta; with the stress predicted by the last linear step it is the mixed Newton's matrix
-/// (Magisano, Leonetti and Garcea 2017).
+/// B^T C B / L + geometric term at `stress`. With the element's own stress it is the second
+/// derivative of the energy along eta; with the stress predicted by the last linear step it is the
+/// mixed Newton's matrix (Magisano, Leonetti and Garcea 2017).
 Mat12 element_energy_hessian(const RodElement& element, const Pose& first, const Pose& second,
                              const Vec6& stress);
 
-/// Second derivative of stress . log(h exp(d)) by d, pulled back by Jr: Jr^T G Jr, where log h = xi.
+/// Second derivative of stress . log(h exp(d)) by d, pulled back by Jr: Jr^T G Jr, where log h =
+/// xi.
 Mat6 geometric_stiffness(const Vec6& xi, const Vec6& stress);
 
 /// Derivative of right_jacobian_inverse(x)^T m by x, m fixed.

@@ -7,25 +7,17 @@
 #include "rod/symmetry.h"
 
 namespace vasorod {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point t) {
-  return std::chrono::duration<double>(Clock::now() - t).count();
-}
-
-}  // namespace
-
 RodIteration::RodIteration(RodProblem& problem, const RodOptions& options, RodSummary& summary,
-                           Clock::time_point began)
-    : problem_(problem), options_(options), summary_(summary), began_(began) {}
+                           const StopCheck& stop)
+    : problem_(problem), options_(options), summary_(summary), stop_(stop) {}
 
 void RodIteration::count() {
   ++summary_.iterations;
-  if ((options_.stop && options_.stop()) || since(began_) > options_.time_limit) throw Interrupted{};
+  if (stop_({0, summary_.iterations, summary_.residual})) throw Interrupted{};
 }
 
-/// The fraction of the step that goes down the energy enough; the moved state is left in trial_. 0: none.
+/// The fraction of the step that goes down the energy enough; the moved state is left in trial_. 0:
+/// none.
 double RodIteration::search() {
   const double energy = problem_.potential(state, state), descent = problem_.slope(state, step_);
   if (!(descent < 0) || !std::isfinite(step_.size())) return 0;
@@ -46,7 +38,7 @@ bool RodIteration::newton() {
   problem_.elimination().set_gauge(gauge_springs(problem_, state));
   for (int i = 0; i < options_.max_iterations; ++i) {
     count();
-    const auto t = Clock::now();
+    const double began = stop_.seconds();
     problem_.update_carried(state, false);
     problem_.elimination().factor(state.poses, state.strain, state.stress);
     problem_.elimination().solve(step_.twist, step_.stress, step_.stretch);
@@ -77,7 +69,7 @@ bool RodIteration::newton() {
       best_size_ = size;
     }
     std::swap(state, trial_);
-    summary_.sweep_seconds += since(t);
+    summary_.sweep_seconds += stop_.seconds() - began;
     summary_.last_step = size;
     if (size < options_.tolerance) {
       best_size_ = std::numeric_limits<double>::infinity();  // `state` is better than all before
@@ -87,8 +79,8 @@ bool RodIteration::newton() {
   return false;
 }
 
-/// A step that goes down the energy: the Hessian shifted until it is positive definite. The shift is kept
-/// for the next.
+/// A step that goes down the energy: the Hessian shifted until it is positive definite. The shift
+/// is kept for the next.
 void RodIteration::step_down(double& shift) {
   RodElimination& elimination = problem_.elimination();
   elimination.factor(state.poses, state.strain, state.stress, Purpose::descent, shift);

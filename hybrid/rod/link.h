@@ -1,5 +1,5 @@
-// What the solver's parts share: elements as links between numbered nodes, and what acts on a node. Scaled
-// units.
+// What the solver's parts share: elements as links between numbered nodes, and what acts on a node.
+// Scaled units.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct NodeCondition {
   Mat3 frame = Mat3::Identity();
   Pose target;  ///< at the present time of the motion's path
   Vec3 force = Vec3::Zero(), space_moment = Vec3::Zero(), body_moment = Vec3::Zero();
-  /// Force and moment about the node that its links' stresses pass to it; in equilibrium the load and the
-  /// reaction.
+  /// Force and moment about the node that its links' stresses pass to it; in equilibrium the load
+  /// and the reaction.
   Vec6 carried = Vec6::Zero();
 
   Vec6 load(const Pose& pose) const;  ///< force and moment in space axes

@@ -8,7 +8,8 @@ namespace vasorod {
 // With p(m) = u x (u x m) = u (u.m) - m z and z = |u|^2:
 //   Jr^-T(u) n = n - u x n / 2 + c p(n), and its derivative by u
 //   X(n) = hat(n)/2 + c (u n^T + (u.n) 1 - 2 n u^T) + c2 p(n) u^T;
-// the moment's derivative is X(m) plus the derivative of X(n) in the direction v (twists are dual numbers).
+// the moment's derivative is X(m) plus the derivative of X(n) in the direction v (twists are dual
+// numbers).
 VASOROD_VECTORIZED
 LinkGeometry link_geometry(const Vec6& xi, const Vec6& stress) {
   const Vec3 v = xi.head<3>(), u = xi.tail<3>(), n = stress.head<3>(), m = stress.tail<3>();
@@ -40,7 +41,8 @@ LinkGeometry link_geometry(const Vec6& xi, const Vec6& stress) {
   xn.diagonal().array() += l.c * un;
   Mat3 y;
   y.noalias() = u * (l.c * m + (l.c2 * uv) * n).transpose();
-  y.noalias() += (l.c2 * (pm + pv) - (2 * l.c) * m + uv * (l.c3 * pn - (2 * l.c2) * n)) * u.transpose();
+  y.noalias() +=
+      (l.c2 * (pm + pv) - (2 * l.c) * m + uv * (l.c3 * pn - (2 * l.c2) * n)) * u.transpose();
   y.noalias() += (l.c * v) * n.transpose();
   y.noalias() += side * v.transpose();
   y += hat(0.5 * m);

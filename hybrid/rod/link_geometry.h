@@ -1,15 +1,17 @@
-// What one linear step needs to know of a link at its strain and stress: first and second derivative of
-// log(g_i^-1 g_j), in one pass and without a transcendental function for small angles.
+// What one linear step needs to know of a link at its strain and stress: first and second
+// derivative of log(g_i^-1 g_j), in one pass and without a transcendental function for small
+// angles.
 #pragma once
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod {
 
 /// At xi = (v, u) and stress s, all in the second node's body axes.
 struct LinkGeometry {
   Mat3 j, b;      ///< right Jacobian Jr(xi) = (j, b; 0, j): d log = Jr^-1 d(body twist)
-  Mat3 g12, g22;  ///< geometric stiffness (0, g12; g12^T, g22): the symmetric part of Jr^T d(Jr^-T s)/d xi
+  Mat3 g12, g22;  ///< geometric stiffness (0, g12; g12^T, g22): the symmetric part of Jr^T d(Jr^-T
+                  ///< s)/d xi
   Vec3 force, moment;  ///< Jr^-T s, what the stress puts on the second node
 };
 

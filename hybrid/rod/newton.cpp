@@ -1,33 +1,34 @@
 #include "rod/newton.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
 #include "geometry/rigid_motion.h"
-#include "rod/carry.h"
 #include "rod/certificate.h"
-#include "rod/collect.h"
 #include "rod/iteration.h"
+#include "rod/rod_solution.h"
+#include "rod/start_shape.h"
 
 namespace vasorod {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The order in which things are tried.
 class Solver {
  public:
   Solver(const RodTree& tree, const RodConditions& conditions, const RodOptions& options,
-         Clock::time_point began)
-      : problem_(tree, conditions), options_(options), iteration_(problem_, options, summary_, began) {}
+         const StopCheck& stop)
+      : problem_(tree, conditions),
+        options_(options),
+        iteration_(problem_, options, summary_, stop) {}
   RodSolution solve(const RodPoses* start);
 
  private:
-  void carry(const std::vector<Vec3>& turn);
+  void turn_along(const std::vector<Vec3>& turn);
   bool jump(const RodPoses* start, bool moved);
   void begin_at(const RodPoses* start);
   bool follow_path(int steps);
@@ -41,10 +42,10 @@ class Solver {
   RodIteration iteration_;
 };
 
-void Solver::carry(const std::vector<Vec3>& turn) {
+void Solver::turn_along(const std::vector<Vec3>& turn) {
   RodState& state = iteration_.state;
   double largest = 0;
-  state.poses = carry_along(problem_.links(), problem_.conditions(), turn, state.poses, &largest);
+  state.poses = start_shape(problem_.links(), problem_.conditions(), turn, state.poses, &largest);
   if (largest >= std::numbers::pi)
     throw InputError("rod: the prescribed motions turn one element by " +
                      std::to_string(largest * 180 / std::numbers::pi) +
@@ -73,7 +74,8 @@ void Solver::begin_at(const RodPoses* start) {
 /// In steps along the path, halved where one fails.
 bool Solver::follow_path(int steps) {
   double t = 0, dt = 1. / steps;
-  // no step turns a support by more than a third of a turn, so that the way round stays the meant one
+  // no step turns a support by more than a third of a turn, so that the way round stays the meant
+  // one
   for (const RodSupport& s : problem_.given().supports)
     dt = std::min(dt, 2 / std::max(2., s.motion.rotate.norm()));
   RodState reached = iteration_.state;
@@ -86,10 +88,11 @@ bool Solver::follow_path(int steps) {
       iteration_.state = reached;
       std::vector<Vec3> turn;
       for (const NodeCondition& c : problem_.conditions())
-        turn.push_back(c.supported() ? log_rotation(c.target.rotation *
-                                                    reached.poses[index(c.node)].rotation.transpose())
-                                     : Vec3::Zero());
-      carry(turn);
+        turn.push_back(c.supported()
+                           ? log_rotation(c.target.rotation *
+                                          reached.poses[index(c.node)].rotation.transpose())
+                           : Vec3::Zero());
+      turn_along(turn);
       ok = soft ? iteration_.soft_start() : iteration_.newton();
       if (ok) break;
     }
@@ -97,8 +100,8 @@ bool Solver::follow_path(int steps) {
       dt /= 2;
       if (dt < 1e-3) {
         iteration_.state = reached;
-        summary_.message =
-            "the path could be followed only to " + std::to_string(100 * t) + " % of it" + sharpest_turn();
+        summary_.message = "the path could be followed only to " + std::to_string(100 * t) +
+                           " % of it" + sharpest_turn();
         return false;
       }
       continue;
@@ -139,13 +142,14 @@ RodCertificate Solver::leave_saddle(RodCertificate at) {
   return at;
 }
 
-/// Where no minimum is found the mesh is often too coarse: an element's strain is one logarithm, below half a
-/// turn.
+/// Where no minimum is found the mesh is often too coarse: an element's strain is one logarithm,
+/// below half a turn.
 std::string Solver::sharpest_turn() const {
   double turn = 0;
   for (const Vec6& strain : iteration_.state.strain) turn = std::max(turn, strain.tail<3>().norm());
   if (turn < 1.2) return "";
-  return "; an element turns by " + std::to_string(static_cast<int>(turn * 180 / std::numbers::pi)) +
+  return "; an element turns by " +
+         std::to_string(static_cast<int>(turn * 180 / std::numbers::pi)) +
          " degrees there, use more elements";
 }
 
@@ -156,19 +160,21 @@ void Solver::judge() {
   summary_.negative_directions = at.negative;
   summary_.neutral_directions = at.neutral;
   if (!energy) {
-    summary_.status = RodStatus::equilibrium_only;
-    summary_.message = "a moment on a freely turning end has no energy, so no minimum can be certified";
+    summary_.status = Status::equilibrium_only;
+    summary_.message =
+        "a moment on a freely turning end has no energy, so no minimum can be certified";
   } else if (at.negative > 0) {
-    summary_.status = RodStatus::unstable;
-    summary_.message = "the equilibrium is not a minimum: its Hessian has " + std::to_string(at.negative) +
-                       " negative direction(s)" + sharpest_turn();
+    summary_.status = Status::unstable;
+    summary_.message = "the equilibrium is not a minimum: its Hessian has " +
+                       std::to_string(at.negative) + " negative direction(s)" + sharpest_turn();
   } else if (!at.minimum()) {
-    summary_.status = RodStatus::equilibrium_only;
+    summary_.status = Status::equilibrium_only;
     summary_.message = "a direction costs nothing, so the minimum is not a strict one";
   } else {
-    summary_.status = RodStatus::converged;
+    summary_.status = Status::converged;
     if (at.neutral > 0)
-      summary_.message = "the minimum is one of a family, because " + at.symmetry + " costs nothing";
+      summary_.message =
+          "the minimum is one of a family, because " + at.symmetry + " costs nothing";
   }
 }
 
@@ -182,12 +188,13 @@ RodSolution Solver::solve(const RodPoses* start) {
     const Pose& pose = state.poses[index(conditions[c].node)];
     turn[c] = start ? log_rotation(conditions[c].target.rotation * pose.rotation.transpose())
                     : problem_.given().supports[c].motion.rotate;
-    moved = moved || turn[c].norm() > 1e-12 || (conditions[c].target.position - pose.position).norm() > 1e-12;
+    moved = moved || turn[c].norm() > 1e-12 ||
+            (conditions[c].target.position - pose.position).norm() > 1e-12;
   }
   try {
     bool found = false;
     if (options_.path_steps <= 1) {
-      if (moved) carry(turn);
+      if (moved) turn_along(turn);
       found = jump(start, moved);
     }
     if (!found) {
@@ -199,46 +206,45 @@ RodSolution Solver::solve(const RodPoses* start) {
       judge();
     } else {
       iteration_.take_best();
-      summary_.status = RodStatus::iteration_limit;
+      summary_.status = Status::iteration_limit;
     }
   } catch (const Interrupted&) {
     problem_.harden();
     problem_.set_time(1);
     iteration_.take_best();
-    summary_.status = RodStatus::interrupted;
+    summary_.status = Status::interrupted;
     summary_.message = "stopped before the end";
   }
-  return collect(problem_, iteration_.state, summary_);
+  return report_solution(problem_, iteration_.state, summary_);
 }
 
 }  // namespace
 
-std::string to_string(RodStatus status) {
-  switch (status) {
-    case RodStatus::converged:
-      return "converged";
-    case RodStatus::equilibrium_only:
-      return "equilibrium_only";
-    case RodStatus::unstable:
-      return "unstable";
-    case RodStatus::iteration_limit:
-      return "iteration_limit";
-    case RodStatus::interrupted:
-      return "interrupted";
-  }
-  return "unknown";
+std::optional<std::string> RodOptions::is_invalid() const {
+  return first_fault({
+      {time_limit >= 0, "time_limit: expected a number of seconds of at least 0"},
+      {std::isfinite(tolerance) && tolerance > 0, "tolerance: expected a number above 0"},
+      {max_iterations >= 1, "max_iterations: expected at least 1"},
+      {path_steps >= 1, "path_steps: expected at least 1"},
+  });
 }
 
-RodSolution solve_rod(const RodTree& tree, const RodConditions& conditions, const RodOptions& options,
-                      const RodPoses* start) {
-  const auto began = Clock::now();
+std::string RodSummary::brief_report() const {
+  return to_string(status) + ": residual " + number_text(residual) + " after " +
+         std::to_string(iterations) + " linear solves" + (message.empty() ? "" : "; " + message);
+}
+
+RodSolution solve_rod(const RodTree& tree, const RodConditions& conditions,
+                      const RodOptions& options, const RodPoses* start) {
+  const StopCheck stop(options);
+  if (const auto fault = options.is_invalid()) throw InputError("options of the rod: " + *fault);
   check_tree(tree);
   check_conditions(tree, conditions);
   if (start && start->size() != tree.rest.size())
     throw InputError("rod: the start has " + std::to_string(start->size()) + " poses, expected " +
                      std::to_string(tree.rest.size()));
-  RodSolution solution = Solver(tree, conditions, options, began).solve(start);
-  solution.summary.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+  RodSolution solution = Solver(tree, conditions, options, stop).solve(start);
+  solution.summary.seconds = stop.seconds();
   return solution;
 }
 

@@ -25,14 +25,16 @@ RodProblem::RodProblem(const RodTree& tree, const RodConditions& conditions)
       elimination_(scaled_links(tree, rod_), node_conditions()) {
   const std::vector<NodeCondition>& all = elimination_.conditions();
   std::vector<int> condition_of(links().size() + 1, -1);
-  for (std::size_t c = 0; c < all.size(); ++c) condition_of[index(all[c].node)] = static_cast<int>(c);
+  for (std::size_t c = 0; c < all.size(); ++c)
+    condition_of[index(all[c].node)] = static_cast<int>(c);
   links_at_.resize(all.size());
   follows_.assign(links().size() + 1, true);
   for (std::size_t k = links().size(); k-- > 0;) {
     const std::size_t parent = index(links()[k].parent);
     for (const std::size_t node : {parent, k + 1})
       if (const int c = condition_of[node]; c >= 0) links_at_[index(c)].push_back(k);
-    if (const int c = condition_of[k + 1]; c >= 0 && all[index(c)].supported()) follows_[k + 1] = false;
+    if (const int c = condition_of[k + 1]; c >= 0 && all[index(c)].supported())
+      follows_[k + 1] = false;
     if (!follows_[k + 1]) follows_[parent] = false;
   }
   searchable_ = has_energy() && follows_[0];
@@ -51,7 +53,8 @@ std::vector<NodeCondition> RodProblem::node_conditions() const {
     result.back().target = rod_.scaled(tree_.rest[index(node)]);
     return result.back();
   };
-  for (const RodSupport& s : given_.supports) {  // first, so that the conditions begin in the supports' order
+  for (const RodSupport& s :
+       given_.supports) {  // first, so that the conditions begin in the supports' order
     NodeCondition& c = at(s.node);
     c.fixed = s.fixed;
     c.frame = s.frame.value_or(tree_.rest[index(s.node)].rotation);
@@ -68,7 +71,8 @@ std::vector<NodeCondition> RodProblem::node_conditions() const {
 RodState RodProblem::state_at(const RodPoses& poses) const {
   RodState state;
   state.poses.resize(poses.size());
-  for (std::size_t k = 0; k < poses.size(); ++k) state.poses[k] = rod_.scaled(poses[index(rod_.node_of[k])]);
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    state.poses[k] = rod_.scaled(poses[index(rod_.node_of[k])]);
   measure_strains(state);
   state.stress.assign(links().size(), Vec6::Zero());
   return state;
@@ -76,20 +80,23 @@ RodState RodProblem::state_at(const RodPoses& poses) const {
 
 void RodProblem::measure_strains(RodState& state) const {
   state.strain.resize(links().size());
-  for (std::size_t k = 0; k < links().size(); ++k) state.strain[k] = link_strain(links(), state.poses, k);
+  for (std::size_t k = 0; k < links().size(); ++k)
+    state.strain[k] = link_strain(links(), state.poses, k);
 }
 
 void RodProblem::take_elastic_stress(RodState& state) const {
   state.stress.resize(links().size());
   for (std::size_t k = 0; k < links().size(); ++k)
-    state.stress[k].noalias() = elimination_.links()[k].stiffness * (state.strain[k] - links()[k].natural);
+    state.stress[k].noalias() =
+        elimination_.links()[k].stiffness * (state.strain[k] - links()[k].natural);
 }
 
 void RodProblem::set_time(double t) {
   const std::vector<NodeCondition> full = node_conditions();
   for (std::size_t c = 0; c < full.size(); ++c) {
     NodeCondition& condition = elimination_.conditions()[c];
-    if (c < given_.supports.size()) condition.target = rod_.scaled(target_pose(tree_, given_.supports[c], t));
+    if (c < given_.supports.size())
+      condition.target = rod_.scaled(target_pose(tree_, given_.supports[c], t));
     condition.force = t * full[c].force;
     condition.space_moment = t * full[c].space_moment;
     condition.body_moment = t * full[c].body_moment;
@@ -115,8 +122,8 @@ double RodProblem::stiffness_ratio() const {
   double largest = 0;
   for (const RodLink& link : links())
     for (int i = 0; i < 3; ++i)
-      largest =
-          std::max(largest, link.stiffness(i, i) / std::min(link.stiffness(3, 3), link.stiffness(4, 4)));
+      largest = std::max(
+          largest, link.stiffness(i, i) / std::min(link.stiffness(3, 3), link.stiffness(4, 4)));
   return largest;
 }
 
@@ -150,7 +157,8 @@ double RodProblem::slope(const RodState& state, const RodStep& step) const {
   return sum;
 }
 
-void RodProblem::take(const RodState& from, const RodStep& step, double fraction, RodState& to) const {
+void RodProblem::take(const RodState& from, const RodStep& step, double fraction,
+                      RodState& to) const {
   to.poses.resize(from.poses.size());
   to.strain.resize(from.strain.size());
   const auto move = [&](std::size_t node) {
@@ -172,7 +180,8 @@ void RodProblem::take(const RodState& from, const RodStep& step, double fraction
   for (std::size_t k = 0; k < links().size(); ++k) {
     if (follows_[k + 1]) {
       to.strain[k] = from.strain[k] + fraction * step.stretch[k];
-      to.poses[k + 1] = link_start(links()[k], to.poses[index(links()[k].parent)]) * exp_motion(to.strain[k]);
+      to.poses[k + 1] =
+          link_start(links()[k], to.poses[index(links()[k].parent)]) * exp_motion(to.strain[k]);
     } else {
       move(k + 1);
     }

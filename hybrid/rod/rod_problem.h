@@ -1,4 +1,5 @@
-// A rod under its conditions, in scaled units: what a state is, what it costs, and how a step changes it.
+// A rod under its conditions, in scaled units: what a state is, what it costs, and how a step
+// changes it.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ struct RodState {
 /// A linear step: twist of every node, stretch and new stress of every link.
 struct RodStep {
   std::vector<Vec6> twist, stretch, stress;
-  /// Largest rotation (radians) or translation (over the rod's length); infinite where not a number.
+  /// Largest rotation (radians) or translation (over the rod's length); infinite where not a
+  /// number.
   double size() const;
 };
 
@@ -32,7 +34,8 @@ class RodProblem {
   RodElimination& elimination() { return elimination_; }
   const std::vector<RodLink>& links() const { return elimination_.links(); }
   const std::vector<NodeCondition>& conditions() const { return elimination_.conditions(); }
-  /// All nodes but the root follow their links' strains, and the loads have an energy that can be searched.
+  /// All nodes but the root follow their links' strains, and the loads have an energy that can be
+  /// searched.
   bool searchable() const { return searchable_; }
   bool has_energy() const { return !elimination_.has_nonconservative_moment(); }
 
@@ -54,9 +57,9 @@ class RodProblem {
   double potential(const RodState& state, const RodState& present) const;
   /// Derivative of the potential along the step, where the stress is the strain's.
   double slope(const RodState& state, const RodStep& step) const;
-  /// `from` moved by a fraction of the step; the stress is left to the caller. Where nothing beyond a node is
-  /// held it follows the strains, in which the step is linear: stiff strains then stay as small as the step
-  /// left them. Elsewhere nodes move by their own twists.
+  /// `from` moved by a fraction of the step; the stress is left to the caller. Where nothing beyond
+  /// a node is held it follows the strains, in which the step is linear: stiff strains then stay as
+  /// small as the step left them. Elsewhere nodes move by their own twists.
   void take(const RodState& from, const RodStep& step, double fraction, RodState& to) const;
   /// What the links pass to the nodes with conditions; with `all` also to those that cannot move.
   void update_carried(const RodState& state, bool all);

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "data/index.h"
 #include "geometry/rigid_motion.h"
 #include "rod/conditions.h"
-#include "rod/index.h"
 
 namespace vasorod {
 
@@ -24,8 +24,8 @@ ScaledRod scale(const RodTree& tree) {
   rod.moment = bending / weight / rod.length;
 
   const int n = tree.node_count();
-  // elements that leave each node, in order: those of node i are leaving[first_of[i]] to leaving[first_of[i +
-  // 1]]
+  // elements that leave each node, in order: those of node i are leaving[first_of[i]] to
+  // leaving[first_of[i + 1]]
   std::vector<int> first_of(index(n) + 1, 0), leaving(tree.elements.size());
   for (const RodElement& e : tree.elements) ++first_of[index(e.first) + 1];
   for (std::size_t i = 0; i < index(n); ++i) first_of[i + 1] += first_of[i];
@@ -33,7 +33,8 @@ ScaledRod scale(const RodTree& tree) {
   for (std::size_t e = 0; e < tree.elements.size(); ++e)
     leaving[index(next[index(tree.elements[e].first)]++)] = static_cast<int>(e);
   rod.new_of.assign(index(n), -1);
-  std::vector<int> waiting;  // elements whose first node is numbered; depth first keeps a branch together
+  std::vector<int>
+      waiting;  // elements whose first node is numbered; depth first keeps a branch together
   const auto number = [&](int node) {
     rod.new_of[index(node)] = static_cast<int>(rod.node_of.size());
     rod.node_of.push_back(node);
@@ -87,10 +88,11 @@ Vec6 wrench_on_second(const Pose& second, const Vec6& strain, const Vec6& stress
   return w;
 }
 
-Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
-                     const Vec6& on_second) {
+Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses,
+                     std::size_t k, const Vec6& on_second) {
   Vec6 w = -on_second;
-  w.tail<3>() -= (poses[k + 1].position - poses[index(links[k].parent)].position).cross(on_second.head<3>());
+  w.tail<3>() -=
+      (poses[k + 1].position - poses[index(links[k].parent)].position).cross(on_second.head<3>());
   return w;
 }
 

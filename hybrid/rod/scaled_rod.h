@@ -1,5 +1,5 @@
-// A rod tree in units of its own length and bending stiffness, so that mm or m, Pa or MPa give the same
-// numbers.
+// A rod tree in units of its own length and bending stiffness, so that mm or m, Pa or MPa give the
+// same numbers.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 namespace vasorod {
 
 struct ScaledRod {
-  double length = 1;           ///< unit of length: the longest way from the root to a leaf
-  double moment = 1;           ///< unit of moment and energy: mean bending stiffness over that length
+  double length = 1;  ///< unit of length: the longest way from the root to a leaf
+  double moment = 1;  ///< unit of moment and energy: mean bending stiffness over that length
   Vec3 origin = Vec3::Zero();  ///< the root's rest position
   std::vector<int> node_of,
-      new_of;                   ///< tree's node of each of ours (parents first), ours of each of the tree's
+      new_of;  ///< tree's node of each of ours (parents first), ours of each of the tree's
   std::vector<int> element_of;  ///< tree's element of each link
 
   double force() const { return moment / length; }
@@ -33,7 +33,7 @@ Vec6 link_strain(const std::vector<RodLink>& links, const std::vector<Pose>& pos
 /// Wrench (force, moment about the node; space axes) that a link's stress puts on its second node.
 Vec6 wrench_on_second(const Pose& second, const Vec6& strain, const Vec6& stress);
 /// The same link's wrench on its first node.
-Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses, std::size_t k,
-                     const Vec6& on_second);
+Vec6 wrench_on_first(const std::vector<RodLink>& links, const std::vector<Pose>& poses,
+                     std::size_t k, const Vec6& on_second);
 
 }  // namespace vasorod

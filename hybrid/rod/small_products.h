@@ -1,11 +1,13 @@
 // Products of 3 x 3 matrices written out, so that they are inlined where Eigen calls a function.
 #pragma once
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
-/// Functions compiled twice, with and without fused multiply-add and four-wide registers; the processor's
-/// best is taken when the program starts. Only for plain loops: Eigen's own vector types do not change.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+/// Functions compiled twice, with and without fused multiply-add and four-wide registers; the
+/// processor's best is taken when the program starts. Only for plain loops: Eigen's own vector
+/// types do not change.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
 #define VASOROD_VECTORIZED __attribute__((target_clones("fma", "default")))
 #else
 #define VASOROD_VECTORIZED
@@ -34,7 +36,8 @@ template <class A, class B>
 
 /// a^T b + c^T d.
 template <class A, class B, class C, class D>
-[[gnu::always_inline]] inline Mat3 transposed_times(const A& a, const B& b, const C& c, const D& d) {
+[[gnu::always_inline]] inline Mat3 transposed_times(const A& a, const B& b, const C& c,
+                                                    const D& d) {
   Mat3 r;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)

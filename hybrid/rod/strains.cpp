@@ -1,8 +1,8 @@
 #include "rod/strains.h"
 
+#include "data/index.h"
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
-#include "rod/index.h"
 
 namespace vasorod {
 

@@ -12,7 +12,8 @@
 namespace vasorod {
 namespace {
 
-/// Factors that bring the largest entry of every row and column near one; the signs of eigenvalues stay.
+/// Factors that bring the largest entry of every row and column near one; the signs of eigenvalues
+/// stay.
 Eigen::VectorXd balance(const Eigen::MatrixXd& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.rows());
   for (int round = 0; round < 8; ++round)
@@ -33,7 +34,8 @@ void SupportChannels::set_up(const std::vector<RodLink>& links,
   segment_of_.assign(links.size(), -1);
   gain_of_.assign(links.size(), -1);
   join_of_.assign(nodes, -1);
-  std::vector<int> own(nodes, 0), passing(nodes, -1);  // `passing`: the one segment that arrives, -2: several
+  std::vector<int> own(nodes, 0),
+      passing(nodes, -1);  // `passing`: the one segment that arrives, -2: several
   for (const NodeCondition& c : conditions) own[index(c.node)] = c.fixed_count();
   std::vector<std::vector<int>> arriving;  // of the nodes with several
   std::vector<int> several(nodes, -1);
@@ -93,7 +95,8 @@ SupportChannels::Split SupportChannels::split(const NodeCondition& condition, co
     if (!homogeneous) s.step << gap, -turn;
     return s;
   }
-  Eigen::Matrix<double, Eigen::Dynamic, 6> rows = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(count, 6);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> rows =
+      Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(count, 6);
   Eigen::VectorXd rest(count);
   const Mat3 inverse = left_jacobian_inverse(turn);
   int row = 0;
@@ -148,8 +151,8 @@ void SupportChannels::hand_out(const Join& join, const Eigen::VectorXd& reaction
   }
 }
 
-void SupportChannels::begin(int node, const NodeCondition* support, const Pose& pose, double softness,
-                            bool homogeneous, Mat6& s, Vec6& g) {
+void SupportChannels::begin(int node, const NodeCondition* support, const Pose& pose,
+                            double softness, bool homogeneous, Mat6& s, Vec6& g) {
   Join& join = joins_[index(join_of_[index(node)])];
   Segment& segment = segments_[index(join.to)];
   Arrivals all = arrivals(join);
@@ -163,8 +166,8 @@ void SupportChannels::begin(int node, const NodeCondition* support, const Pose& 
     all.rest -= all.row.transpose() * held.step;
     all.force = (open * all.force).eval();
     all.row = (open * all.row).eval();
-    // a spring along them changes nothing but the reactions, and keeps the branch from buckling as if it were
-    // free
+    // a spring along them changes nothing but the reactions, and keeps the branch from buckling as
+    // if it were free
     s += softness * held.fixed * held.fixed.transpose();
     g -= softness * held.step;
   }
@@ -178,7 +181,8 @@ void SupportChannels::begin(int node, const NodeCondition* support, const Pose& 
         });
     const Eigen::Index e = *softest;
     join.kept.erase(softest);
-    Eliminated out{e, all.row.col(e), all.compliance.row(e).transpose(), all.rest[e], all.compliance(e, e)};
+    Eliminated out{e, all.row.col(e), all.compliance.row(e).transpose(), all.rest[e],
+                   all.compliance(e, e)};
     if (out.pivot == 0) out.pivot = 1e-300;
     negative_pivots_ += out.pivot > 0;
     const Vec6 force = all.force.col(e) / out.pivot;
@@ -190,7 +194,8 @@ void SupportChannels::begin(int node, const NodeCondition* support, const Pose& 
     all.rest -= column * out.rest;
     all.compliance -= column * out.coupling.transpose();
     for (std::size_t i = 0; i < static_cast<std::size_t>(out.coupling.size()); ++i)
-      if (std::find(join.kept.begin(), join.kept.end(), static_cast<Eigen::Index>(i)) == join.kept.end())
+      if (std::find(join.kept.begin(), join.kept.end(), static_cast<Eigen::Index>(i)) ==
+          join.kept.end())
         out.coupling[static_cast<Eigen::Index>(i)] = 0;
     join.eliminated.push_back(std::move(out));
   }
@@ -227,8 +232,8 @@ void SupportChannels::spread(int node, const Vec6& twist) {
   hand_out(join, reactions);
 }
 
-Vec6 SupportChannels::close(const NodeCondition* support, const Pose& pose, bool homogeneous, const Mat6& s,
-                            const Vec6& g, int& negative, bool& singular) {
+Vec6 SupportChannels::close(const NodeCondition* support, const Pose& pose, bool homogeneous,
+                            const Mat6& s, const Vec6& g, int& negative, bool& singular) {
   const Join& join = joins_[index(join_of_[0])];
   Split held;
   if (support && support->supported())
@@ -253,8 +258,8 @@ Vec6 SupportChannels::close(const NodeCondition* support, const Pose& pose, bool
   constexpr double neutral = 1e-11;  // of a balanced matrix: round-off of the sweep
   negative += static_cast<int>((eigen.eigenvalues().array() < 0).count());
   if ((eigen.eigenvalues().array().abs() <= neutral).any()) singular = true;
-  const Eigen::VectorXd x =
-      scale.asDiagonal() * Eigen::FullPivLU<Eigen::MatrixXd>(matrix).solve((scale.asDiagonal() * rhs).eval());
+  const Eigen::VectorXd x = scale.asDiagonal() * Eigen::FullPivLU<Eigen::MatrixXd>(matrix).solve(
+                                                     (scale.asDiagonal() * rhs).eval());
   hand_out(join, x.tail(n - open));
   return held.step + held.free * x.head(open);
 }

@@ -43,20 +43,23 @@ Pose moved(const RodSymmetry& symmetry, const Pose& pose, double t) {
 }
 
 /// Supports still hold and loads do no work, at two angles.
-bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& problem, const RodState& state) {
+bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& problem,
+                            const RodState& state) {
   constexpr double tolerance = 1e-9;
   for (const NodeCondition& c : problem.conditions())
     for (const double t : {1., 2.3}) {
       const Pose& pose = state.poses[index(c.node)];
       const Pose now = moved(symmetry, pose, t);
       const Vec3 gap = c.frame.transpose() * (now.position - pose.position);
-      const Vec3 turn = c.frame.transpose() * (log_rotation(now.rotation * c.target.rotation.transpose()) -
-                                               log_rotation(pose.rotation * c.target.rotation.transpose()));
+      const Vec3 turn =
+          c.frame.transpose() * (log_rotation(now.rotation * c.target.rotation.transpose()) -
+                                 log_rotation(pose.rotation * c.target.rotation.transpose()));
       for (int i = 0; i < 3; ++i)
         if ((c.fixed[index(i)] && std::abs(gap[i]) > tolerance) ||
             (c.fixed[index(3 + i)] && std::abs(turn[i]) > tolerance))
           return false;
-      if (std::abs(c.force.dot(now.position - pose.position)) > tolerance * c.force.norm()) return false;
+      if (std::abs(c.force.dot(now.position - pose.position)) > tolerance * c.force.norm())
+        return false;
       if ((c.space_moment.norm() > 0 || c.body_moment.norm() > 0) &&
           (now.rotation - pose.rotation).norm() > tolerance)
         return false;
@@ -64,8 +67,10 @@ bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& probl
   return true;
 }
 
-/// Motions (move, turn, roll) that to first order break no support and do no work, and that move the state.
-std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& state, bool with_roll) {
+/// Motions (move, turn, roll) that to first order break no support and do no work, and that move
+/// the state.
+std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& state,
+                                    bool with_roll) {
   std::vector<Vec7> rows;
   const auto add = [&](const Vec3& along, const Vec3& about, const Pose& pose) {
     // along . v + about . omega of velocity(), as a row for (move, turn, roll)
@@ -75,7 +80,8 @@ std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& s
   };
   for (const NodeCondition& c : problem.conditions()) {
     const Pose& pose = state.poses[index(c.node)];
-    const Mat3 inverse = left_jacobian_inverse(log_rotation(pose.rotation * c.target.rotation.transpose()));
+    const Mat3 inverse =
+        left_jacobian_inverse(log_rotation(pose.rotation * c.target.rotation.transpose()));
     for (int i = 0; i < 3; ++i) {
       const Vec3 axis = c.frame.col(i);
       if (c.fixed[index(i)]) add(axis, Vec3::Zero(), pose);
@@ -94,7 +100,8 @@ std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& s
     const Vec7 p = eigen.eigenvectors().col(i);
     const RodSymmetry symmetry{p.head<3>(), p.segment<3>(3), p[6]};
     double largest = 0;
-    for (const Pose& pose : state.poses) largest = std::max(largest, velocity(symmetry, pose).norm());
+    for (const Pose& pose : state.poses)
+      largest = std::max(largest, velocity(symmetry, pose).norm());
     if (largest > 1e-6) found.push_back(symmetry);
   }
   return found;
@@ -106,7 +113,8 @@ std::vector<RodSymmetry> symmetries(const RodProblem& problem, const RodState& s
   std::vector<RodSymmetry> found = candidates(problem, state, true);
   if (found.empty()) return found;
   if (!sections_are_isotropic(problem.links())) found = candidates(problem, state, false);
-  std::erase_if(found, [&](const RodSymmetry& s) { return !holds_at_finite_angles(s, problem, state); });
+  std::erase_if(found,
+                [&](const RodSymmetry& s) { return !holds_at_finite_angles(s, problem, state); });
   return found;
 }
 
@@ -129,7 +137,8 @@ std::string describe(const RodProblem& problem, const RodSymmetry& symmetry) {
   if (symmetry.turn.norm() < 1e-6 && symmetry.move.norm() < 1e-6)
     return "turning every section about its own axis";
   Vec6 twist;  // about the space origin in the tree's own place, lengths scaled
-  twist << symmetry.move - symmetry.turn.cross(problem.rod().origin / problem.rod().length), symmetry.turn;
+  twist << symmetry.move - symmetry.turn.cross(problem.rod().origin / problem.rod().length),
+      symmetry.turn;
   return "a " + describe_rigid_motion(twist, problem.rod().length) +
          (std::abs(symmetry.roll) > 1e-6 ? " while the sections turn back" : "");
 }

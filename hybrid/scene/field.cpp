@@ -1,5 +1,6 @@
 #include "scene/field.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,35 +8,11 @@
 #include <fstream>
 #include <sstream>
 
-#include <Eigen/Geometry>
-
-#include "geometry/error.h"
+#include <vasorod/error.h>
 
 namespace vasorod {
 
 namespace {
-
-// Edit distance, for suggestions.
-int letters_off(const std::string& a, const std::string& b) {
-  std::vector<int> row(b.size() + 1);
-  for (size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
-  for (size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
-std::string shortest(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 // The whole text as a finite number, or nothing. YAML's own .inf and .nan are no numbers here.
 std::optional<double> parse_number(const std::string& text) {
@@ -55,41 +32,19 @@ bool plain(const YAML::Node& node) {
 
 }  // namespace
 
-std::string in_quotes(const std::string& text) {
-  constexpr size_t longest = 60;
-  std::string out = "\"";
-  for (const char c : text.substr(0, longest))
-    out += static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
-  return out + (text.size() > longest ? "...\"" : "\"");
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string out;
-  for (size_t i = 0; i < words.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-  return out;
-}
-
-std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  std::optional<std::string> best;
-  int least = 3;
-  if (word.size() > 100) return best;
-  for (const std::string& candidate : known) {
-    const int off = letters_off(word, candidate);
-    if (off < least && off < static_cast<int>(candidate.size())) {
-      least = off;
-      best = candidate;
-    }
-  }
-  return best;
-}
-
 Field::Field(std::string file, std::string key, YAML::Node node)
-    : file_(std::move(file)), key_(std::move(key)), node_(std::move(node)), line_(node_.Mark().line + 1) {}
+    : file_(std::move(file)),
+      key_(std::move(key)),
+      node_(std::move(node)),
+      line_(node_.Mark().line + 1) {}
+
+void Field::refuse(const std::string& what) const {
+  throw InputError(file_ + ":" + std::to_string(line_) + ": " + (key_.empty() ? "" : key_ + ": ") +
+                   "found " + what);
+}
 
 void Field::refuse(const std::string& what, const std::string& expected) const {
-  throw InputError(file_ + ":" + std::to_string(line_) + ": " + (key_.empty() ? "" : key_ + ": ") + "found " +
-                   what + ", expected " + expected);
+  refuse(what + ", expected " + expected);
 }
 
 std::string Field::found() const {
@@ -188,7 +143,8 @@ double Field::not_negative() const {
 }
 
 double Field::number_in(double lowest, double highest) const {
-  const std::string expected = "a number from " + shortest(lowest) + " to " + shortest(highest);
+  const std::string expected =
+      "a number from " + number_text(lowest) + " to " + number_text(highest);
   const double value = number(expected);
   if (value < lowest || value > highest) refuse(node_.Scalar(), expected);
   return value;
@@ -198,7 +154,8 @@ int Field::integer_in(int lowest, int highest) const {
   const std::string expected =
       "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   const double value = number(expected);
-  if (value != std::floor(value) || value < lowest || value > highest) refuse(node_.Scalar(), expected);
+  if (value != std::floor(value) || value < lowest || value > highest)
+    refuse(node_.Scalar(), expected);
   return static_cast<int>(value);
 }
 
@@ -227,14 +184,15 @@ Field read_yaml(const std::string& file) {
   if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(file + ": found a folder or device, expected a scene file");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file + ": found a file that may not be read, expected a scene file");
+  if (!stream)
+    throw InputError(file + ": found a file that may not be read, expected a scene file");
   std::vector<YAML::Node> documents;
   try {
     documents = YAML::LoadAll(stream);
   } catch (const YAML::Exception& error) {
-    throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": found a YAML error in column " +
-                     std::to_string(error.mark.column + 1) + " (" + error.msg +
-                     "), expected a scene in YAML");
+    throw InputError(file + ":" + std::to_string(error.mark.line + 1) +
+                     ": found a YAML error in column " + std::to_string(error.mark.column + 1) +
+                     " (" + error.msg + "), expected a scene in YAML");
   }
   if (documents.empty() || documents.front().IsNull())
     throw InputError(file + ":1: found an empty file, expected a scene");
@@ -252,7 +210,8 @@ void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {
   const double cosine = tangent.dot(normal);
   // 1e-3: three written digits are enough; anything more is a mistake rather than rounding.
   if (std::abs(cosine) > 1e-3)
-    place.refuse("a normal at " + shortest(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI) +
+    place.refuse("a normal at " +
+                     number_text(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI) +
                      " degrees to the tangent",
                  "90 degrees, tangent and normal given together");
   normal = (normal - cosine * tangent).normalized();

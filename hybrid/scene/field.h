@@ -1,26 +1,18 @@
-// One value of a scene file together with the place it stands: every way of reading it checks type and range,
-// and throws InputError "FILE:LINE: KEY: found X, expected Y".
+// One value of a scene file together with the place it stands: every way of reading it checks type
+// and range, and throws InputError "FILE:LINE: KEY: found X, expected Y".
 #pragma once
-
-#include <yaml-cpp/yaml.h>
 
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
+#include <yaml-cpp/yaml.h>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
+
+#include "data/sentence.h"
 
 namespace vasorod {
-
-/// Text as it is shown in a message: in quotes, shortened, and without what would break the line.
-std::string in_quotes(const std::string& text);
-
-/// "a, b or c".
-std::string listed(const std::vector<std::string>& words);
-
-/// The word of `known` that `word` was probably meant to be (at most two letters off), or nothing.
-std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 class Field {
  public:
@@ -32,6 +24,8 @@ class Field {
   bool is_list() const { return node_.IsSequence(); }
 
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const;
+  /// "found WHAT", WHAT a phrase that says what was expected too.
+  [[noreturn]] void refuse(const std::string& what) const;
   /// What stands here, in words.
   std::string found() const;
 
@@ -63,7 +57,8 @@ class Field {
   int line_ = 0;
 };
 
-/// The whole file as one map. Throws InputError when it cannot be read, or is not YAML with one document.
+/// The whole file as one map. Throws InputError when it cannot be read, or is not YAML with one
+/// document.
 Field read_yaml(const std::string& file);
 
 /// d3, d1 given at a place: both not zero, at right angles within 1e-3; returns them orthonormal.

@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -16,7 +14,8 @@ EndSelector read_selector(const Field& entry, const VesselSpec& vessel) {
   if (at && end) at->refuse("it beside end", "one or the other");
   if (!at && !end) entry.at("end", expected);
   if (end && end->is_map()) {
-    end->check_keys(rod ? std::vector<std::string>{"near", "at"} : std::vector<std::string>{"near"});
+    end->check_keys(rod ? std::vector<std::string>{"near", "at"}
+                        : std::vector<std::string>{"near"});
     at = end->find("at");
     const auto near = end->find("near");
     if (near.has_value() == at.has_value()) end->refuse(end->found(), expected);
@@ -54,33 +53,19 @@ std::array<bool, 6> read_fix(const Field& field) {
   return fixed;
 }
 
-bool moves(const EndCondition& end) {
-  return end.hold || end.rotate_deg || end.move;
-}
-bool loads(const EndCondition& end) {
-  return end.force || end.moment;
-}
-bool fixes(const EndCondition& end) {
-  return end.fix != std::array<bool, 6>{};
-}
-
 void check_sense(const Field& entry, const EndCondition& end) {
-  if (end.hold && (end.rotate_deg || end.move))
-    entry.refuse("hold beside rotate_deg or move", "one of the two, as a moved end is held on its path");
-  if (moves(end) && fixes(end)) entry.refuse("fix beside hold, rotate_deg or move", "one of the two");
-  if (moves(end) && loads(end))
-    entry.refuse("a force or moment on an end that is held or moved", "either a motion or a load");
-  if (!moves(end) && !loads(end) && !fixes(end))
-    entry.refuse("an end without a condition", "hold, rotate_deg, move, force, moment or fix");
+  if (const std::string wrong = contradiction(end); !wrong.empty()) entry.refuse(wrong);
 }
 
 bool same_place(const EndCondition& a, const EndCondition& b) {
-  return a.vessel == b.vessel && a.end.kind == b.end.kind && a.end.near == b.end.near && a.end.at == b.end.at;
+  return a.vessel == b.vessel && a.end.kind == b.end.kind && a.end.near == b.end.near &&
+         a.end.at == b.end.at;
 }
 
 // Ends that are one although they are named differently show where the vessel is known
 // (vessel/end_conditions.h).
-void check_shared(const Field& entry, const EndCondition& end, const std::vector<EndCondition>& before) {
+void check_shared(const Field& entry, const EndCondition& end,
+                  const std::vector<EndCondition>& before) {
   for (const EndCondition& other : before) {
     if (same_place(end, other) && exclude_each_other(end, other))
       entry.refuse("a second condition for the end of line " + std::to_string(other.line),
@@ -89,15 +74,16 @@ void check_shared(const Field& entry, const EndCondition& end, const std::vector
 }
 
 EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels) {
-  entry.check_keys({"vessel", "end", "at", "hold", "rotate_deg", "move", "force", "moment", "moment_frame",
-                    "fix", "section"});
+  entry.check_keys({"vessel", "end", "at", "hold", "rotate_deg", "move", "force", "moment",
+                    "moment_frame", "fix", "section"});
   EndCondition end;
   end.line = entry.line();
   const Field name = entry.at("vessel", "a vessel's name");
   const VesselSpec& vessel = named_vessel(name, vessels);
   end.vessel = vessel.name;
   if (vessel.role == Role::obstacle)
-    name.refuse("the obstacle " + in_quotes(vessel.name), "a deformable vessel, as obstacles never move");
+    name.refuse("the obstacle " + in_quotes(vessel.name),
+                "a deformable vessel, as obstacles never move");
   end.end = read_selector(entry, vessel);
   if (const auto hold = entry.find("hold")) end.hold = hold->boolean();
   if (const auto rotate = entry.find("rotate_deg")) end.rotate_deg = rotate->vec3();
@@ -116,27 +102,6 @@ EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels
 }
 
 }  // namespace
-
-std::string to_string(const EndSelector& selector) {
-  std::ostringstream out;
-  switch (selector.kind) {
-    case EndSelector::Kind::start:
-      return "start";
-    case EndSelector::Kind::end:
-      return "end";
-    case EndSelector::Kind::near:
-      out << "near(" << selector.near.x() << ", " << selector.near.y() << ", " << selector.near.z() << ")";
-      break;
-    case EndSelector::Kind::at:
-      out << "at(" << selector.at << ")";
-      break;
-  }
-  return out.str();
-}
-
-bool exclude_each_other(const EndCondition& a, const EndCondition& b) {
-  return moves(a) || moves(b) || (loads(a) && loads(b)) || (fixes(a) && fixes(b));
-}
 
 std::vector<EndCondition> read_ends(const Field& field, const std::vector<VesselSpec>& vessels) {
   std::vector<EndCondition> ends;

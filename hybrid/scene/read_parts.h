@@ -1,8 +1,9 @@
 // The parts of a scene file, each read and checked on its own; read_scene puts them together.
 #pragma once
 
+#include <vasorod/read_scene.h>
+
 #include "scene/field.h"
-#include "scene/scene.h"
 
 namespace vasorod {
 
@@ -16,7 +17,6 @@ std::vector<EndCondition> read_ends(const Field& ends, const std::vector<VesselS
 std::vector<std::array<std::string, 2>> read_contact(const Field& contact,
                                                      const std::vector<VesselSpec>& vessels);
 GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels);
-ExploreSpec read_explore(const Field& explore);
 
 /// The vessel a field names; refused, with the nearest name, when there is none.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);

@@ -1,7 +1,6 @@
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <sstream>
-
-#include <Eigen/Cholesky>
 
 #include "scene/read_parts.h"
 
@@ -30,10 +29,11 @@ Mat6 read_matrix(const Field& field) {
   for (size_t i = 0; i < 6; ++i) matrix.row(static_cast<int>(i)) = read_six(rows[i]).transpose();
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
-      if (std::abs(matrix(i, j) - matrix(j, i)) > 1e-12 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)))) {
+      if (std::abs(matrix(i, j) - matrix(j, i)) >
+          1e-12 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)))) {
         std::ostringstream found;
-        found << matrix(i, j) << " in row " << i + 1 << ", column " << j + 1 << " but " << matrix(j, i)
-              << " across the diagonal";
+        found << matrix(i, j) << " in row " << i + 1 << ", column " << j + 1 << " but "
+              << matrix(j, i) << " across the diagonal";
         field.refuse(found.str(), "a symmetric matrix");
       }
   matrix = (0.5 * (matrix + matrix.transpose())).eval();
@@ -52,7 +52,8 @@ Mat6 read_stiffness(const Field& field) {
   field.check_keys({"axial", "shear", "bending", "torsion", "matrix"});
   if (const auto matrix = field.find("matrix")) {
     for (const char* other : {"axial", "shear", "bending", "torsion"})
-      if (const auto found = field.find(other)) found->refuse("it beside matrix", "one or the other");
+      if (const auto found = field.find(other))
+        found->refuse("it beside matrix", "one or the other");
     return read_matrix(*matrix);
   }
   const double axial = field.at("axial", "the axial stiffness E A").positive();
@@ -110,21 +111,23 @@ RodSpec read_rod(const Field& field) {
   std::optional<Mat6> common;
   if (const auto stiffness = field.find("stiffness")) common = read_stiffness(*stiffness);
   const Field pieces = field.at("pieces", "a list of pieces");
-  for (const Field& piece : pieces.list("a list of pieces")) rod.pieces.push_back(read_piece(piece, common));
+  for (const Field& piece : pieces.list("a list of pieces"))
+    rod.pieces.push_back(read_piece(piece, common));
   if (rod.pieces.empty()) pieces.refuse("an empty list", "at least one piece");
   return rod;
 }
 
 TubeSpec read_tube(const Field& field) {
-  field.check_keys({"length", "radius", "around", "along", "bend_deg", "end_radius", "end_thickness",
-                    "position", "tangent", "normal"});
+  field.check_keys({"length", "radius", "around", "along", "bend_deg", "end_radius",
+                    "end_thickness", "position", "tangent", "normal"});
   TubeSpec tube;
   tube.length = field.at("length", "the tube's length").positive();
   tube.radius = field.at("radius", "the tube's radius").positive();
   if (const auto around = field.find("around")) tube.around = around->integer_in(6, 5000);
   if (const auto along = field.find("along")) tube.along = along->integer_in(1, 20000);
   if (const auto radius = field.find("end_radius")) tube.end_radius = radius->positive();
-  if (const auto thickness = field.find("end_thickness")) tube.end_thickness = thickness->positive();
+  if (const auto thickness = field.find("end_thickness"))
+    tube.end_thickness = thickness->positive();
   if (const auto position = field.find("position")) tube.position = position->vec3();
   if (const auto tangent = field.find("tangent")) tube.tangent = tangent->vec3();
   if (const auto normal = field.find("normal")) tube.normal = normal->vec3();

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <set>
 
+#include <vasorod/read_scene.h>
+
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -15,7 +17,8 @@ std::vector<std::string> names_of(const std::vector<VesselSpec>& vessels) {
 
 bool good_name(const std::string& name) {
   return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
   });
 }
 
@@ -30,8 +33,9 @@ void read_shape(const Field& field, const std::filesystem::path& folder, VesselS
   int shapes = 0;
   for (const char* shape : {"surface", "tube", "rod"}) shapes += field.has(shape) ? 1 : 0;
   if (shapes != 1)
-    field.refuse(shapes == 0 ? "none of surface, tube and rod" : "more than one of surface, tube and rod",
-                 "exactly one");
+    field.refuse(
+        shapes == 0 ? "none of surface, tube and rod" : "more than one of surface, tube and rod",
+        "exactly one");
   if (const auto surface = field.find("surface")) {
     const std::filesystem::path path = surface->text("the name of a VTP, STL, PLY or OBJ file");
     vessel.surface = path.is_absolute() ? path : folder / path;
@@ -68,8 +72,10 @@ void read_material(const Field& field, VesselSpec& vessel) {
   } else if (vessel.role == Role::deformable) {
     field.at("wall", "the wall of a deformable vessel");
   }
-  if (const auto law = field.find("law"))
-    vessel.law = law->one_of({"biot", "svk"}) == "biot" ? Law::biot : Law::svk;
+  if (const auto law = field.find("law")) {
+    if (!vessel.wall) law->refuse("it on a vessel without a wall", "it beside wall only");
+    vessel.wall->material.law = law->one_of({"biot", "svk"}) == "biot" ? Law::biot : Law::svk;
+  }
   if (const auto coefficients = field.find("coefficients"))
     vessel.coefficients = read_coefficients(*coefficients);
   if (vessel.tube && vessel.tube->end_thickness && !vessel.wall)
@@ -85,17 +91,19 @@ void read_material(const Field& field, VesselSpec& vessel) {
   }
 }
 
-VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder, const ReadOptions& options) {
+VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
+                       const ReadOptions& options) {
   VesselSpec vessel;
-  field.check_keys({"name", "surface", "tube", "rod", "remesh", "surface_is", "check", "wall", "law",
-                    "coefficients", "role", "pressure"});
+  field.check_keys({"name", "surface", "tube", "rod", "remesh", "surface_is", "check", "wall",
+                    "law", "coefficients", "role", "pressure"});
   const Field name = field.at("name", "the vessel's name");
   vessel.name = name.text("a name of letters, digits, _ and -");
   vessel.line = field.line();
   if (!good_name(vessel.name)) name.refuse(name.found(), "at most 100 letters, digits, _ and -");
   const Field named = field.renamed("vessels." + vessel.name);
   if (const auto role = named.find("role"))
-    vessel.role = role->one_of({"deformable", "obstacle"}) == "obstacle" ? Role::obstacle : Role::deformable;
+    vessel.role =
+        role->one_of({"deformable", "obstacle"}) == "obstacle" ? Role::obstacle : Role::deformable;
   read_shape(named, folder, vessel);
   read_material(named, vessel);
   if (const auto pressure = named.find("pressure")) {
@@ -129,10 +137,13 @@ void check_parents(const std::vector<Field>& fields, const std::vector<VesselSpe
   for (size_t i = 0; i < vessels.size(); ++i) {
     const VesselSpec* at = &vessels[i];
     for (size_t steps = 0; at->rod && at->rod->parent; ++steps) {
-      const Field parent =
-          fields[i].at("rod", "").at("parent", "").renamed("vessels." + vessels[i].name + ".rod.parent");
-      const auto next = std::find_if(vessels.begin(), vessels.end(),
-                                     [&](const VesselSpec& v) { return v.name == *at->rod->parent; });
+      const Field parent = fields[i]
+                               .at("rod", "")
+                               .at("parent", "")
+                               .renamed("vessels." + vessels[i].name + ".rod.parent");
+      const auto next = std::find_if(vessels.begin(), vessels.end(), [&](const VesselSpec& v) {
+        return v.name == *at->rod->parent;
+      });
       if (next == vessels.end() || !next->rod)
         parent.refuse(in_quotes(*at->rod->parent), "the name of another rod of this scene");
       if (steps > vessels.size())
@@ -174,13 +185,15 @@ std::vector<std::array<std::string, 2>> read_contact(const Field& field,
     const VesselSpec& a = named_vessel(names[0], vessels);
     const VesselSpec& b = named_vessel(names[1], vessels);
     if (&a == &b)
-      pair.refuse(in_quotes(a.name) + " twice", "two different vessels, as self-contact is not modelled");
+      pair.refuse(in_quotes(a.name) + " twice",
+                  "two different vessels, as self-contact is not modelled");
     for (size_t k = 0; k < 2; ++k)
       if ((k == 0 ? a : b).rod)
         names[k].refuse("the bare rod " + names[k].found(), "a vessel with a surface");
     if (a.role == Role::obstacle && b.role == Role::obstacle)
       pair.refuse("two obstacles", "at least one deformable vessel, as obstacles never move");
-    if (!seen.insert({a.name, b.name}).second) pair.refuse("the same pair a second time", "it once");
+    if (!seen.insert({a.name, b.name}).second)
+      pair.refuse("the same pair a second time", "it once");
     pairs.push_back({a.name, b.name});
   }
   return pairs;

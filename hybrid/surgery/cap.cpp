@@ -3,7 +3,6 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -18,7 +17,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Structure =
-    CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+    CGAL::Triangulation_data_structure_2<VertexBase,
+                                         CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -57,10 +57,12 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec2>& points, siz
     handles.push_back(delaunay.insert(Kernel::Point_2(points[i].x(), points[i].y())));
     handles.back()->info() = static_cast<int>(i);
   }
-  for (size_t k = 0; k < count; ++k) delaunay.insert_constraint(handles[k], handles[(k + 1) % count]);
+  for (size_t k = 0; k < count; ++k)
+    delaunay.insert_constraint(handles[k], handles[(k + 1) % count]);
   std::vector<std::array<int, 3>> triangles;
   for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face) {
-    const std::array<int, 3> c{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+    const std::array<int, 3> c{face->vertex(0)->info(), face->vertex(1)->info(),
+                               face->vertex(2)->info()};
     const bool inner =
         *std::max_element(c.begin(), c.end()) >= static_cast<int>(count);  // has a point inside
     const Vec2 center = (points[static_cast<size_t>(c[0])] + points[static_cast<size_t>(c[1])] +
@@ -98,10 +100,12 @@ void add_source(VertexSources& sources, const std::vector<std::array<int, 3>>& t
     const Vec2 &x = polygon[static_cast<size_t>(c[0])], &y = polygon[static_cast<size_t>(c[1])],
                &z = polygon[static_cast<size_t>(c[2])];
     const double whole = cross(y - x, z - x);
-    const Vec3 w(cross(y - p, z - p) / whole, cross(z - p, x - p) / whole, cross(x - p, y - p) / whole);
+    const Vec3 w(cross(y - p, z - p) / whole, cross(z - p, x - p) / whole,
+                 cross(x - p, y - p) / whole);
     if (!(w.minCoeff() > best)) continue;
     best = w.minCoeff();
-    for (size_t k = 0; k < 3; ++k) terms[k] = {rim[static_cast<size_t>(c[k])], w[static_cast<int>(k)]};
+    for (size_t k = 0; k < 3; ++k)
+      terms[k] = {rim[static_cast<size_t>(c[k])], w[static_cast<int>(k)]};
   }
   std::sort(terms.begin(), terms.end());
   VertexSource source;
@@ -128,7 +132,8 @@ CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vecto
     points.emplace_back((p - origin).dot(e1), (p - origin).dot(e2));
   }
   const std::vector<Vec2> outline = points;
-  for (const Vec2& p : grid_inside(outline, perimeter(surface.points, loop) / static_cast<double>(count)))
+  for (const Vec2& p :
+       grid_inside(outline, perimeter(surface.points, loop) / static_cast<double>(count)))
     points.push_back(p);
 
   auto triangles = triangulate(points, count, outline);
@@ -157,14 +162,16 @@ CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vecto
     add_source(result.sources, of_outline, outline, rim, points[i]);
     Vec3 at = Vec3::Zero();
     const VertexSource& source = result.sources.back();
-    for (size_t k = 0; k < 3; ++k) at += source.weight[k] * surface.points.row(source.vertex[k]).transpose();
+    for (size_t k = 0; k < 3; ++k)
+      at += source.weight[k] * surface.points.row(source.vertex[k]).transpose();
     result.surface.points.row(old_points + static_cast<Eigen::Index>(i - count)) = at.transpose();
   }
   result.surface.triangles.resize(old_triangles + static_cast<Eigen::Index>(triangles.size()), 3);
   result.surface.triangles.topRows(old_triangles) = surface.triangles;
   const auto number = [&](int i) {
-    return static_cast<size_t>(i) < count ? rim[static_cast<size_t>(i)]
-                                          : static_cast<int>(old_points) + i - static_cast<int>(count);
+    return static_cast<size_t>(i) < count
+               ? rim[static_cast<size_t>(i)]
+               : static_cast<int>(old_points) + i - static_cast<int>(count);
   };
   for (size_t t = 0; t < triangles.size(); ++t)
     for (size_t k = 0; k < 3; ++k)

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
+
 #include "geometry/vertex_source.h"
 
 namespace vasorod {

@@ -5,10 +5,11 @@
 #include <limits>
 #include <set>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
 #include "geometry/level_set_split.h"
 #include "geometry/plane_section.h"
-#include "geometry/sentence.h"
 #include "geometry/surface_editor.h"
 #include "geometry/triangle_surface.h"
 #include "surgery/cap.h"
@@ -30,9 +31,9 @@ const SectionLoop& curve_to_cut(const std::vector<SectionLoop>& curves, const Po
   if (!encloses(index)) index = section_around(curves, pick, normal);
   const SectionLoop& curve = curves[static_cast<size_t>(index)];
   if (!curve.closed)
-    throw InputError(
-        "cut at " + place_text(pick) +
-        ": the section's plane runs into an open end of the vessel, expected a section clear of its ends");
+    throw InputError("cut at " + place_text(pick) +
+                     ": the section's plane runs into an open end of the vessel, expected a "
+                     "section clear of its ends");
   return curve;
 }
 
@@ -84,7 +85,8 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   const Vec3 normal = section.director(3);
   const std::string where = "cut at " + place_text(pick);
   const auto ends = boundary_loops(surface.triangles);
-  if (ends.empty()) throw InputError(where + ": the vessel has no open end, expected at least one to keep");
+  if (ends.empty())
+    throw InputError(where + ": the vessel has no open end, expected at least one to keep");
   const auto curves = plane_sections(surface, section.position, normal);
   const SectionLoop& curve = curve_to_cut(curves, section, pick);
 
@@ -94,7 +96,8 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   for (const int t : curve.triangles)
     for (int k = 0; k < 3; ++k)
       if (at_end[static_cast<size_t>(surface.triangles(t, k))])
-        throw InputError(where + ": the cut comes within one triangle of an open end of the vessel near " +
+        throw InputError(where +
+                         ": the cut comes within one triangle of an open end of the vessel near " +
                          place_text(surface.points.row(surface.triangles(t, k))) +
                          ", expected a section clear of its ends");
 
@@ -102,19 +105,22 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   const std::vector<double> f(height.begin(), height.end());
   SurfaceEditor editor(surface);
   auto loop = split_level_set(editor, f, curve.edges);
-  if (loop.empty()) {  // a surface too coarse or too irregular for snapping is always cut cleanly without it
+  if (loop.empty()) {  // a surface too coarse or too irregular for snapping is always cut cleanly
+                       // without it
     EditTolerances exact;
     exact.snap = 0;
     editor = SurfaceEditor(surface, exact);
     loop = split_level_set(editor, f, curve.edges);
   }
   if (loop.empty())
-    throw InputError(where + ": the surface is too irregular there to be cut cleanly, expected it remeshed");
+    throw InputError(
+        where + ": the surface is too irregular there to be cut cleanly, expected it remeshed");
 
   const auto parts = parts_of(editor, loop);
   if (parts.size() != 2)
     throw InputError(where + ": the cut leaves the vessel in " + std::to_string(parts.size()) +
-                     (parts.size() == 1 ? " part" : " parts") + ", expected it to divide the vessel in two");
+                     (parts.size() == 1 ? " part" : " parts") +
+                     ", expected it to divide the vessel in two");
 
   // Which part holds the end to keep? Vertices of an end are never touched by the cut.
   size_t nearest = 0;
@@ -137,8 +143,9 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   outcome.mouth = mouth_of(kept, loop);
   const auto stump_mouth = mouth_of(stump, loop);
   if (outcome.mouth.empty() || stump_mouth.empty())
-    throw InputError(where +
-                     ": the cut does not leave one clean mouth, expected a section clear of forks and ends");
+    throw InputError(
+        where +
+        ": the cut does not leave one clean mouth, expected a section clear of forks and ends");
   outcome.kept = kept.surface;
   outcome.kept_sources = kept.sources;
   outcome.perimeter = perimeter(kept.surface.points, outcome.mouth);
@@ -148,13 +155,15 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
     polygon.points.row(static_cast<Eigen::Index>(k)) = kept.surface.points.row(outcome.mouth[k]);
   outcome.center = section_centroid(polygon);
   // A loop with the surface on its left has an area vector that points into the surface.
-  outcome.normal = area_vector(kept.surface.points, outcome.mouth).dot(normal) > 0 ? Vec3(-normal) : normal;
+  outcome.normal =
+      area_vector(kept.surface.points, outcome.mouth).dot(normal) > 0 ? Vec3(-normal) : normal;
 
   const double radius = outcome.perimeter / (2 * M_PI);
   if ((kept_end - outcome.center).norm() < 0.25 * radius)
     throw InputError(where + ": the cut would leave nothing of the vessel, only " +
-                     number_text((kept_end - outcome.center).norm()) +
-                     " up to the kept end, expected at least a quarter of its radius " + number_text(radius));
+                     number_text((kept_end - outcome.center).norm(), 4) +
+                     " up to the kept end, expected at least a quarter of its radius " +
+                     number_text(radius, 4));
 
   auto capped = close_planar_hole(stump.surface, stump_mouth);
   outcome.stump = std::move(capped.surface);

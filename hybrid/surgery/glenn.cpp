@@ -1,29 +1,26 @@
 #include "surgery/glenn.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <sstream>
 
-#include <Eigen/Geometry>
+#include <vasorod/error.h>
 
+#include "data/index.h"
 #include "geometry/closest_point.h"
-#include "geometry/error.h"
 #include "geometry/triangle_surface.h"
-#include "surgery/after_edit.h"
+#include "rod/split_rod.h"
 #include "surgery/cut.h"
+#include "surgery/edited_vessel.h"
 #include "surgery/incision.h"
 #include "surgery/join.h"
 #include "surgery/pose.h"
 #include "surgery/vein_rotation.h"
-#include "vessel/split_rod.h"
 
 namespace vasorod {
 namespace {
-
-size_t index(int i) {
-  return static_cast<size_t>(i);
-}
 
 // A pick on a vessel: its rod coordinates, the section's rest frame and the mid-wall radius there.
 struct Pick {
@@ -33,7 +30,8 @@ struct Pick {
 };
 
 // A pick may lie up to one radius off its vessel's surface.
-Pick locate(const std::string& where, const char* what, const PreparedVessel& vessel, const Vec3& point) {
+Pick locate(const std::string& where, const char* what, const PreparedVessel& vessel,
+            const Vec3& point) {
   const RodTree& rod = vessel.vessel.rod;
   Pick pick;
   pick.at = project(rod, point);
@@ -50,7 +48,8 @@ Pick locate(const std::string& where, const char* what, const PreparedVessel& ve
   return pick;
 }
 
-// Arc length of the part of a tree between two of its nodes, one of which is the root or a branch's end.
+// Arc length of the part of a tree between two of its nodes, one of which is the root or a branch's
+// end.
 double path_length(const RodTree& rod, int from, int to) {
   std::vector<double> along(rod.rest.size(), 0);
   for (const RodBranch& branch : rod.branches)
@@ -61,8 +60,8 @@ double path_length(const RodTree& rod, int from, int to) {
   return std::abs(along[index(from)] - along[index(to)]);
 }
 
-// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far end where
-// the scene says nothing of it.
+// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far
+// end where the scene says nothing of it.
 VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept,
                                  const std::vector<int>& end_now, int kept_node) {
   VesselConditions now;
@@ -79,8 +78,9 @@ VesselConditions kept_conditions(const VesselConditions& before, const RodPart& 
     end.end = end_now[index(end.end)];
     if (end.end >= 0) now.ends.push_back(end);
   }
-  const bool held = std::any_of(now.rod.supports.begin(), now.rod.supports.end(),
-                                [&](const RodSupport& support) { return support.node == kept_node; });
+  const bool held =
+      std::any_of(now.rod.supports.begin(), now.rod.supports.end(),
+                  [&](const RodSupport& support) { return support.node == kept_node; });
   if (!held) now.rod.supports.push_back(clamp(kept_node));
   return now;
 }
@@ -89,9 +89,10 @@ Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedV
   return {title, {svc.vessel.surface, rpa.vessel.surface}, {svc.spec.name, rpa.spec.name}};
 }
 
-// Step 1: the section's plane cuts the surface, the rod is split there, the part with the kept end goes on.
-void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc, VesselConditions& conditions,
-         GlennOperation& operation) {
+// Step 1: the section's plane cuts the surface, the rod is split there, the part with the kept end
+// goes on.
+void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
+         VesselConditions& conditions, GlennOperation& operation) {
   const Pick pick = locate(where, "cut", svc, spec.cut);
   CutOutcome outcome = cut_vessel(svc.vessel.surface, pick.section, spec.cut, spec.keep_near);
   const int kept_end = find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where);
@@ -122,8 +123,9 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc, V
 
 }  // namespace
 
-GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc, PreparedVessel& rpa,
-                       VesselConditions& svc_conditions, const GlennOptions& options) {
+GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc,
+                       PreparedVessel& rpa, VesselConditions& svc_conditions,
+                       const GlennOptions& options) {
   const std::string where = scene.file.string() + ":" + std::to_string(spec.line);
   GlennOperation operation;
   operation.report.svc = svc.spec.name;
@@ -142,19 +144,21 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
       open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of,
                     spec.incision, operation.report.cut.perimeter / 2, pick.radius);
   operation.report.incision.length = incision.length;
-  operation.report.incision.ends = {incision.surface.points.row(incision.rim.front()),
-                                    incision.surface.points.row(incision.rim[index(incision.other_tip)])};
+  operation.report.incision.ends = {
+      incision.surface.points.row(incision.rim.front()),
+      incision.surface.points.row(incision.rim[index(incision.other_tip)])};
   follow_edit(rpa, incision.surface, incision.sources);
   operation.stages.push_back(stage("incision", svc, rpa));
 
   // Step 3: the mouth's pose, the rotation that twists the vein least, and what meets what.
   options.progress("pose of the vein");
   // At angle 0 the mouth's section is turned from rest no more than its axis asks.
-  Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0, operation.mouth_is_branch_end);
+  Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0,
+                          operation.mouth_is_branch_end);
   const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];
-  mouth.rotation =
-      Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3)).toRotationMatrix() *
-      at_rest.rotation;
+  mouth.rotation = Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3))
+                       .toRotationMatrix() *
+                   at_rest.rotation;
   VeinRotation rotation(svc.vessel.rod, svc_conditions.rod, operation.mouth_node, mouth, outward,
                         options.rod);
   const double angle = rotation.find() + spec.rotation_deg.value_or(0) * (M_PI / 180);
@@ -168,8 +172,8 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   Points mouth_start(static_cast<Eigen::Index>(loop.size()), 3);
   for (size_t k = 0; k < loop.size(); ++k)
     mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);
-  const JoinOutcome seam =
-      match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface, incision.rim, incision.other_tip);
+  const JoinOutcome seam = match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface,
+                                      incision.rim, incision.other_tip);
   operation.pairs = seam.pairs;
   follow_edit(svc, seam.svc, seam.svc_sources);
   follow_edit(rpa, seam.rpa, seam.rpa_sources);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
 #include "geometry/closest_point.h"
-#include "geometry/error.h"
 #include "geometry/isoline_path.h"
-#include "geometry/sentence.h"
 #include "geometry/slit.h"
 
 namespace vasorod {
@@ -34,8 +35,8 @@ Eigen::VectorXd half_plane_distance(const TriangleSurface& surface, const Bindin
                                     const ClosestPoint::Hit& hit) {
   Vec2 there = Vec2::Zero();
   for (int k = 0; k < 3; ++k)
-    there +=
-        hit.barycentric[k] * binding[static_cast<size_t>(surface.triangles(hit.triangle, k))].local.head<2>();
+    there += hit.barycentric[k] *
+             binding[static_cast<size_t>(surface.triangles(hit.triangle, k))].local.head<2>();
   there.normalize();
   Eigen::VectorXd across(static_cast<Eigen::Index>(binding.size()));
   for (size_t v = 0; v < binding.size(); ++v)
@@ -46,22 +47,24 @@ Eigen::VectorXd half_plane_distance(const TriangleSurface& surface, const Bindin
 
 }  // namespace
 
-IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod, const Binding& binding,
-                              const std::vector<int>& branch_of, const Vec3& pick, double length,
-                              double max_distance) {
+IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod,
+                              const Binding& binding, const std::vector<int>& branch_of,
+                              const Vec3& pick, double length, double max_distance) {
   const std::string where = "incision at " + place_text(pick);
   const auto hit = ClosestPoint(surface).query(pick);
   if (std::abs(hit.signed_distance) > max_distance)
-    throw InputError(where + ": the pick is " + number_text(std::abs(hit.signed_distance)) +
-                     " off the vessel, expected at most its radius, " + number_text(max_distance));
+    throw InputError(where + ": the pick is " + number_text(std::abs(hit.signed_distance), 4) +
+                     " off the vessel, expected at most its radius, " +
+                     number_text(max_distance, 4));
   if (hit.on_boundary)
-    throw InputError(where + ": the pick lies at an open end of the vessel, expected one on its wall");
+    throw InputError(where +
+                     ": the pick lies at an open end of the vessel, expected one on its wall");
 
   SurfaceEditor editor(surface);
   if (!(length > 3 * editor.snap()))
-    throw InputError(where + ": a length of " + number_text(length) +
+    throw InputError(where + ": a length of " + number_text(length, 4) +
                      " is too short for the vessel's triangles, expected more than " +
-                     number_text(3 * editor.snap()));
+                     number_text(3 * editor.snap(), 4));
   IsolineRequest request;
   request.across = half_plane_distance(surface, binding, hit);
   request.along = arc_length(rod, binding);
@@ -76,18 +79,20 @@ IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod
   };
   for (int k = 0; k < 3; ++k)
     if (!request.allowed(surface.triangles(hit.triangle, k)))
-      throw InputError(where + ": the pick lies at a fork of the vessel, expected it on one branch");
+      throw InputError(where +
+                       ": the pick lies at a fork of the vessel, expected it on one branch");
   const auto path = embed_isoline(editor, request);
   if (path.end == IsolineEnd::boundary)
-    throw InputError(where + ": an incision of length " + number_text(length) +
+    throw InputError(where + ": an incision of length " + number_text(length, 4) +
                      " runs into an open end of the vessel near " + place_text(path.stopped_at) +
                      ", expected one that ends before");
   if (path.end == IsolineEnd::forbidden)
-    throw InputError(where + ": an incision of length " + number_text(length) +
+    throw InputError(where + ": an incision of length " + number_text(length, 4) +
                      " runs into a fork of the vessel near " + place_text(path.stopped_at) +
                      ", expected it to stay on one branch");
   if (path.end == IsolineEnd::lost)
-    throw InputError(where + ": the direction along the vessel is lost near " + place_text(path.stopped_at) +
+    throw InputError(where + ": the direction along the vessel is lost near " +
+                     place_text(path.stopped_at) +
                      ", expected a wall that runs along its centerline there");
 
   const Slit slit = open_slit(editor, path.vertices);

@@ -13,20 +13,22 @@
 namespace vasorod {
 namespace {
 
-// A corner of one of the loops, by arc length from where the matching starts, both counted along the mouth.
+// A corner of one of the loops, by arc length from where the matching starts, both counted along
+// the mouth.
 struct Corner {
   double position;  // length unit
   int index;        // into the loop
 };
 
-// A vertex both loops will have. Index -1: the loop has no corner there, its edge is split at the position.
+// A vertex both loops will have. Index -1: the loop has no corner there, its edge is split at the
+// position.
 struct Knot {
   Corner mouth, rim;
 };
 
-// Pairs the corners of two stretches that begin and end together: the two that are closest, in fractions of
-// their stretches, if closer than `tolerance`, then what is left and right of them; those left over have no
-// counterpart.
+// Pairs the corners of two stretches that begin and end together: the two that are closest, in
+// fractions of their stretches, if closer than `tolerance`, then what is left and right of them;
+// those left over have no counterpart.
 class Matching {
  public:
   Matching(double tolerance, std::vector<Knot>& knots) : tolerance_(tolerance), knots_(knots) {}
@@ -65,9 +67,11 @@ class Matching {
     }
     std::vector<Knot> alone;
     for (const Corner& c : mouth)
-      alone.push_back({c, {from.rim.position + on_rim * fraction(c, from.mouth.position, on_mouth), -1}});
+      alone.push_back(
+          {c, {from.rim.position + on_rim * fraction(c, from.mouth.position, on_mouth), -1}});
     for (const Corner& c : rim)
-      alone.push_back({{from.mouth.position + on_mouth * fraction(c, from.rim.position, on_rim), -1}, c});
+      alone.push_back(
+          {{from.mouth.position + on_mouth * fraction(c, from.rim.position, on_rim), -1}, c});
     std::sort(alone.begin(), alone.end(),
               [](const Knot& l, const Knot& r) { return l.mouth.position < r.mouth.position; });
     knots_.insert(knots_.end(), alone.begin(), alone.end());
@@ -79,11 +83,13 @@ class Matching {
 };
 
 // The knots in the mouth's order, starting with a pair of corners.
-std::vector<Knot> match(const LoopCurve& mouth, const LoopCurve& rim, double offset, double tolerance) {
+std::vector<Knot> match(const LoopCurve& mouth, const LoopCurve& rim, double offset,
+                        double tolerance) {
   // The rim's corners by arc length along the mouth: u = offset - w.
   const double length = (mouth.length() + rim.length()) / 2;
   std::vector<double> u(static_cast<size_t>(mouth.count())), w(static_cast<size_t>(rim.count()));
-  for (int i = 0; i < mouth.count(); ++i) u[static_cast<size_t>(i)] = mouth.position(i) / mouth.length();
+  for (int i = 0; i < mouth.count(); ++i)
+    u[static_cast<size_t>(i)] = mouth.position(i) / mouth.length();
   for (int j = 0; j < rim.count(); ++j) {
     const double x = offset - rim.position(j) / rim.length();
     w[static_cast<size_t>(j)] = x - std::floor(x);
@@ -111,7 +117,8 @@ std::vector<Knot> match(const LoopCurve& mouth, const LoopCurve& rim, double off
   const Knot start{{0, static_cast<int>(first_mouth)}, {0, static_cast<int>(first_rim)}};
   const Knot end{{length, start.mouth.index}, {length, start.rim.index}};
   std::vector<Knot> knots{start};
-  Matching(tolerance, knots).stretch(start, after(u, first_mouth, +1), after(w, first_rim, -1), end);
+  Matching(tolerance, knots)
+      .stretch(start, after(u, first_mouth, +1), after(w, first_rim, -1), end);
   return knots;
 }
 
@@ -138,26 +145,30 @@ std::vector<int> knot_vertices(SurfaceEditor& editor, const std::vector<int>& lo
       vertices[k] = loop[static_cast<size_t>(here.index)];
       continue;
     }
-    size_t next = k + 1;  // the first knot is a corner of both loops, so there is one before and one after
+    size_t next =
+        k + 1;  // the first knot is a corner of both loops, so there is one before and one after
     while ((knots[next % n].*side).index < 0) ++next;
     const double end = next >= n ? length : (knots[next].*side).position;
     const double begin = (knots[k - 1].*side).position;
-    vertices[k] = editor.split_edge(vertices[k - 1], loop[static_cast<size_t>((knots[next % n].*side).index)],
-                                    (here.position - begin) / (end - begin));
+    vertices[k] =
+        editor.split_edge(vertices[k - 1], loop[static_cast<size_t>((knots[next % n].*side).index)],
+                          (here.position - begin) / (end - begin));
   }
   return vertices;
 }
 
 Points rows_of(const Points& points, const std::vector<int>& rows) {
   Points result(static_cast<Eigen::Index>(rows.size()), 3);
-  for (size_t k = 0; k < rows.size(); ++k) result.row(static_cast<Eigen::Index>(k)) = points.row(rows[k]);
+  for (size_t k = 0; k < rows.size(); ++k)
+    result.row(static_cast<Eigen::Index>(k)) = points.row(rows[k]);
   return result;
 }
 
 }  // namespace
 
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth, const Points& mouth_start,
-                       const TriangleSurface& rpa, const std::vector<int>& rim, int other_tip) {
+JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& rpa,
+                       const std::vector<int>& rim, int other_tip) {
   if (mouth_start.rows() != static_cast<Eigen::Index>(mouth.size()))
     throw std::logic_error("match_seam: one start position per vertex of the mouth is needed");
   const LoopCurve mouth_curve(mouth_start), rim_curve(rows_of(rpa.points, rim));
@@ -169,8 +180,9 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   const double length = (mouth_curve.length() + rim_curve.length()) / 2;
   const double fine = std::min(svc_editor.mean_edge(), rpa_editor.mean_edge());
   const double coarse = std::max(svc_editor.mean_edge(), rpa_editor.mean_edge());
-  // Where corners of one loop stand close together, a short piece may be left on the other. Among tolerances,
-  // and shifts of a fraction of an edge, that differ little the first without one, or the best, is taken.
+  // Where corners of one loop stand close together, a short piece may be left on the other. Among
+  // tolerances, and shifts of a fraction of an edge, that differ little the first without one, or
+  // the best, is taken.
   std::vector<Knot> knots;
   double best = -1;
   for (const double shift : {0.0, 0.1, -0.1, 0.2, -0.2})
@@ -178,8 +190,9 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
       if (best > 0.2) continue;
       auto trial = match(mouth_curve, rim_curve, outcome.offset + shift * fine / length,
                          std::max(factor * fine, 0.1 * coarse));
-      const double worst = std::min(shortest_piece(trial, &Knot::mouth, length) / svc_editor.mean_edge(),
-                                    shortest_piece(trial, &Knot::rim, length) / rpa_editor.mean_edge());
+      const double worst =
+          std::min(shortest_piece(trial, &Knot::mouth, length) / svc_editor.mean_edge(),
+                   shortest_piece(trial, &Knot::rim, length) / rpa_editor.mean_edge());
       if (worst <= best) continue;
       best = worst;
       knots = std::move(trial);

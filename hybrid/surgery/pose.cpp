@@ -32,7 +32,8 @@ Vec3 outward_normal(const TriangleSurface& surface, const Vec3& point, double ra
     const Vec3 n = (b - a).cross(c - a);
     const double far = ((a + b + c) / 3 - hit.point).norm() / radius;
     if (far < 1 && n.dot(hit.normal) > 0) sum += (1 - far * far) * n;
-    const double nearest = std::min({(a - hit.point).norm(), (b - hit.point).norm(), (c - hit.point).norm()});
+    const double nearest =
+        std::min({(a - hit.point).norm(), (b - hit.point).norm(), (c - hit.point).norm()});
     if (nearest > radius && i > 0) continue;
     for (const int next : neighbours[static_cast<size_t>(t)]) {
       if (seen[static_cast<size_t>(next)]) continue;
@@ -47,7 +48,8 @@ Pose mouth_pose(const Vec3& pick, const Vec3& outward, const Vec3& recipient_tan
                 bool towards_mouth) {
   const Vec3 axis = -outward.normalized();
   Vec3 along = recipient_tangent - recipient_tangent.dot(axis) * axis;
-  along = along.norm() > 1e-9 * recipient_tangent.norm() ? along.normalized() : axis.unitOrthogonal();
+  along =
+      along.norm() > 1e-9 * recipient_tangent.norm() ? along.normalized() : axis.unitOrthogonal();
   Pose pose;
   pose.position = pick;
   const Vec3 d1 = Eigen::AngleAxisd(phi, axis) * along;

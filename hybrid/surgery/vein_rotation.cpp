@@ -1,10 +1,9 @@
 #include "surgery/vein_rotation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <Eigen/Geometry>
 
 #include "rod/energy.h"
 #include "surgery/pose.h"
@@ -36,7 +35,7 @@ const RodSolution& VeinRotation::at(double angle) {
   const RodPoses* start = nullptr;
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [other, solution] : solved_)
-    if (solution.summary.status == RodStatus::converged && std::abs(other - angle) < nearest) {
+    if (solution.summary.status == Status::converged && std::abs(other - angle) < nearest) {
       nearest = std::abs(other - angle);
       start = &solution.poses;
     }
@@ -46,7 +45,7 @@ const RodSolution& VeinRotation::at(double angle) {
 
 double VeinRotation::largest_twist_shear(double angle) {
   const RodSolution& solution = at(angle);
-  if (solution.summary.status != RodStatus::converged) return std::numeric_limits<double>::infinity();
+  if (solution.summary.status != Status::converged) return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (const RodElement& element : rod_.elements) {
     const Vec6 strain = element_strain(element, solution.poses[static_cast<size_t>(element.first)],
@@ -60,8 +59,8 @@ double VeinRotation::largest_twist_shear(double angle) {
 }
 
 double VeinRotation::find() {
-  // From rest to the least turned pose, and from there both ways round in small steps, so that every angle is
-  // reached with the twist it means and not with a turn more or less.
+  // From rest to the least turned pose, and from there both ways round in small steps, so that
+  // every angle is reached with the twist it means and not with a turn more or less.
   at(0);
   for (int k = 1; k <= 12; ++k)
     for (const double sign : {1.0, -1.0}) at(sign * k * M_PI / 12);

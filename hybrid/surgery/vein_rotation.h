@@ -1,5 +1,5 @@
-// The rotation of the vein about its axis at the join: the one that minimises the largest twist shear of its
-// rod.
+// The rotation of the vein about its axis at the join: the one that minimises the largest twist
+// shear of its rod.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace vasorod {
 /// Solves the vein's rod for poses of its mouth that differ by a rotation about the mouth's axis.
 class VeinRotation {
  public:
-  /// `conditions` hold the kept far end; `mouth` is the mouth's pose at angle 0. Angles, in radians, turn it
-  /// about `axis`.
-  VeinRotation(const RodTree& rod, const RodConditions& conditions, int mouth_node, const Pose& mouth,
-               const Vec3& axis, RodOptions options);
+  /// `conditions` hold the kept far end; `mouth` is the mouth's pose at angle 0. Angles, in
+  /// radians, turn it about `axis`.
+  VeinRotation(const RodTree& rod, const RodConditions& conditions, int mouth_node,
+               const Pose& mouth, const Vec3& axis, RodOptions options);
 
   /// The angle of least largest twist shear.
   double find();

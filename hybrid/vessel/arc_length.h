@@ -5,8 +5,8 @@
 
 namespace vasorod {
 
-/// Arc length of the curve from its start, by 5-point Gauss quadrature on every knot interval; negative
-/// before the start.
+/// Arc length of the curve from its start, by 5-point Gauss quadrature on every knot interval;
+/// negative before the start.
 class ArcLength {
  public:
   explicit ArcLength(const Spline<3>& axis) : axis_(axis) {
@@ -14,7 +14,8 @@ class ArcLength {
       at_knot_.push_back(at_knot_.back() + integral(knot(i), knot(i + 1)));
   }
   double operator()(double u) const {
-    const int i = std::clamp(static_cast<int>((u - axis_.start) / axis_.step()), 0, axis_.intervals - 1);
+    const int i =
+        std::clamp(static_cast<int>((u - axis_.start) / axis_.step()), 0, axis_.intervals - 1);
     return at_knot_[static_cast<size_t>(i)] + integral(knot(i), u);
   }
   double inverse(double length) const {
@@ -35,8 +36,8 @@ class ArcLength {
     const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
     double sum = w[0] * axis_.derivative(middle).norm();
     for (size_t k = 1; k < 3; ++k)
-      sum += w[k] *
-             (axis_.derivative(middle - half * x[k]).norm() + axis_.derivative(middle + half * x[k]).norm());
+      sum += w[k] * (axis_.derivative(middle - half * x[k]).norm() +
+                     axis_.derivative(middle + half * x[k]).norm());
     return half * sum;
   }
   const Spline<3>& axis_;

@@ -22,19 +22,20 @@ double loop_radius(const TriangleSurface& surface, const std::vector<int>& loop)
   return perimeter(surface.points, loop) / (2 * M_PI);
 }
 
-ArcSlices slice_arc(const TriangleSurface& surface, const Eigen::VectorXd& area, const Eigen::VectorXd& level,
-                    const FlowArc& arc, double radius) {
+ArcSlices slice_arc(const TriangleSurface& surface, const Eigen::VectorXd& area,
+                    const Eigen::VectorXd& level, const FlowArc& arc, double radius) {
   double total = 0;
   for (const int v : arc.vertices) total += area[v];
-  // Equal areas are nearly equal lengths. The small number keeps a count that is a whole number up to
-  // round-off.
+  // Equal areas are nearly equal lengths. The small number keeps a count that is a whole number up
+  // to round-off.
   const double wanted = total / (M_PI * radius * radius);
   const int count = std::clamp(static_cast<int>(std::ceil(wanted - 1e-6)), 1,
                                std::max(1, static_cast<int>(arc.vertices.size()) / 6));
   ArcSlices result;
   result.slices.resize(static_cast<size_t>(count));
   auto slice_at = [&](double accumulated) {
-    return std::min(static_cast<size_t>(accumulated / total * count), static_cast<size_t>(count) - 1);
+    return std::min(static_cast<size_t>(accumulated / total * count),
+                    static_cast<size_t>(count) - 1);
   };
   double accumulated = 0;
   for (const int v : arc.vertices) {
@@ -52,13 +53,15 @@ ArcSlices slice_arc(const TriangleSurface& surface, const Eigen::VectorXd& area,
   accumulated = 0;
   for (const int v : arc.vertices) {
     Slice& slice = result.slices[slice_at(accumulated + 0.5 * area[v])];
-    slice.radius += area[v] / slice.area * (surface.points.row(v).transpose() - slice.center).norm();
+    slice.radius +=
+        area[v] / slice.area * (surface.points.row(v).transpose() - slice.center).norm();
     accumulated += area[v];
   }
   std::erase_if(result.slices, [](const Slice& s) { return s.area <= 0; });
   std::vector<double> radii;
   for (const Slice& slice : result.slices) radii.push_back(slice.radius);
-  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
+                   radii.end());
   result.radius = radii[radii.size() / 2];
   return result;
 }
@@ -68,22 +71,25 @@ Vec3 direction(const Vec3& from, const Vec3& to) {
   return length > 0 ? Vec3((to - from) / length) : Vec3::Zero();
 }
 
-// The child that goes on: the section's area times how straight it leaves, because a wide vessel that turns
-// away (the aortic arch) is still the same vessel, and of two equal branches the straighter one is.
+// The child that goes on: the section's area times how straight it leaves, because a wide vessel
+// that turns away (the aortic arch) is still the same vessel, and of two equal branches the
+// straighter one is.
 int continuation(const std::vector<ArcSlices>& arcs, const std::vector<Slice>& before,
                  const std::vector<int>& children) {
   const Vec3 last = before.back().center;
-  const Vec3 along = before.size() > 1
-                         ? direction(before[before.size() - std::min<size_t>(4, before.size())].center, last)
-                         : Vec3::Zero();
+  const Vec3 along =
+      before.size() > 1
+          ? direction(before[before.size() - std::min<size_t>(4, before.size())].center, last)
+          : Vec3::Zero();
   int best = children.front();
   double best_score = -1;
   for (const int child : children) {
     const ArcSlices& arc = arcs[static_cast<size_t>(child)];
-    const Vec3 leaving = arc.slices.size() > 1
-                             ? direction(arc.slices.front().center,
-                                         arc.slices[std::min<size_t>(3, arc.slices.size() - 1)].center)
-                             : direction(last, arc.slices.front().center);
+    const Vec3 leaving =
+        arc.slices.size() > 1
+            ? direction(arc.slices.front().center,
+                        arc.slices[std::min<size_t>(3, arc.slices.size() - 1)].center)
+            : direction(last, arc.slices.front().center);
     const double score = arc.radius * arc.radius * (1.05 + along.dot(leaving));
     if (score > best_score) {
       best_score = score;
@@ -93,10 +99,10 @@ int continuation(const std::vector<ArcSlices>& arcs, const std::vector<Slice>& b
   return best;
 }
 
-// Position along the path from the level, through the slices' centres. `first`: where the first path begins;
-// a branch is prolonged from its first slices.
-void place(AxisPath& path, const Eigen::VectorXd& level, const std::vector<Slice>& slices, const Vec3* first,
-           const Vec3& last) {
+// Position along the path from the level, through the slices' centres. `first`: where the first
+// path begins; a branch is prolonged from its first slices.
+void place(AxisPath& path, const Eigen::VectorXd& level, const std::vector<Slice>& slices,
+           const Vec3* first, const Vec3& last) {
   std::vector<double> levels, lengths;
   Vec3 previous = slices.front().center;
   auto pass = [&](const Vec3& center, double at) {
@@ -116,7 +122,8 @@ void place(AxisPath& path, const Eigen::VectorXd& level, const std::vector<Slice
     if (levels.size() > 2)
       k = static_cast<size_t>(std::upper_bound(levels.begin() + 1, levels.end() - 1, level[v]) -
                               levels.begin());
-    const double slope = levels.size() > 1 ? (lengths[k] - lengths[k - 1]) / (levels[k] - levels[k - 1]) : 1;
+    const double slope =
+        levels.size() > 1 ? (lengths[k] - lengths[k - 1]) / (levels[k] - levels[k - 1]) : 1;
     path.u.push_back(lengths[k - 1] + (level[v] - levels[k - 1]) * slope);
     path.start = std::min(path.start, path.u.back());
   }
@@ -124,8 +131,9 @@ void place(AxisPath& path, const Eigen::VectorXd& level, const std::vector<Slice
 
 }  // namespace
 
-AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area, const FlowTree& tree,
-                     const std::vector<std::vector<int>>& loops, const std::vector<Vec3>& centers) {
+AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area,
+                     const FlowTree& tree, const std::vector<std::vector<int>>& loops,
+                     const std::vector<Vec3>& centers) {
   const size_t arc_count = tree.arcs.size();
   std::vector<double> guess(arc_count, 0);
   std::vector<std::vector<int>> children(arc_count);
@@ -135,7 +143,8 @@ AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area
     if (k == 0) guess[k] = loop_radius(surface, loops[0]);
     if (arc.parent < 0) continue;
     children[static_cast<size_t>(arc.parent)].push_back(static_cast<int>(k));
-    guess[static_cast<size_t>(arc.parent)] = std::max(guess[static_cast<size_t>(arc.parent)], guess[k]);
+    guess[static_cast<size_t>(arc.parent)] =
+        std::max(guess[static_cast<size_t>(arc.parent)], guess[k]);
   }
   std::vector<ArcSlices> arcs(arc_count);
   for (size_t k = 0; k < arc_count; ++k)
@@ -154,7 +163,8 @@ AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area
     double weight = 0;
     for (int arc = starts[s].arc;;) {
       const auto k = static_cast<size_t>(arc);
-      path.vertices.insert(path.vertices.end(), tree.arcs[k].vertices.begin(), tree.arcs[k].vertices.end());
+      path.vertices.insert(path.vertices.end(), tree.arcs[k].vertices.begin(),
+                           tree.arcs[k].vertices.end());
       slices.insert(slices.end(), arcs[k].slices.begin(), arcs[k].slices.end());
       for (const Slice& slice : arcs[k].slices) {
         path.radius += slice.area * slice.radius;

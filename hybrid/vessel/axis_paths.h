@@ -1,5 +1,5 @@
-// Joins the arcs of a flow tree into paths: at a fork the widest and straightest arc goes on, the others
-// branch off.
+// Joins the arcs of a flow tree into paths: at a fork the widest and straightest arc goes on, the
+// others branch off.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,8 @@ struct AxisPaths {
 };
 
 /// `area`: per vertex. `centers`: of the ends, in the order of `loops`.
-AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area, const FlowTree& tree,
-                     const std::vector<std::vector<int>>& loops, const std::vector<Vec3>& centers);
+AxisPaths axis_paths(const TriangleSurface& surface, const Eigen::VectorXd& area,
+                     const FlowTree& tree, const std::vector<std::vector<int>>& loops,
+                     const std::vector<Vec3>& centers);
 
 }  // namespace vasorod

@@ -23,18 +23,21 @@ struct Contact {
   std::vector<std::pair<size_t, int>> pairs;
 };
 
-std::vector<std::vector<Contact>> contacts_of(const std::vector<Edge>& edges, const AxisPaths& paths,
+std::vector<std::vector<Contact>> contacts_of(const std::vector<Edge>& edges,
+                                              const AxisPaths& paths,
                                               const std::vector<size_t>& index) {
   std::vector<std::vector<Contact>> contacts(paths.paths.size());
   auto add = [&](int v, int w) {
     auto& list = contacts[static_cast<size_t>(paths.path_of[static_cast<size_t>(v)])];
     const int other = paths.path_of[static_cast<size_t>(w)];
-    auto found = std::find_if(list.begin(), list.end(), [&](const Contact& c) { return c.other == other; });
+    auto found =
+        std::find_if(list.begin(), list.end(), [&](const Contact& c) { return c.other == other; });
     if (found == list.end()) found = list.insert(list.end(), {other, {}});
     found->pairs.emplace_back(index[static_cast<size_t>(v)], w);
   };
   for (const Edge& e : edges) {
-    if (paths.path_of[static_cast<size_t>(e.a)] == paths.path_of[static_cast<size_t>(e.b)]) continue;
+    if (paths.path_of[static_cast<size_t>(e.a)] == paths.path_of[static_cast<size_t>(e.b)])
+      continue;
     add(e.a, e.b);
     add(e.b, e.a);
   }
@@ -42,7 +45,8 @@ std::vector<std::vector<Contact>> contacts_of(const std::vector<Edge>& edges, co
 }
 
 // The parameter in `window` at which `axis` comes closest to the line through p along t.
-double closest_to_line(const Spline<3>& axis, const Vec3& p, const Vec3& t, const Interval& window) {
+double closest_to_line(const Spline<3>& axis, const Vec3& p, const Vec3& t,
+                       const Interval& window) {
   auto off_line = [&](double u) {
     const Vec3 w = axis(u) - p;
     return Vec3(w - w.dot(t) * t);
@@ -65,12 +69,13 @@ double closest_to_line(const Spline<3>& axis, const Vec3& p, const Vec3& t, cons
 class TreeFit {
  public:
   TreeFit(const TriangleSurface& surface, const std::vector<Edge>& edges,
-          const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& area, const AxisPaths& paths,
-          const std::vector<Vec3>& centers)
+          const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& area,
+          const AxisPaths& paths, const std::vector<Vec3>& centers)
       : surface_(surface), loops_(loops), paths_(paths), straight_(paths.paths.size(), 0) {
     std::vector<size_t> index(paths.path_of.size(), 0);
     for (const AxisPath& path : paths.paths)
-      for (size_t i = 0; i < path.vertices.size(); ++i) index[static_cast<size_t>(path.vertices[i])] = i;
+      for (size_t i = 0; i < path.vertices.size(); ++i)
+        index[static_cast<size_t>(path.vertices[i])] = i;
     contacts_ = contacts_of(edges, paths, index);
     fits.reserve(paths.paths.size());
     for (const AxisPath& path : paths.paths) {
@@ -128,7 +133,8 @@ class TreeFit {
   }
 
   Interval range_on(size_t k, const std::vector<int>& vertices, double guess) const {
-    Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Interval range{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
     for (const int v : vertices) {
       const double u = fits[k].at(surface_.points.row(v), guess);
       range = {std::min(range[0], u), std::max(range[1], u)};
@@ -136,13 +142,15 @@ class TreeFit {
     return range;
   }
 
-  // Where the sections of path k are not whole: beyond the innermost point of an end, and where paths meet.
+  // Where the sections of path k are not whole: beyond the innermost point of an end, and where
+  // paths meet.
   void find_broken(size_t k) {
     PathFit& fit = fits[k];
     constexpr double far = std::numeric_limits<double>::infinity();
     fit.broken.clear();
     fit.curve.forks.clear();
-    if (fit.curve.parent < 0) fit.broken.push_back({-far, range_on(k, loops_[0], fit.curve.axis.start)[1]});
+    if (fit.curve.parent < 0)
+      fit.broken.push_back({-far, range_on(k, loops_[0], fit.curve.axis.start)[1]});
     fit.broken.push_back(
         {range_on(k, loops_[static_cast<size_t>(fit.curve.end)], fit.curve.axis.end)[0], far});
     double own_start = fit.curve.axis.start;
@@ -154,7 +162,8 @@ class TreeFit {
       }
       const PathFit& other = fits[static_cast<size_t>(contact.other)];
       if (other.curve.parent == static_cast<int>(k)) {
-        // Upstream of the border the wall already widens towards the branch, by about the branch's radius.
+        // Upstream of the border the wall already widens towards the branch, by about the branch's
+        // radius.
         fit.curve.forks.push_back(range);
         fit.broken.push_back({range[0] - other.radius(), range[1] + 0.3 * other.radius()});
       } else {
@@ -169,9 +178,9 @@ class TreeFit {
     }
   }
 
-  // Lets path k begin on its parent's axis, where its own axis prolonged straight comes closest (without
-  // whole sections: at the point closest to its end). Returns the distance from there to its first whole
-  // section.
+  // Lets path k begin on its parent's axis, where its own axis prolonged straight comes closest
+  // (without whole sections: at the point closest to its end). Returns the distance from there to
+  // its first whole section.
   double attach(size_t k) {
     PathFit& fit = fits[k];
     const PathFit& parent = fits[static_cast<size_t>(fit.curve.parent)];
@@ -183,7 +192,8 @@ class TreeFit {
         low = std::min(low, parent.u(i));
         high = std::max(high, parent.u(i));
       }
-      window = {std::max(window[0], low - parent.radius()), std::min(window[1], high + parent.radius())};
+      window = {std::max(window[0], low - parent.radius()),
+                std::min(window[1], high + parent.radius())};
     }
     if (straight_[k]) {
       fit.curve.parent_u = closest_parameter(parent.curve.axis, fit.last, parent.radius());
@@ -240,7 +250,8 @@ Centerline fit_centerline(const TriangleSurface& surface, const std::vector<Edge
     return result;
   };
   AxisPaths paths = axis_paths(surface, area, flow_tree(surface, edges, loops), loops, centers);
-  if (paths.paths.size() > 1) paths = redraw_borders(surface, edges, fitted(std::move(paths), 3), centers);
+  if (paths.paths.size() > 1)
+    paths = redraw_borders(surface, edges, fitted(std::move(paths), 3), centers);
   return fitted(std::move(paths), 6);
 }
 

@@ -1,12 +1,14 @@
-// The axis of a tubular surface: smooth curves through the centres of its sections, and the sections' radii.
+// The axis of a tubular surface: smooth curves through the centres of its sections, and the
+// sections' radii.
 //
-// A section is the set of surface points whose plane normal to the axis passes through one axis point. Its
-// centre is the point about which its points, averaged over their directions, have no offset, and its radius
-// is the mean of their distances over directions: circle and ellipse give their own centre, and noise of the
-// wall averages out. Both come from all vertices at once. A vertex stands for the share of the (arc length,
-// direction) plane that its triangles cover, so the axis is the weighted penalised spline through the
-// vertices themselves, each at the position of its own section. Sections that the surface does not close
-// (beside an oblique end, at a fork) are left out and bridged by the spline.
+// A section is the set of surface points whose plane normal to the axis passes through one axis
+// point. Its centre is the point about which its points, averaged over their directions, have no
+// offset, and its radius is the mean of their distances over directions: circle and ellipse give
+// their own centre, and noise of the wall averages out. Both come from all vertices at once. A
+// vertex stands for the share of the (arc length, direction) plane that its triangles cover, so the
+// axis is the weighted penalised spline through the vertices themselves, each at the position of
+// its own section. Sections that the surface does not close (beside an oblique end, at a fork) are
+// left out and bridged by the spline.
 #pragma once
 
 #include <array>

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <sstream>
 
+#include <vasorod/error.h>
+
 #include "geometry/closest_point.h"
-#include "geometry/error.h"
-#include "surface/rod_search.h"
+#include "rod/rod_search.h"
 
 namespace vasorod {
 namespace {
 
-// Beyond this share of the radius of curvature the fit's own error may take a section to its centre.
+// Beyond this share of the radius of curvature the fit's own error may take a section to its
+// centre.
 constexpr double largest_bend = 0.95;
 
 // "12.5 along the axis, near (0, 0, 12.5)"
@@ -20,8 +22,8 @@ std::string place(const RodTree& rod, int node) {
     s[static_cast<size_t>(e.second)] = s[static_cast<size_t>(e.first)] + e.length;
   const Vec3& at = rod.rest[static_cast<size_t>(node)].position;
   std::ostringstream text;
-  text << s[static_cast<size_t>(node)] << " along the axis, near (" << at.x() << ", " << at.y() << ", "
-       << at.z() << ")";
+  text << s[static_cast<size_t>(node)] << " along the axis, near (" << at.x() << ", " << at.y()
+       << ", " << at.z() << ")";
   return text.str();
 }
 
@@ -41,7 +43,8 @@ void check_inside(const RodTree& rod, const TriangleSurface& surface) {
   const ClosestPoint wall(surface);
   for (size_t n = 0; n < rod.rest.size(); ++n) {
     const ClosestPoint::Hit hit = wall.query(rod.rest[n].position);
-    if (hit.on_boundary || hit.signed_distance < 0) continue;  // beside an end's rim there is no side
+    if (hit.on_boundary || hit.signed_distance < 0)
+      continue;  // beside an end's rim there is no side
     refuse(place(rod, static_cast<int>(n)), ": found the axis ", hit.signed_distance,
            " outside the surface, expected a tubular vessel whose sections hold their own centre");
   }
@@ -52,13 +55,14 @@ void check_bend(const RodTree& rod) {
   for (size_t k = 0; k < rod.elements.size(); ++k) {
     const RodElement& e = rod.elements[k];
     if (search.at_fork(static_cast<int>(k))) continue;  // there the axis turns into the branch
-    const double radius =
-        std::max(rod.radius[static_cast<size_t>(e.first)], rod.radius[static_cast<size_t>(e.second)]);
+    const double radius = std::max(rod.radius[static_cast<size_t>(e.first)],
+                                   rod.radius[static_cast<size_t>(e.second)]);
     const double curvature = e.rest_strain.segment<2>(3).norm();
     if (radius * curvature > largest_bend)
-      refuse(place(rod, e.first), ": found an axis that turns on a radius of ", 1 / curvature,
-             " where the vessel's own radius is ", radius,
-             ", so that sections reach the centre of curvature, expected a vessel bent less sharply");
+      refuse(
+          place(rod, e.first), ": found an axis that turns on a radius of ", 1 / curvature,
+          " where the vessel's own radius is ", radius,
+          ", so that sections reach the centre of curvature, expected a vessel bent less sharply");
   }
 }
 

@@ -1,5 +1,5 @@
-// Whether a fitted rod can stand for its vessel. Each check throws InputError: one sentence that says where
-// along the axis.
+// Whether a fitted rod can stand for its vessel. Each check throws InputError: one sentence that
+// says where along the axis.
 #pragma once
 
 #include "vessel/vessel.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
 
 namespace vasorod {
 namespace {
@@ -30,21 +30,23 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
       return 0;
     case EndSelector::Kind::end:
       if (vessel.ends.size() != 2)
-        throw InputError(where + ": end: found `end` on a vessel with " + std::to_string(vessel.ends.size()) +
-                         " ends, expected {near: [x, y, z]}");
+        throw InputError(where + ": end: found `end` on a vessel with " +
+                         std::to_string(vessel.ends.size()) + " ends, expected {near: [x, y, z]}");
       return 1;
     case EndSelector::Kind::near: {
-      const auto nearest = std::min_element(
-          vessel.ends.begin(), vessel.ends.end(), [&](const VesselEnd& a, const VesselEnd& b) {
-            return (a.center - selector.near).squaredNorm() < (b.center - selector.near).squaredNorm();
-          });
+      const auto nearest = std::min_element(vessel.ends.begin(), vessel.ends.end(),
+                                            [&](const VesselEnd& a, const VesselEnd& b) {
+                                              return (a.center - selector.near).squaredNorm() <
+                                                     (b.center - selector.near).squaredNorm();
+                                            });
       return static_cast<int>(nearest - vessel.ends.begin());
     }
     case EndSelector::Kind::at:
       break;
   }
-  throw InputError(
-      where + ": end: found {at: ...} on a vessel with a surface, expected start, end or {near: [x, y, z]}");
+  throw InputError(where +
+                   ": end: found {at: ...} on a vessel with a surface, expected start, end or "
+                   "{near: [x, y, z]}");
 }
 
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel) {
@@ -70,10 +72,12 @@ VesselConditions end_conditions(const Scene& scene, const std::string& name, con
     known->rigid = !entry.soft_section;
 
     const bool moved = entry.rotate_deg || entry.move;
-    const bool some_fixed = std::any_of(entry.fix.begin(), entry.fix.end(), [](bool f) { return f; });
+    const bool some_fixed =
+        std::any_of(entry.fix.begin(), entry.fix.end(), [](bool f) { return f; });
     if (entry.hold || moved || some_fixed) {
       RodSupport& support = support_at(conditions.rod, node);
-      for (size_t k = 0; k < 6; ++k) support.fixed[k] |= entry.hold || (moved && !some_fixed) || entry.fix[k];
+      for (size_t k = 0; k < 6; ++k)
+        support.fixed[k] |= entry.hold || (moved && !some_fixed) || entry.fix[k];
       if (entry.rotate_deg) support.motion.rotate += radians(*entry.rotate_deg);
       if (entry.move) support.motion.move += *entry.move;
       conditions.acts |= moved;

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/error.h"
-#include "geometry/sentence.h"
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
 #include "geometry/triangle_surface.h"
-#include "surface/rod_search.h"
+#include "rod/rod_search.h"
 #include "vessel/centerline.h"
 #include "vessel/check_fit.h"
 #include "vessel/rest_rod.h"
@@ -16,36 +17,42 @@ namespace {
 // Everything the fit takes for granted about the surface.
 void check(const TriangleSurface& surface, const std::vector<Edge>& edges,
            const std::vector<std::vector<int>>& loops) {
-  if (!surface.points.allFinite()) throw InputError("a point has a coordinate that is not a finite number");
-  const std::vector<int> label = components(surface.triangles, static_cast<int>(surface.points.rows()));
+  if (!surface.points.allFinite())
+    throw InputError("a point has a coordinate that is not a finite number");
+  const std::vector<int> label =
+      components(surface.triangles, static_cast<int>(surface.points.rows()));
   const int pieces = 1 + *std::max_element(label.begin(), label.end());
   if (pieces != 1)
-    throw InputError("the surface has " + std::to_string(pieces) + " separate pieces, expected one");
+    throw InputError("the surface has " + std::to_string(pieces) +
+                     " separate pieces, expected one");
   if (loops.empty())
-    throw InputError("the surface is closed, it has no open ends; expected at least two (cut the caps off)");
+    throw InputError(
+        "the surface is closed, it has no open ends; expected at least two (cut the caps off)");
   if (loops.size() == 1)
     throw InputError("the surface has one open end near " +
-                     place_text(perimeter_centroid(surface.points, loops[0])) + ", expected at least two");
+                     place_text(perimeter_centroid(surface.points, loops[0])) +
+                     ", expected at least two");
   double widest = 0;
   for (const auto& loop : loops) widest = std::max(widest, perimeter(surface.points, loop));
   for (const auto& loop : loops) {
     const double length = perimeter(surface.points, loop);
     if (length < 0.1 * widest)
-      throw InputError("the boundary loop of " + std::to_string(loop.size()) + " edges near " +
-                       place_text(perimeter_centroid(surface.points, loop)) + " is " +
-                       std::to_string(length) +
-                       " long, a hole rather than an end; expected ends of comparable size (close the hole)");
+      throw InputError(
+          "the boundary loop of " + std::to_string(loop.size()) + " edges near " +
+          place_text(perimeter_centroid(surface.points, loop)) + " is " + std::to_string(length) +
+          " long, a hole rather than an end; expected ends of comparable size (close the hole)");
   }
   const auto vertices = std::count(label.begin(), label.end(), 0);
-  const auto euler = vertices - static_cast<std::ptrdiff_t>(edges.size()) + surface.triangles.rows();
+  const auto euler =
+      vertices - static_cast<std::ptrdiff_t>(edges.size()) + surface.triangles.rows();
   const auto handles = 2 - static_cast<std::ptrdiff_t>(loops.size()) - euler;
   if (handles != 0)
     throw InputError("the surface has " + std::to_string(handles / 2) +
                      " handle(s): its branches close a ring; expected a tree of tubes");
 }
 
-// The branch whose section carries each vertex. A vertex belongs to the curve whose arc it lies on; near a
-// fork to the one it is closer to, measured in radii.
+// The branch whose section carries each vertex. A vertex belongs to the curve whose arc it lies on;
+// near a fork to the one it is closer to, measured in radii.
 std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& centerline,
                              const RestRod& rod) {
   const auto n = static_cast<size_t>(surface.points.rows());
@@ -55,7 +62,8 @@ std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& c
   std::vector<int> every(rod.tree.branches.size());
   for (size_t k = 0; k < every.size(); ++k) every[k] = static_cast<int>(k);
   for (size_t c = 0; c < centerline.curves.size(); ++c) {
-    // Where this curve's vertices may lie on another's wall: the curve itself, its parent, its children.
+    // Where this curve's vertices may lie on another's wall: the curve itself, its parent, its
+    // children.
     std::vector<int> around = rod.branches_of[c];
     const int parent = centerline.curves[c].parent;
     if (parent >= 0)
@@ -67,13 +75,14 @@ std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& c
     const AxisPath& path = centerline.paths.paths[c];
     for (size_t i = 0; i < path.vertices.size(); ++i) {
       const int v = path.vertices[i];
-      bool near_fork =
-          parent >= 0 && centerline.position[static_cast<size_t>(v)] < centerline.curves[c].clean_start;
+      bool near_fork = parent >= 0 && centerline.position[static_cast<size_t>(v)] <
+                                          centerline.curves[c].clean_start;
       for (const auto& fork : centerline.curves[c].forks)
         near_fork |= centerline.position[static_cast<size_t>(v)] > fork[0] &&
                      centerline.position[static_cast<size_t>(v)] < fork[1];
       branch[static_cast<size_t>(v)] =
-          search.find(surface.points.row(v), near_fork ? around : rod.branches_of[c], near_fork).branch;
+          search.find(surface.points.row(v), near_fork ? around : rod.branches_of[c], near_fork)
+              .branch;
     }
   }
   for (size_t v = 0; v < n; ++v)
@@ -129,7 +138,8 @@ Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
 
 }  // namespace
 
-Vessel fit_vessel(const std::string& name, const TriangleSurface& surface, const FitOptions& options) {
+Vessel fit_vessel(const std::string& name, const TriangleSurface& surface,
+                  const FitOptions& options) {
   try {
     return fit(surface, options);
   } catch (const InputError& e) {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <queue>
 
-#include "geometry/error.h"
-#include "surface/cholesky.h"
+#include <vasorod/error.h>
+
+#include "numerics/cholesky.h"
 
 namespace vasorod {
 namespace {
@@ -30,8 +31,8 @@ struct Neighbours {
   }
 };
 
-// Half the sum of the cotangents opposite the edge, held positive and bounded: the maximum principle needs
-// the first, degenerate triangles the second.
+// Half the sum of the cotangents opposite the edge, held positive and bounded: the maximum
+// principle needs the first, degenerate triangles the second.
 double edge_weight(const Points& points, const Edge& e) {
   double sum = 0;
   for (const int o : e.opposite) {
@@ -45,8 +46,8 @@ double edge_weight(const Points& points, const Edge& e) {
 
 Eigen::VectorXd flow_potential(const TriangleSurface& surface, const std::vector<Edge>& edges,
                                const std::vector<std::vector<int>>& loops) {
-  // Unknowns: the far ends, one each (the potential is constant on an end), then the inner vertices. -1:
-  // known.
+  // Unknowns: the far ends, one each (the potential is constant on an end), then the inner
+  // vertices. -1: known.
   const auto n = static_cast<size_t>(surface.points.rows());
   std::vector<char> used(n, 0);
   for (const Edge& e : edges) used[static_cast<size_t>(e.a)] = used[static_cast<size_t>(e.b)] = 1;
@@ -113,8 +114,8 @@ FlowTree flow_tree(const TriangleSurface& surface, const std::vector<Edge>& edge
   auto settle = [&](int v, int arc) {
     tree.arc_of[static_cast<size_t>(v)] = arc;
     arcs[static_cast<size_t>(arc)].vertices.push_back(v);
-    for (int k = neighbours.offset[static_cast<size_t>(v)]; k < neighbours.offset[static_cast<size_t>(v) + 1];
-         ++k) {
+    for (int k = neighbours.offset[static_cast<size_t>(v)];
+         k < neighbours.offset[static_cast<size_t>(v) + 1]; ++k) {
       const int w = neighbours.index[static_cast<size_t>(k)];
       if (queued[static_cast<size_t>(w)]) continue;
       queued[static_cast<size_t>(w)] = 1;
@@ -131,8 +132,8 @@ FlowTree flow_tree(const TriangleSurface& surface, const std::vector<Edge>& edge
     const int v = front.top().second;
     front.pop();
     std::vector<int> meeting;
-    for (int k = neighbours.offset[static_cast<size_t>(v)]; k < neighbours.offset[static_cast<size_t>(v) + 1];
-         ++k) {
+    for (int k = neighbours.offset[static_cast<size_t>(v)];
+         k < neighbours.offset[static_cast<size_t>(v) + 1]; ++k) {
       const int arc = tree.arc_of[static_cast<size_t>(neighbours.index[static_cast<size_t>(k)])];
       if (arc < 0) continue;
       const int root = find(arc);

@@ -1,10 +1,11 @@
 // Splits an open surface into tubular arcs between forks, without seeds.
 //
-// Potential flow along the wall enters through the first end and leaves through every other in proportion to
-// its perimeter, so the potential grows about as fast as the arc length in every branch. With positive
-// weights it has no extremum inside: a surface of genus 0 with n ends has exactly n - 2 saddles (counted with
-// multiplicity), and the components of the potential's superlevel sets merge there like a tree. The arcs of
-// that tree are the vessel's branches, on any mesh, however noisy.
+// Potential flow along the wall enters through the first end and leaves through every other in
+// proportion to its perimeter, so the potential grows about as fast as the arc length in every
+// branch. With positive weights it has no extremum inside: a surface of genus 0 with n ends has
+// exactly n - 2 saddles (counted with multiplicity), and the components of the potential's
+// superlevel sets merge there like a tree. The arcs of that tree are the vessel's branches, on any
+// mesh, however noisy.
 #pragma once
 
 #include <vector>

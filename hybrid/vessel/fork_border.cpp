@@ -36,11 +36,13 @@ AxisPaths redraw_borders(const TriangleSurface& surface, const std::vector<Edge>
     for (const Edge& e : edges) {
       auto a = static_cast<size_t>(e.a), b = static_cast<size_t>(e.b);
       if (result.path_of[a] != static_cast<int>(c)) std::swap(a, b);
-      if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q)) continue;
+      if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q))
+        continue;
       window = {std::min(window[0], position[a] - reach), std::max(window[1], position[a] + reach)};
     }
     const double middle = 0.5 * (window[0] + window[1]);
-    // Distance from the parent's axis over its radius there; `middle` guesses for points of the branch.
+    // Distance from the parent's axis over its radius there; `middle` guesses for points of the
+    // branch.
     auto ratio = [&](size_t v, double guess) {
       const double u = at(v, guess);
       return (point(v) - curve.axis(u)).norm() / std::max(curve.radius(u)[0], 0.25 * old[c].radius);
@@ -51,7 +53,8 @@ AxisPaths redraw_borders(const TriangleSurface& surface, const std::vector<Edge>
       for (const Edge& e : edges) {
         auto a = static_cast<size_t>(e.a), b = static_cast<size_t>(e.b);
         if (result.path_of[a] != static_cast<int>(c)) std::swap(a, b);
-        if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q)) continue;
+        if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q))
+          continue;
         if (position[a] < window[0] || position[a] > window[1]) continue;
         if (ratio(a, position[a]) > outside_tube) {
           result.path_of[a] = static_cast<int>(q);
@@ -65,7 +68,8 @@ AxisPaths redraw_borders(const TriangleSurface& surface, const std::vector<Edge>
       for (const Edge& e : edges) {
         auto a = static_cast<size_t>(e.a), b = static_cast<size_t>(e.b);
         if (result.path_of[a] != static_cast<int>(c)) std::swap(a, b);
-        if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q)) continue;
+        if (result.path_of[a] != static_cast<int>(c) || result.path_of[b] != static_cast<int>(q))
+          continue;
         if (first.paths.path_of[b] == static_cast<int>(q) && ratio(b, middle) < inside_tube) {
           result.path_of[b] = static_cast<int>(c);
           position[b] = at(b, middle);
@@ -83,9 +87,9 @@ AxisPaths redraw_borders(const TriangleSurface& surface, const std::vector<Edge>
     const Vec3& center = centers[static_cast<size_t>(path.end)];
     if (old[k].stub) {  // a straight axis from the closest point of its parent's
       const auto c = static_cast<size_t>(path.parent);
-      foot = old[c].stub
-                 ? center
-                 : first.curves[c].axis(closest_parameter(first.curves[c].axis, center, old[c].radius));
+      foot = old[c].stub ? center
+                         : first.curves[c].axis(
+                               closest_parameter(first.curves[c].axis, center, old[c].radius));
       along = (center - foot).normalized();
       path.foot = foot;
     }

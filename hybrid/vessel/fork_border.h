@@ -1,6 +1,6 @@
-// Draws the borders between paths anew from fitted axes: a wall point belongs to a branch where it stands out
-// of the tube the branch leaves from. The flow alone draws borders that lean with it, and none at all on a
-// stub shorter than its width.
+// Draws the borders between paths anew from fitted axes: a wall point belongs to a branch where it
+// stands out of the tube the branch leaves from. The flow alone draws borders that lean with it,
+// and none at all on a stub shorter than its width.
 #pragma once
 
 #include "vessel/centerline.h"

@@ -5,21 +5,24 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "vessel/arc_length.h"
 
 namespace vasorod {
 namespace {
 
 constexpr double knot_spacing = 0.5;  // of the radius
-constexpr double cut_off = 4.0;       // wavelength over radius at which full smoothing halves an undulation
-constexpr double ramp = 0.3;          // width over radius in which whole sections beside broken ones fade in
+constexpr double cut_off =
+    4.0;  // wavelength over radius at which full smoothing halves an undulation
+constexpr double ramp =
+    0.3;  // width over radius in which whole sections beside broken ones fade in
 
 using Interval = std::array<double, 2>;
 
-// 0 inside the interval, rising to 1 outside it: vertices of one section get one weight, whatever the
-// round-off in their positions, and no vertex counts whose section is broken, for it would pull the axis
-// further to its side.
+// 0 inside the interval, rising to 1 outside it: vertices of one section get one weight, whatever
+// the round-off in their positions, and no vertex counts whose section is broken, for it would pull
+// the axis further to its side.
 double outside(double u, const Interval& interval, double width) {
   return std::clamp(std::max(interval[0] - u, u - interval[1]) / width, 0.0, 1.0);
 }
@@ -107,24 +110,26 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
   };
   for (size_t i = 0; i < u_.size(); ++i)
     if (weights[i] > 0) add(u_[i], before[i], weights[i], point(path_.vertices[i]));
-  // An end's centre counts as much as half a radius of whole sections: alone it decides where an oblique
-  // end breaks the sections, and its noise is averaged out where it does not.
+  // An end's centre counts as much as half a radius of whole sections: alone it decides where an
+  // oblique end breaks the sections, and its noise is averaged out where it does not.
   const double end_weight = M_PI * radius() * radius();
   if (first) data.push_back({axis.start, end_weight, *first});
   add(axis.end, present.end, end_weight, last);
   // The second difference decides only where no data do.
-  fit_penalised(axis, data, {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
+  fit_penalised(axis, data,
+                {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
   curve.axis = std::move(axis);
 }
 
-// Ways along edges are longer than the axis they surround; an axis much longer than those has lost its rows
-// of vertices and would grow without end.
+// Ways along edges are longer than the axis they surround; an axis much longer than those has lost
+// its rows of vertices and would grow without end.
 void PathFit::check_length() const {
   const double on_edges = path_.finish - path_.start;
   if (end_ - start_ > 2 * on_edges + 10 * radius())
-    throw InputError("the axis cannot be found: it winds over " + std::to_string(end_ - start_) +
-                     " where the surface's edges take " + std::to_string(on_edges) +
-                     ", expected several rows of triangles per radius along the vessel (remesh: makes them)");
+    throw InputError(
+        "the axis cannot be found: it winds over " + std::to_string(end_ - start_) +
+        " where the surface's edges take " + std::to_string(on_edges) +
+        ", expected several rows of triangles per radius along the vessel (remesh: makes them)");
 }
 
 void PathFit::fit_radius() {
@@ -150,7 +155,8 @@ double PathFit::roughness() const {
   for (size_t i = 0; i < u_.size(); ++i) {
     const double w = weight(i);
     if (w == 0) continue;
-    const double off = (point(path_.vertices[i]) - curve.axis(u_[i])).norm() - curve.radius(u_[i])[0];
+    const double off =
+        (point(path_.vertices[i]) - curve.axis(u_[i])).norm() - curve.radius(u_[i])[0];
     sum += w * off * off;
     total += w;
   }
@@ -184,8 +190,8 @@ std::vector<double> PathFit::directions() const {
   for (size_t i = 0; i < u_.size(); ++i) {
     const Vec3 rho = point(path_.vertices[i]) - curve.axis(u_[i]),
                t = curve.axis.derivative(u_[i]).normalized();
-    const auto k =
-        static_cast<size_t>(std::clamp(std::round((u_[i] - curve.axis.start) / step), 0.0, samples * 1.0));
+    const auto k = static_cast<size_t>(
+        std::clamp(std::round((u_[i] - curve.axis.start) / step), 0.0, samples * 1.0));
     const Vec3 d1 = (frames[k].col(0) - frames[k].col(0).dot(t) * t).normalized();
     angle[i] = std::atan2(rho.dot(t.cross(d1)), rho.dot(d1));
   }

@@ -8,12 +8,12 @@
 
 namespace vasorod {
 
-/// The parameter near `u` with (p - r(u)) . r'(u) = 0: the section through p. Steps are at most `radius`
-/// long.
+/// The parameter near `u` with (p - r(u)) . r'(u) = 0: the section through p. Steps are at most
+/// `radius` long.
 double section_through(const Spline<3>& axis, const Vec3& p, double u, double radius);
 
-/// The parameter in the domain at which `axis` comes closest to p; `radius` is the scale on which the axis
-/// bends.
+/// The parameter in the domain at which `axis` comes closest to p; `radius` is the scale on which
+/// the axis bends.
 double closest_parameter(const Spline<3>& axis, const Vec3& p, double radius);
 
 class PathFit {
@@ -29,18 +29,21 @@ class PathFit {
   double radius() const { return path_.radius; }
   bool stub() const { return path_.stub; }
   double u(size_t i) const { return u_[i]; }
-  double at(const Vec3& p, double guess) const { return section_through(curve.axis, p, guess, radius()); }
+  double at(const Vec3& p, double guess) const {
+    return section_through(curve.axis, p, guess, radius());
+  }
   /// Indices into the path's vertices.
   void add_triangle(const std::array<size_t, 3>& triangle) { triangles_.push_back(triangle); }
 
-  /// Finds every vertex' section, its direction in it, and the share of directions times length it stands
-  /// for.
+  /// Finds every vertex' section, its direction in it, and the share of directions times length it
+  /// stands for.
   void project();
 
-  /// Smooths the vertices of whole sections. The new axis is parametrised by the arc length of the present
-  /// one, counted such that its whole sections begin at `clean_at` (a branch: how far they are from its
-  /// parent's axis). `correct`: smooth the data plus what the present axis leaves of them, which undoes the
-  /// smoothing's pull on a bend (Tukey's twicing). `smoothing`: share of full smoothing.
+  /// Smooths the vertices of whole sections. The new axis is parametrised by the arc length of the
+  /// present one, counted such that its whole sections begin at `clean_at` (a branch: how far they
+  /// are from its parent's axis). `correct`: smooth the data plus what the present axis leaves of
+  /// them, which undoes the smoothing's pull on a bend (Tukey's twicing). `smoothing`: share of
+  /// full smoothing.
   void fit_axis(bool correct, double smoothing, std::optional<double> clean_at = {});
 
   void fit_radius();

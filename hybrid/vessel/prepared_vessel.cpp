@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "rod/section.h"
 #include "vessel/check_fit.h"
 
 namespace vasorod {
 namespace {
 
-// Thickness at the rod's nodes: the wall's, or where a generated tube's wall tapers, linear in arc length.
+// Thickness at the rod's nodes: the wall's, or where a generated tube's wall tapers, linear in arc
+// length.
 std::vector<double> node_thickness(const PreparedVessel& prepared) {
   const RodTree& rod = prepared.vessel.rod;
   std::vector<double> thickness(rod.rest.size(), prepared.thickness());
@@ -20,7 +22,8 @@ std::vector<double> node_thickness(const PreparedVessel& prepared) {
   for (const RodElement& element : rod.elements) {
     s += element.length;
     thickness[static_cast<size_t>(element.second)] =
-        prepared.thickness() + (*prepared.spec.tube->end_thickness - prepared.thickness()) * s / length;
+        prepared.thickness() +
+        (*prepared.spec.tube->end_thickness - prepared.thickness()) * s / length;
   }
   return thickness;
 }
@@ -45,7 +48,6 @@ PreparedVessel read_vessel(const VesselSpec& spec, const Scene& scene) {
 }
 
 void fit(PreparedVessel& prepared) {
-  const Wall& wall = *prepared.spec.wall;
   prepared.vessel = fit_vessel(prepared.spec.name, prepared.vessel.surface);
   for (double& radius : prepared.vessel.rod.radius) radius += prepared.mid_offset();
   prepared.vessel.mean_radius += prepared.mid_offset();
@@ -55,8 +57,8 @@ void fit(PreparedVessel& prepared) {
   } catch (const InputError& e) {
     throw InputError("vessel " + prepared.spec.name + ": " + e.what());
   }
-  set_annular_stiffness(prepared.vessel.rod, prepared.node_thickness, wall.young, wall.shear_modulus(),
-                        wall.poisson, "vessel " + prepared.spec.name);
+  set_annular_stiffness(prepared.vessel.rod, prepared.node_thickness, prepared.spec.wall->material,
+                        "vessel " + prepared.spec.name);
 }
 
 }  // namespace vasorod

@@ -1,8 +1,10 @@
-// A vessel of a scene, ready for the solvers: surface read, rod fitted and given the wall's stiffness.
+// A vessel of a scene, ready for the solvers: surface read, rod fitted and given the wall's
+// stiffness.
 #pragma once
 
-#include "scene/read_surface.h"
-#include "scene/scene.h"
+#include <vasorod/scene.h>
+
+#include "surface_file/read_surface.h"
 #include "vessel/vessel.h"
 
 namespace vasorod {
@@ -15,9 +17,11 @@ struct PreparedVessel {
 
   bool obstacle() const { return spec.role == Role::obstacle; }
   double thickness() const { return spec.wall ? spec.wall->thickness : 0; }
-  /// From the given surface outwards to the wall's outer face, length: 0 where the surface is the outer face.
+  /// From the given surface outwards to the wall's outer face, length: 0 where the surface is the
+  /// outer face.
   double outer_offset() const;
-  /// From the given surface outwards to mid-wall, length: negative where the surface is the outer face.
+  /// From the given surface outwards to mid-wall, length: negative where the surface is the outer
+  /// face.
   double mid_offset() const;
 };
 

@@ -15,8 +15,8 @@ Mat3 shortest_rotation(const Vec3& a, const Vec3& b) {
   return Eigen::Quaterniond::FromTwoVectors(a, b).toRotationMatrix();
 }
 
-// The frame at (r, t) that a rotation-minimising frame brings along from `from`, whose d3 is the curve's
-// tangent there.
+// The frame at (r, t) that a rotation-minimising frame brings along from `from`, whose d3 is the
+// curve's tangent there.
 Pose transported(const Pose& from, const Vec3& r, const Vec3& t) {
   const Vec3 v1 = r - from.position;
   const Vec3 d1 = from.director(1) - 2 / v1.squaredNorm() * v1.dot(from.director(1)) * v1;
@@ -53,18 +53,21 @@ RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first
     for (size_t k = c + 1; k < count; ++k)
       if (centerline.curves[k].parent == static_cast<int>(c))
         forks.push_back({centerline.curves[k].parent_u, {k}});
-    std::stable_sort(forks.begin(), forks.end(), [](const Fork& a, const Fork& b) { return a.u < b.u; });
+    std::stable_sort(forks.begin(), forks.end(),
+                     [](const Fork& a, const Fork& b) { return a.u < b.u; });
     auto radius_at = [&](double u) {
       const double typical = centerline.paths.paths[c].radius;
       // Before its first whole section a branch has no radius of its own.
-      return std::clamp(curve.radius(std::max(u, curve.clean_start))[0], 0.25 * typical, 4 * typical);
+      return std::clamp(curve.radius(std::max(u, curve.clean_start))[0], 0.25 * typical,
+                        4 * typical);
     };
     std::vector<Fork> stops;
     for (Fork& fork : forks) {
       const double room = 0.5 * spacing * radius_at(fork.u);
       fork.u = std::max(std::min(fork.u, curve.last - 2 * room), curve.first + 2 * room);
       if (!stops.empty() && fork.u - stops.back().u < room)
-        stops.back().children.insert(stops.back().children.end(), fork.children.begin(), fork.children.end());
+        stops.back().children.insert(stops.back().children.end(), fork.children.begin(),
+                                     fork.children.end());
       else
         stops.push_back(std::move(fork));
     }
@@ -88,7 +91,8 @@ RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first
     for (const Fork& stop : stops) {
       const double to = arc(stop.u);
       const double local = radius_at(arc.inverse(0.5 * (from + to)));
-      const int elements = std::max(1, static_cast<int>(std::ceil((to - from) / (spacing * local) - 1e-6)));
+      const int elements =
+          std::max(1, static_cast<int>(std::ceil((to - from) / (spacing * local) - 1e-6)));
       RodBranch branch;
       branch.parent = parent;
       branch.nodes.push_back(node);

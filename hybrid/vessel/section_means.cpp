@@ -4,18 +4,17 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
 
-constexpr int passes = 2;           // the second fits against the first's poses
-constexpr double band_edges = 1.2;  // half width of a band in mean edges, where that is more than an element
-constexpr double thin = 1e-3;       // a section seen this much in one direction only has no mean rotation
-
-size_t index(Eigen::Index i) {
-  return static_cast<size_t>(i);
-}
+constexpr int passes = 2;  // the second fits against the first's poses
+constexpr double band_edges =
+    1.2;  // half width of a band in mean edges, where that is more than an element
+constexpr double thin =
+    1e-3;  // a section seen this much in one direction only has no mean rotation
 
 // Vertices of one branch by their arc length.
 struct OnBranch {
@@ -90,7 +89,8 @@ class Sections {
     return local;
   }
 
-  std::optional<Pose> mean_change(size_t branch, double s, double width, const Points& local) const {
+  std::optional<Pose> mean_change(size_t branch, double s, double width,
+                                  const Points& local) const {
     const auto& vertices = on_[branch];
     const auto first = std::lower_bound(vertices.begin(), vertices.end(), s - width,
                                         [](const OnBranch& v, double at) { return v.s < at; });
@@ -133,7 +133,8 @@ class Sections {
 }  // namespace
 
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
-                       const std::vector<std::optional<Pose>>& known, const std::vector<char>& unseen) {
+                       const std::vector<std::optional<Pose>>& known,
+                       const std::vector<char>& unseen) {
   const Sections sections(vessel);
   RodPoses poses = near;
   for (int pass = 0; pass < passes; ++pass) {

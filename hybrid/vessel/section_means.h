@@ -7,14 +7,16 @@
 
 namespace vasorod {
 
-/// `current`: the deformed surface. `near`: poses whose sections are roughly there (the solved rod). `known`:
-/// per node the pose where a rigid section gives it; may be empty.
+/// `current`: the deformed surface. `near`: poses whose sections are roughly there (the solved
+/// rod). `known`: per node the pose where a rigid section gives it; may be empty.
 ///
-/// A node's section is the band of vertices about it, weighted by their area and a hat along the axis. In the
-/// frames of `near` the band is brought to one plane, and the pose is the least-squares fit of position r and
-/// rotation R: r the weighted mean, R from sum A_i (R rho_i) x (x_i - r) = 0. What the band averages is only
-/// the difference to `near`, so the strains between nodes are second-order accurate in its width.
+/// A node's section is the band of vertices about it, weighted by their area and a hat along the
+/// axis. In the frames of `near` the band is brought to one plane, and the pose is the
+/// least-squares fit of position r and rotation R: r the weighted mean, R from sum A_i (R rho_i) x
+/// (x_i - r) = 0. What the band averages is only the difference to `near`, so the strains between
+/// nodes are second-order accurate in its width.
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
-                       const std::vector<std::optional<Pose>>& known, const std::vector<char>& unseen = {});
+                       const std::vector<std::optional<Pose>>& known,
+                       const std::vector<char>& unseen = {});
 
 }  // namespace vasorod

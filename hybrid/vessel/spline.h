@@ -19,20 +19,20 @@ struct Spline {
 
   double step() const { return (end - start) / intervals; }
 
-  /// First control point and the four basis values (order 0) or their derivatives (order 1, 2) at u in the
-  /// domain.
+  /// First control point and the four basis values (order 0) or their derivatives (order 1, 2) at u
+  /// in the domain.
   std::pair<int, std::array<double, 4>> basis(double u, int order = 0) const {
     const double x = (u - start) / step();
     const int i = std::clamp(static_cast<int>(std::floor(x)), 0, intervals - 1);
     const double t = x - i, h = step(), r = 1 - t;
     if (order == 0)
       return {i,
-              {r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * r * r * r - 6 * r * r + 4) / 6,
-               t * t * t / 6}};
+              {r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+               (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6}};
     if (order == 1)
-      return {
-          i,
-          {-r * r / (2 * h), (3 * t * t - 4 * t) / (2 * h), (4 * r - 3 * r * r) / (2 * h), t * t / (2 * h)}};
+      return {i,
+              {-r * r / (2 * h), (3 * t * t - 4 * t) / (2 * h), (4 * r - 3 * r * r) / (2 * h),
+               t * t / (2 * h)}};
     return {i, {r / (h * h), (3 * t - 2) / (h * h), (3 * r - 2) / (h * h), t / (h * h)}};
   }
   Value sum(double u, int order) const {
@@ -69,16 +69,17 @@ struct SplineDatum {
   Eigen::Matrix<double, D, 1> value = Eigen::Matrix<double, D, 1>::Zero();
 };
 
-/// Penalties on the squared differences of the control points: `second` leaves straight lines untouched,
-/// `third` parabolas.
+/// Penalties on the squared differences of the control points: `second` leaves straight lines
+/// untouched, `third` parabolas.
 struct Smoothing {
   double second = 0, third = 0;
 };
 
-/// Minimises sum weight |spline(u) - value|^2 + the penalties in O(data + intervals). Data outside the domain
-/// are ignored. `spline` gives domain and intervals; its control points are replaced.
+/// Minimises sum weight |spline(u) - value|^2 + the penalties in O(data + intervals). Data outside
+/// the domain are ignored. `spline` gives domain and intervals; its control points are replaced.
 template <int D>
-void fit_penalised(Spline<D>& spline, const std::vector<SplineDatum<D>>& data, const Smoothing& smoothing) {
+void fit_penalised(Spline<D>& spline, const std::vector<SplineDatum<D>>& data,
+                   const Smoothing& smoothing) {
   const size_t n = static_cast<size_t>(spline.intervals) + 3;
   // Symmetric band matrix: band[i][k] is the entry (i, i + k).
   std::vector<std::array<double, 4>> band(n, {0, 0, 0, 0});

@@ -4,36 +4,40 @@
 #include <string>
 #include <vector>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
+
+#include "rod/binding.h"
 #include "rod/rod_tree.h"
-#include "surface/binding.h"
 
 namespace vasorod {
 
-/// An open end of a vessel: a boundary loop of the surface and the rod node whose section closes it.
+/// An open end of a vessel: a boundary loop of the surface and the rod node whose section closes
+/// it.
 struct VesselEnd {
-  std::vector<int> loop;          ///< vertex indices in order around the end
-  Vec3 center = Vec3::Zero();     ///< centroid of the end's section
-  Vec3 outward = Vec3::UnitZ();   ///< unit normal of the end's section, out of the vessel
-  int node = 0;                   ///< rod node at this end: the tree's root or a branch's last node
+  std::vector<int> loop;         ///< vertex indices in order around the end
+  Vec3 center = Vec3::Zero();    ///< centroid of the end's section
+  Vec3 outward = Vec3::UnitZ();  ///< unit normal of the end's section, out of the vessel
+  int node = 0;                  ///< rod node at this end: the tree's root or a branch's last node
 };
 
 /// Geometry of a vessel: rest surface, fitted rod, binding. No material.
 struct Vessel {
   TriangleSurface surface;
-  RodTree rod;                    ///< stiffness still zero; rest_strain = natural_strain
-  std::vector<int> branch_of;     ///< branch index per vertex
+  RodTree rod;                 ///< stiffness still zero; rest_strain = natural_strain
+  std::vector<int> branch_of;  ///< branch index per vertex
   Binding binding;
-  std::vector<VesselEnd> ends;    ///< ends[0] is `start`: the loop that holds the lowest point index
-  double mean_radius = 0;         ///< mean of RodTree::radius by arc length
+  std::vector<VesselEnd> ends;  ///< ends[0] is `start`: the loop that holds the lowest point index
+  double mean_radius = 0;       ///< mean of RodTree::radius by arc length
 };
 
 struct FitOptions {
-  double spacing = 0;             ///< rod element length over the local radius; 0: the default 0.25
+  double spacing = 0;  ///< rod element length over the local radius; 0: the default 0.25
 };
 
-/// Fits centerline, radii and rest rod with twist-free frames to an open tubular surface with any number of ends >= 2,
-/// and binds the surface to it. No seeds. Throws InputError (a sentence with `name`) where the surface is not tubular.
-Vessel fit_vessel(const std::string& name, const TriangleSurface& surface, const FitOptions& options = {});
+/// Fits centerline, radii and rest rod with twist-free frames to an open tubular surface with any
+/// number of ends >= 2, and binds the surface to it. No seeds. Throws InputError (a sentence with
+/// `name`) where the surface is not tubular.
+Vessel fit_vessel(const std::string& name, const TriangleSurface& surface,
+                  const FitOptions& options = {});
 
 }  // namespace vasorod

@@ -21,8 +21,8 @@ struct Stretch {
   }
 };
 
-// The map dC -> dU of U dU + dU U = dC in the storage above: dU = (det U dC + V dC V) / (2 tr U det U),
-// V = tr U I - U the adjugate of U.
+// The map dC -> dU of U dU + dU U = dC in the storage above: dU = (det U dC + V dC V) / (2 tr U det
+// U), V = tr U I - U the adjugate of U.
 Mat3 stretch_derivative(const Stretch& s) {
   const double v11 = s.u22, v22 = s.u11, v12 = -s.u12;
   Mat3 d;
@@ -34,16 +34,17 @@ Mat3 stretch_derivative(const Stretch& s) {
 
 }  // namespace
 
-MembraneStrain membrane_strain(StrainLaw law, const Vec3& c) {
-  if (law == StrainLaw::svk)
+MembraneStrain membrane_strain(Law law, const Vec3& c) {
+  if (law == Law::svk)
     return {Vec3((c[0] - 1) / 2, (c[1] - 1) / 2, c[2]), Vec3(0.5, 0.5, 1).asDiagonal()};
   const Stretch s(c);
   return {Vec3(s.u11 - 1, s.u22 - 1, 2 * s.u12), stretch_derivative(s)};
 }
 
-Mat3 membrane_strain_hessian(StrainLaw law, const Vec3& c, const Vec3& stress) {
-  if (law == StrainLaw::svk) return Mat3::Zero();
-  // With T solving U T + T U = stress: stress : d2U = -2 T : (dU dU), for dC twice the same and d2C = 0.
+Mat3 membrane_strain_hessian(Law law, const Vec3& c, const Vec3& stress) {
+  if (law == Law::svk) return Mat3::Zero();
+  // With T solving U T + T U = stress: stress : d2U = -2 T : (dU dU), for dC twice the same and d2C
+  // = 0.
   const Stretch s(c);
   const Mat3 d = stretch_derivative(s);
   const Vec3 t(d.col(0).dot(stress), d.col(1).dot(stress), d.col(2).dot(stress) / 2);

@@ -1,10 +1,12 @@
-// In-plane strain of a triangle from its right Cauchy-Green tensor C = F^T F (2 x 2), with its derivatives.
+// In-plane strain of a triangle from its right Cauchy-Green tensor C = F^T F (2 x 2), with its
+// derivatives.
 //
 // A symmetric tensor C is stored as (C11, C22, C12), a strain e as (e11, e22, 2 e12).
 #pragma once
 
-#include "geometry/types.h"
-#include "wall/wall_material.h"
+#include <vasorod/types.h>
+
+#include "wall/plane_stress.h"
 
 namespace vasorod {
 
@@ -18,9 +20,9 @@ struct MembraneStrain {
   Mat3 derivative;  ///< d strain / d C
 };
 
-MembraneStrain membrane_strain(StrainLaw law, const Vec3& c);
+MembraneStrain membrane_strain(Law law, const Vec3& c);
 
 /// Sum over i of stress_i d^2 strain_i / dC dC, stress in the order (11, 22, 12).
-Mat3 membrane_strain_hessian(StrainLaw law, const Vec3& c, const Vec3& stress);
+Mat3 membrane_strain_hessian(Law law, const Vec3& c, const Vec3& stress);
 
 }  // namespace vasorod

@@ -13,9 +13,10 @@ Vec3 dyad(const Vec2& x) {
 
 }  // namespace
 
-double ring_softness(const Eigen::Matrix<double, 2, 3>& gradients, const Mat3& bending, const Vec2& x,
-                     double curvature) {
-  const double area2 = 1 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
+double ring_softness(const Eigen::Matrix<double, 2, 3>& gradients, const Mat3& bending,
+                     const Vec2& x, double curvature) {
+  const double area2 =
+      1 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
   const Vec3 stress = bending * dyad(x);
   Mat3 outward;
   Vec3 extent;  // the edges' along x, one after another around the triangle
@@ -29,7 +30,8 @@ double ring_softness(const Eigen::Matrix<double, 2, 3>& gradients, const Mat3& b
     v[k] = (extent[(k + 2) % 3] - extent[(k + 1) % 3]) / 6 * stress.dot(outward.col(k));
   const Mat3 alternating = outward.transpose() * bending * outward;
   const double wave = 2 * curvature;
-  return wave * wave * (extent.squaredNorm() / 36 + v.dot(alternating.inverse() * v) / dyad(x).dot(stress));
+  return wave * wave *
+         (extent.squaredNorm() / 36 + v.dot(alternating.inverse() * v) / dyad(x).dot(stress));
 }
 
 }  // namespace vasorod

@@ -10,14 +10,16 @@ namespace vasorod {
 
 namespace {
 
-constexpr double defect_steps = 20;  // defects closer than this part of an edge are equal: the order decides
+constexpr double defect_steps =
+    20;  // defects closer than this part of an edge are equal: the order decides
 
 // How far an edge's two triangles are from a parallelogram, in steps.
 int defect(const Points& points, const Edge& e) {
   const Vec3 middle = (points.row(e.a) + points.row(e.b)).transpose() / 2;
   const Vec3 across = (points.row(e.opposite[0]) + points.row(e.opposite[1])).transpose() / 2;
   const double length = (points.row(e.a) - points.row(e.b)).norm();
-  return static_cast<int>(std::min(1e6, std::round(defect_steps * (middle - across).norm() / length)));
+  return static_cast<int>(
+      std::min(1e6, std::round(defect_steps * (middle - across).norm() / length)));
 }
 
 }  // namespace
@@ -25,7 +27,8 @@ int defect(const Points& points, const Edge& e) {
 std::vector<int> shear_pairs(const TriangleSurface& surface) {
   std::vector<Edge> edges = edges_of(surface.triangles);
   std::erase_if(edges, [](const Edge& e) { return e.boundary(); });
-  std::vector<int> partner(static_cast<size_t>(surface.triangles.rows()), -1), free(partner.size(), 0);
+  std::vector<int> partner(static_cast<size_t>(surface.triangles.rows()), -1),
+      free(partner.size(), 0);
   std::vector<std::vector<int>> around(partner.size());
   for (const Edge& e : edges)
     for (size_t w = 0; w < 2; ++w) {
@@ -36,7 +39,8 @@ std::vector<int> shear_pairs(const TriangleSurface& surface) {
   std::iota(order.begin(), order.end(), size_t{0});
   std::vector<int> defects;
   for (const Edge& e : edges) defects.push_back(defect(surface.points, e));
-  std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return defects[i] < defects[j]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t i, size_t j) { return defects[i] < defects[j]; });
 
   std::vector<int> leaves;  // with one free neighbour left
   const auto is_free = [&](int t) { return partner[static_cast<size_t>(t)] < 0; };

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wall/degeneracy_barriers.h"
 #include "wall/membrane_strain.h"
-#include "wall/stops.h"
 
 namespace vasorod {
 
 namespace {
 
-// Height over edge k, h = sqrt(det C / (q^T C q)), q = g_k turned by 90 degrees, with the derivatives of ln
-// h.
+// Height over edge k, h = sqrt(det C / (q^T C q)), q = g_k turned by 90 degrees, with the
+// derivatives of ln h.
 struct Height {
   Vec3 length_gradient, det_gradient;  // of ln (q^T C q) and of ln det C
   double det, value;
@@ -27,7 +27,9 @@ struct Height {
   }
   Vec3 log_gradient() const { return (det_gradient - length_gradient) / 2; }
   Mat3 log_hessian() const {
-    Mat3 h = (length_gradient * length_gradient.transpose() - det_gradient * det_gradient.transpose()) / 2;
+    Mat3 h =
+        (length_gradient * length_gradient.transpose() - det_gradient * det_gradient.transpose()) /
+        2;
     h(0, 1) += 0.5 / det;
     h(1, 0) += 0.5 / det;
     h(2, 2) -= 1 / det;
@@ -46,12 +48,13 @@ double relieved(const TriangleRest& rest, const TriangleState& state, const Vec6
 }
 
 double slope(const TriangleState& s, int k) {
-  return s.half_sine[k] + FoldStop(s.half_sine[k], s.half_cosine[k]).value + s.xi[k] * s.half_cosine[k];
+  return s.half_sine[k] + FoldBarrier(s.half_sine[k], s.half_cosine[k]).value +
+         s.xi[k] * s.half_cosine[k];
 }
 
 }  // namespace
 
-Vec6 triangle_strains(StrainLaw law, const TriangleRest& rest, const TriangleState& state) {
+Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& state) {
   Vec6 y;
   y.head<3>() = membrane_strain(law, state.metric).strain;
   for (int k = 0; k < 3; ++k)
@@ -62,13 +65,13 @@ Vec6 triangle_strains(StrainLaw law, const TriangleRest& rest, const TriangleSta
   return y;
 }
 
-double triangle_value(StrainLaw law, const TriangleRest& rest, const TriangleState& state) {
+double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state) {
   const Vec6 y = triangle_strains(law, rest, state);
   return y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
-         collapse_stiffness(rest) * CollapseStop(state.metric).value;
+         collapse_stiffness(rest) * CollapseBarrier(state.metric).value;
 }
 
-TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const TriangleState& state,
+TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,
                                bool with_hessian) {
   TriangleEnergy e;
   const MembraneStrain membrane = membrane_strain(law, state.metric);
@@ -79,19 +82,20 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
     e.value -= relieved(rest, state, e.strains);
     e.stress[2] -= rest.relief * (e.strains[2] - state.partner_shear);
   }
-  const CollapseStop stop(state.metric);
+  const CollapseBarrier stop(state.metric);
   e.value += collapse_stiffness(rest) * stop.value;
   e.gradient.setZero();
-  e.gradient.head<3>() =
-      membrane.derivative.transpose() * e.stress.head<3>() + collapse_stiffness(rest) * stop.gradient;
+  e.gradient.head<3>() = membrane.derivative.transpose() * e.stress.head<3>() +
+                         collapse_stiffness(rest) * stop.gradient;
 
   Eigen::Matrix<double, 6, 9> d;  // of y by the nine scalars
   if (with_hessian) {
     d.setZero();
     d.topLeftCorner<3, 3>() = membrane.derivative;
     e.hessian.setZero();
-    e.hessian.topLeftCorner<3, 3>() = membrane_strain_hessian(law, state.metric, e.stress.head<3>()) +
-                                      collapse_stiffness(rest) * stop.hessian;
+    e.hessian.topLeftCorner<3, 3>() =
+        membrane_strain_hessian(law, state.metric, e.stress.head<3>()) +
+        collapse_stiffness(rest) * stop.hessian;
   }
   for (int k = 0; k < 3; ++k) {
     const double moment = e.stress[3 + k];
@@ -101,10 +105,11 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
       continue;
     }
     const Height h(rest.gradients.col(k), state.metric);
-    const FoldStop fold(state.half_sine[k], state.half_cosine[k]);
+    const FoldBarrier fold(state.half_sine[k], state.half_cosine[k]);
     const double over = state.half_sine[k] + state.xi[k] * state.half_cosine[k];
     const double b = 2 * h.value * (over + fold.value);
-    const double by_angle = h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k] + fold.first);
+    const double by_angle =
+        h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k] + fold.first);
     const double by_xi = 2 * h.value * state.half_cosine[k];
     const Vec3 log_gradient = h.log_gradient();
     e.gradient.head<3>() += moment * b * log_gradient;
@@ -116,7 +121,8 @@ TriangleEnergy triangle_energy(StrainLaw law, const TriangleRest& rest, const Tr
     d(3 + k, 6 + k) = by_xi;
     e.hessian.topLeftCorner<3, 3>() +=
         moment * b * (h.log_hessian() + log_gradient * log_gradient.transpose());
-    const Vec3 metric_angle = moment * by_angle * log_gradient, metric_xi = moment * by_xi * log_gradient;
+    const Vec3 metric_angle = moment * by_angle * log_gradient,
+               metric_xi = moment * by_xi * log_gradient;
     e.hessian.block<3, 1>(0, 3 + k) = metric_angle;
     e.hessian.block<1, 3>(3 + k, 0) = metric_angle.transpose();
     e.hessian.block<3, 1>(0, 6 + k) = metric_xi;

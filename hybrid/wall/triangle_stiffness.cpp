@@ -20,7 +20,8 @@ Eigen::RowVector3d along(const Vec2& t) {
 
 constexpr double largest_strain = 0.1;
 
-// From (e, c) of the facet to (e, c) of the curved piece it stands for, and the ratio of their areas.
+// From (e, c) of the facet to (e, c) of the curved piece it stands for, and the ratio of their
+// areas.
 struct CurvedPiece {
   Mat6 map = Mat6::Identity();
   double area_ratio;
@@ -48,15 +49,16 @@ struct CurvedPiece {
     Mat2 u;
     u << 1 + e[0], e[2] / 2, e[2] / 2, 1 + e[1];
     area_ratio = u.determinant();
-    for (int k = 0; k < 3; ++k) piece.row(k) = along((u * edge[static_cast<size_t>(k)]).normalized());
+    for (int k = 0; k < 3; ++k)
+      piece.row(k) = along((u * edge[static_cast<size_t>(k)]).normalized());
     const Mat3 back = piece.inverse();
     map.topLeftCorner<3, 3>() = back * (Vec3::Ones() - stretch).asDiagonal() * facet;
     map.topRightCorner<3, 3>() = back * bow.asDiagonal() * facet;
   }
 };
 
-// The section's stiffness with what mode n = 2 of a ring needs: the wall's shear, less the triangle's
-// softness.
+// The section's stiffness with what mode n = 2 of a ring needs: the wall's shear, less the
+// triangle's softness.
 Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
   Mat6 stiffness = wall_section_stiffness(section);
   const Mat3 bending = stiffness.bottomRightCorner<3, 3>();
@@ -78,7 +80,8 @@ Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSect
 }  // namespace
 
 Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
-  const double area = 0.5 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
+  const double area =
+      0.5 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
   std::array<Vec2, 3> edge;
   Mat6 bending = Mat6::Identity();  // c = sum_k b_k g_k g_k^T
   for (int k = 0; k < 3; ++k) {

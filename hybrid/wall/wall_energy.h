@@ -1,21 +1,23 @@
-// Elastic energy of one vessel's wall: a shell of flat triangles with an unknown normal on every edge.
+// Elastic energy of one vessel's wall: a shell of flat triangles with an unknown normal on every
+// edge.
 //
-// Unknowns q, in this order: the vertices (x, y, z each, length); one number xi per free edge (no unit); the
-// normal m (3 numbers, no unit) of each edge on a glued rim. An edge's normal is m = N + (xi + xi0) (e x N),
-// N the unit bisector of its triangles' normals (a rim's: the one triangle's), e from the edge's lower vertex
-// to the higher, xi0 such that at rest (xi = 0) m is the smooth surface's. A glued rim's normals belong to a
-// rigid section: whoever moves it sets m = R m_rest. Strains, bending and stiffness: triangle_energy.h,
-// wall_section.h.
+// Unknowns q, in this order: the vertices (x, y, z each, length); one number xi per free edge (no
+// unit); the normal m (3 numbers, no unit) of each edge on a glued rim. An edge's normal is m = N +
+// (xi + xi0) (e x N), N the unit bisector of its triangles' normals (a rim's: the one triangle's),
+// e from the edge's lower vertex to the higher, xi0 such that at rest (xi = 0) m is the smooth
+// surface's. A glued rim's normals belong to a rigid section: whoever moves it sets m = R m_rest.
+// Strains, bending and stiffness: triangle_energy.h, wall_section.h.
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <string>
 #include <vector>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
+
 #include "wall/hinge.h"
+#include "wall/plane_stress.h"
 #include "wall/triangle_energy.h"
-#include "wall/wall_material.h"
 #include "wall/wall_section.h"
 
 namespace vasorod {
@@ -26,7 +28,7 @@ struct WallInput {
   Eigen::VectorXd thickness;  ///< per vertex
   double mid_offset = 0;      ///< from the given surface along its outward normal to mid-wall
   std::vector<Vec3> axis;     ///< per triangle: the fibre, any length, not normal to the triangle
-  WallMaterial material;
+  Material material;
   std::vector<char> glued;    ///< per vertex: on a rigid section; empty: none
   std::string name = "wall";  ///< begins the sentence of an error
 };
@@ -42,8 +44,9 @@ struct WallEdge {
 /// What the wall stores and carries at a state.
 struct WallReport {
   double membrane = 0, bending = 0, coupling = 0;  ///< energies; their sum is the wall's
-  /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12), change of the
-  /// second fundamental form (1/length), and what is conjugate to them per rest area: force/length, force.
+  /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12), change
+  /// of the second fundamental form (1/length), and what is conjugate to them per rest area:
+  /// force/length, force.
   std::vector<Vec3> strain, bend, force, moment;
   double sharpest_fold = 0;  ///< angle between two triangles, radians
   Vec3 fold_place = Vec3::Zero();
@@ -60,7 +63,9 @@ class WallEnergy {
   int unknowns() const { return static_cast<int>(rest_.size()); }
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
 
-  const Eigen::VectorXd& rest() const { return rest_; }  ///< q at rest: energy and gradient are zero
+  const Eigen::VectorXd& rest() const {
+    return rest_;
+  }  ///< q at rest: energy and gradient are zero
 
   double value(const Eigen::VectorXd& q) const;
   /// Returns the energy and writes its gradient.
@@ -69,7 +74,7 @@ class WallEnergy {
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
   /// Another material on the same wall: the pattern, the rest state and all unknowns stay.
-  void set_material(const WallMaterial& material);
+  void set_material(const Material& material);
 
   WallReport report(const Eigen::VectorXd& q) const;
 
@@ -90,7 +95,8 @@ class WallEnergy {
   Vec3 point(const Eigen::VectorXd& q, int vertex) const { return q.segment<3>(3 * vertex); }
   Geometry geometry(const Eigen::VectorXd& q) const;
   Deformation deformation(const Eigen::VectorXd& q, int triangle) const;
-  TriangleState state(const Eigen::VectorXd& q, const Geometry& g, int triangle, const Deformation& f) const;
+  TriangleState state(const Eigen::VectorXd& q, const Geometry& g, int triangle,
+                      const Deformation& f) const;
   // The hinge of an inner edge seen from its triangle 0 or 1.
   HingeSide side(const Eigen::VectorXd& q, const Geometry& g, int edge, int which) const;
 
@@ -110,7 +116,7 @@ class WallEnergy {
   void add_partners(const Eigen::VectorXd& q, double* values) const;
 
   std::string name_;
-  StrainLaw law_;
+  Law law_;
   int vertices_ = 0, free_edges_ = 0, glued_edges_ = 0;
   Triangles triangles_;
   std::vector<WallEdge> edges_;
@@ -118,12 +124,12 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
-  std::vector<int> partner_;           // per triangle, shear_pairs.h; empty until a material asks for it
+  std::vector<int> partner_;  // per triangle, shear_pairs.h; empty until a material asks for it
   std::vector<WallSection> sections_;  // geometry alone; the material is put in by set_material
   Eigen::VectorXd rest_;
   Eigen::SparseMatrix<double> hessian_;
-  // Per triangle: nodes (its vertices, what stands across its edges, its edges' xi; -1: none) and the place
-  // of each pair's block in the matrix.
+  // Per triangle: nodes (its vertices, what stands across its edges, its edges' xi; -1: none) and
+  // the place of each pair's block in the matrix.
   struct Places {
     std::array<int, 9> node{};
     std::array<int, 45> place{};

@@ -1,9 +1,9 @@
-// The wall's Hessian: blocks of nine nodes per triangle (three vertices, what stands across each edge, the
-// edges' xi) added into a fixed pattern.
+// The wall's Hessian: blocks of nine nodes per triangle (three vertices, what stands across each
+// edge, the edges' xi) added into a fixed pattern.
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "wall/block_pattern.h"
+#include "numerics/block_pattern.h"
 #include "wall/membrane_strain.h"
 #include "wall/wall_energy.h"
 
@@ -77,14 +77,16 @@ struct Adder {
   const std::vector<int>& stride;
 
   template <int Rows, int Columns>
-  void add(int row_node, int column_node, int place, const Eigen::Matrix<double, Rows, Columns>& block) {
+  void add(int row_node, int column_node, int place,
+           const Eigen::Matrix<double, Rows, Columns>& block) {
     if (row_node > column_node) {
       add_below(column_node, place, block);
     } else if (row_node < column_node) {
       add_below(row_node, place, block.transpose().eval());
     } else {
       // The same node seen twice: its diagonal block, of which the lower half is kept.
-      if constexpr (Rows == Columns) add_diagonal(row_node, place, (block + block.transpose()).eval());
+      if constexpr (Rows == Columns)
+        add_diagonal(row_node, place, (block + block.transpose()).eval());
     }
   }
 
@@ -158,7 +160,8 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
         triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
     const Sides& sides = sides_[static_cast<size_t>(t)];
     for (int k = 0; k < 3; ++k)
-      if (const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]); !edges_[edge].rim)
+      if (const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
+          !edges_[edge].rim)
         by_angle[edge] += e.gradient[3 + k];
     add_triangle(static_cast<size_t>(t), e, derivatives(q, g, t, f), values);
   }
@@ -183,10 +186,11 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
     const size_t si = static_cast<size_t>(i);
-    adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))], block.block<3, 3>(3 * i, 3 * i));
+    adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))],
+                       block.block<3, 3>(3 * i, 3 * i));
     for (int j = 0; j < i; ++j)
-      adder.add<3, 3>(node[si], node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(i, j))],
-                      block.block<3, 3>(3 * i, 3 * j));
+      adder.add<3, 3>(node[si], node[static_cast<size_t>(j)],
+                      place[static_cast<size_t>(pair(i, j))], block.block<3, 3>(3 * i, 3 * j));
   }
   for (int k = 0; k < 3; ++k) {
     const int outer = node[static_cast<size_t>(3 + k)], xi = node[static_cast<size_t>(6 + k)];
@@ -198,7 +202,8 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
         Mat3 b = a * row.segment<3>(3 * j);
         // b_k is bilinear in the rim's normal and the vertices.
         if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
-        adder.add<3, 3>(outer, node[static_cast<size_t>(j)], place[static_cast<size_t>(pair(3 + k, j))], b);
+        adder.add<3, 3>(outer, node[static_cast<size_t>(j)],
+                        place[static_cast<size_t>(pair(3 + k, j))], b);
       }
       for (int l = 0; l <= k; ++l) {
         const int other = node[static_cast<size_t>(3 + l)];
@@ -220,8 +225,9 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
     for (int l = 0; l < 3; ++l) {
       const int other = node[static_cast<size_t>(3 + l)];
       if (other < 0) continue;
-      adder.add<1, 3>(xi, other, place[static_cast<size_t>(pair(6 + k, 3 + l))],
-                      sign * e.hessian(6 + k, 3 + l) * d.across[static_cast<size_t>(l)].transpose());
+      adder.add<1, 3>(
+          xi, other, place[static_cast<size_t>(pair(6 + k, 3 + l))],
+          sign * e.hessian(6 + k, 3 + l) * d.across[static_cast<size_t>(l)].transpose());
     }
     for (int l = 0; l <= k; ++l) {
       if (node[static_cast<size_t>(6 + l)] < 0) continue;
@@ -232,8 +238,8 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
 }
 
 // The angles' own second derivatives, which stay within each side's triangle.
-void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g, const std::vector<double>& by_angle,
-                            double* values) const {
+void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
+                            const std::vector<double>& by_angle, double* values) const {
   Adder adder{values, node_stride_};
   for (size_t t = 0; t < sides_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -253,8 +259,8 @@ void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g, const s
           if (a == b)
             adder.add_diagonal(triangles_(static_cast<int>(t), a), at, block);
           else
-            adder.add<3, 3>(triangles_(static_cast<int>(t), a), triangles_(static_cast<int>(t), b), at,
-                            block);
+            adder.add<3, 3>(triangles_(static_cast<int>(t), a), triangles_(static_cast<int>(t), b),
+                            at, block);
         }
     }
 }
@@ -264,7 +270,8 @@ void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
   Adder adder{values, node_stride_};
   const auto by_vertices = [&](size_t t) -> Row9 {
     const Deformation f = deformation(q, static_cast<int>(t));
-    return membrane_strain(law_, metric_of(f)).derivative.row(2) * metric_by_vertices(triangle_rest_[t], f);
+    return membrane_strain(law_, metric_of(f)).derivative.row(2) *
+           metric_by_vertices(triangle_rest_[t], f);
   };
   for (size_t t = 0; t < triangle_rest_.size(); ++t) {
     if (!(triangle_rest_[t].relief > 0)) continue;
@@ -275,12 +282,14 @@ void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
     for (int j = 0; j < 3; ++j) {
       // All of the partner's vertices are the triangle's own or across its edges.
       const int node = triangles_(static_cast<int>(other), j);
-      const auto local = static_cast<int>(std::find(at.node.begin(), at.node.end(), node) - at.node.begin());
+      const auto local =
+          static_cast<int>(std::find(at.node.begin(), at.node.end(), node) - at.node.begin());
       for (int i = 0; i < 3; ++i) {
         const Mat3 block =
             triangle_rest_[t].relief * mine.segment<3>(3 * i).transpose() * its.segment<3>(3 * j);
         adder.add<3, 3>(at.node[static_cast<size_t>(i)], node,
-                        at.place[static_cast<size_t>(pair(std::max(i, local), std::min(i, local)))], block);
+                        at.place[static_cast<size_t>(pair(std::max(i, local), std::min(i, local)))],
+                        block);
       }
     }
   }

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "geometry/triangle_surface.h"
 #include "wall/shear_pairs.h"
 #include "wall/triangle_stiffness.h"
@@ -26,15 +27,17 @@ void check(const WallInput& in) {
   const auto n = in.rest.points.rows();
   if (in.rest.triangles.rows() == 0) refuse(in.name, "found no triangle, expected a surface");
   if (in.thickness.size() != n)
-    refuse(in.name, "found ", in.thickness.size(), " thicknesses, expected one per vertex (", n, ")");
-  if (in.axis.size() != static_cast<size_t>(in.rest.triangles.rows()))
-    refuse(in.name, "found ", in.axis.size(), " axes, expected one per triangle (", in.rest.triangles.rows(),
+    refuse(in.name, "found ", in.thickness.size(), " thicknesses, expected one per vertex (", n,
            ")");
+  if (in.axis.size() != static_cast<size_t>(in.rest.triangles.rows()))
+    refuse(in.name, "found ", in.axis.size(), " axes, expected one per triangle (",
+           in.rest.triangles.rows(), ")");
   if (!in.glued.empty() && in.glued.size() != static_cast<size_t>(n))
     refuse(in.name, "found ", in.glued.size(), " glued marks, expected one per vertex (", n, ")");
   for (int i = 0; i < n; ++i)
     if (!(in.thickness[i] > 0) || !std::isfinite(in.thickness[i]))
-      refuse(in.name, "vertex ", i, ": thickness = ", in.thickness[i], ", expected a positive number");
+      refuse(in.name, "vertex ", i, ": thickness = ", in.thickness[i],
+             ", expected a positive number");
 }
 
 // Scales a symmetric tensor (11, 22, 12) down until no principal value exceeds `limit`.
@@ -44,8 +47,9 @@ Vec3 limited(const Vec3& b, double limit) {
   return largest > limit ? Vec3(b * (limit / largest)) : b;
 }
 
-// Where the wall's half thickness comes nearer to the radius of curvature than this, the curvature taken in
-// the thickness integral stops growing: at creases of a coarse mesh, where that curvature means nothing.
+// Where the wall's half thickness comes nearer to the radius of curvature than this, the curvature
+// taken in the thickness integral stops growing: at creases of a coarse mesh, where that curvature
+// means nothing.
 constexpr double largest_thickness_ratio = 0.8;
 
 constexpr double least_share = 1e-9;  // rounding's
@@ -64,9 +68,12 @@ WallEnergy::WallEnergy(const WallInput& input)
 }
 
 void WallEnergy::number_edges(const WallInput& input) {
-  const auto glued = [&](int v) { return !input.glued.empty() && input.glued[static_cast<size_t>(v)] != 0; };
+  const auto glued = [&](int v) {
+    return !input.glued.empty() && input.glued[static_cast<size_t>(v)] != 0;
+  };
   sides_.resize(static_cast<size_t>(triangles_.rows()));
-  // The corner of a triangle that faces the edge, and whether the triangle runs through it from a to b.
+  // The corner of a triangle that faces the edge, and whether the triangle runs through it from a
+  // to b.
   const auto corner = [&](int triangle, int apex) {
     int k = 0;
     while (triangles_(triangle, k) != apex) ++k;
@@ -113,7 +120,8 @@ void WallEnergy::number_edges(const WallInput& input) {
 }
 
 void WallEnergy::set_rest(const WallInput& input) {
-  for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = input.rest.points.row(i).transpose();
+  for (int i = 0; i < vertices_; ++i)
+    rest_.segment<3>(3 * i) = input.rest.points.row(i).transpose();
   const Points vertex_normal = vertex_normals(input.rest);
   triangle_rest_.resize(static_cast<size_t>(triangles_.rows()));
   std::vector<Eigen::Matrix<double, 3, 2>> frame(triangle_rest_.size());
@@ -123,12 +131,14 @@ void WallEnergy::set_rest(const WallInput& input) {
     const Vec3 area = d1.cross(d2);
     const double longest = std::max({d1.squaredNorm(), d2.squaredNorm(), (d2 - d1).squaredNorm()});
     if (!(area.norm() > 1e-12 * longest))
-      refuse(input.name, "triangle ", t, ": area = ", area.norm() / 2, ", expected a triangle with an area");
+      refuse(input.name, "triangle ", t, ": area = ", area.norm() / 2,
+             ", expected a triangle with an area");
     const Vec3 normal = area.normalized();
     const Vec3& axis = input.axis[static_cast<size_t>(t)];
     const Vec3 in_plane = axis - axis.dot(normal) * normal;
     if (!(in_plane.norm() > 1e-9 * axis.norm()))
-      refuse(input.name, "triangle ", t, ": its axis is normal to it, expected one that runs along the wall");
+      refuse(input.name, "triangle ", t,
+             ": its axis is normal to it, expected one that runs along the wall");
     auto& f = frame[static_cast<size_t>(t)];
     f.col(0) = in_plane.normalized();
     f.col(1) = normal.cross(f.col(0));
@@ -147,12 +157,15 @@ void WallEnergy::set_rest(const WallInput& input) {
     const auto v = triangles_.row(t);
     TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const auto& f = frame[static_cast<size_t>(t)];
-    rest.bending = triangle_strains(law_, rest, state(rest_, g, t, deformation(rest_, t))).tail<3>();
+    rest.bending =
+        triangle_strains(law_, rest, state(rest_, g, t, deformation(rest_, t))).tail<3>();
 
-    Eigen::Matrix2d turning = Eigen::Matrix2d::Zero();  // of the vertex normals, in the triangle's frame
+    Eigen::Matrix2d turning =
+        Eigen::Matrix2d::Zero();  // of the vertex normals, in the triangle's frame
     double thickness = 0;
     for (int k = 0; k < 3; ++k) {
-      turning += f.transpose() * vertex_normal.row(v[k]).transpose() * rest.gradients.col(k).transpose();
+      turning +=
+          f.transpose() * vertex_normal.row(v[k]).transpose() * rest.gradients.col(k).transpose();
       thickness += input.thickness[v[k]] / 3;
     }
     WallSection section;
@@ -166,11 +179,12 @@ void WallEnergy::set_rest(const WallInput& input) {
   set_material(input.material);
 }
 
-void WallEnergy::set_material(const WallMaterial& material) {
+void WallEnergy::set_material(const Material& material) {
   check_material(material, name_);
   law_ = material.law;
   const Mat3 stiffness = plane_stress(material);
-  const Vec2 shear(material.shear_axial, material.young_transverse / (2 * (1 + material.poisson_tt)));
+  const Vec2 shear(material.shear_axial,
+                   material.young_transverse / (2 * (1 + material.poisson_tt)));
   for (size_t t = 0; t < sections_.size(); ++t) {
     WallSection section = sections_[t];
     section.stiffness = stiffness;
@@ -180,8 +194,8 @@ void WallEnergy::set_material(const WallMaterial& material) {
   set_relief(1 - ordinary_shear(material) / material.shear_axial);
 }
 
-// Partners keep `share` less of their shear stiffness against each other; in one another's mean they keep all
-// of it.
+// Partners keep `share` less of their shear stiffness against each other; in one another's mean
+// they keep all of it.
 void WallEnergy::set_relief(double share) {
   // y_2's stiffness where all other strains follow freely.
   const auto softest = [](const Mat6& k) { return 1 / k.ldlt().solve(Vec6::Unit(2))[2]; };
@@ -197,7 +211,8 @@ void WallEnergy::set_relief(double share) {
   }
 }
 
-// The smooth surface's normal on an edge: the mean of its ends', turned into the plane across the edge.
+// The smooth surface's normal on an edge: the mean of its ends', turned into the plane across the
+// edge.
 void WallEnergy::set_rest_normals(const Points& vertex_normal) {
   xi_rest_.assign(edges_.size(), 0);
   const Geometry g = geometry(rest_);
@@ -208,7 +223,8 @@ void WallEnergy::set_rest_normals(const Points& vertex_normal) {
     const Vec3 across = mean - mean.dot(along) * along;
     const Vec3& first = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
     const Vec3 flat =
-        edge.rim ? first : (first + g.normal[static_cast<size_t>(edge_triangle_[e][1])]).normalized();
+        edge.rim ? first
+                 : (first + g.normal[static_cast<size_t>(edge_triangle_[e][1])]).normalized();
     const double up = across.dot(flat);
     // A fold sharper than a right angle has no smooth normal.
     const bool smooth = up > 0.5 * mean.norm();

@@ -10,8 +10,8 @@ namespace {
 using Mat2 = Eigen::Matrix2d;
 
 // Gauss points on [-1, 1]: five integrate the thin wall exactly and 1/Z to 1e-6 at t/R = 0.5.
-constexpr std::array<double, 5> abscissa{0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
-                                         -0.9061798459386640};
+constexpr std::array<double, 5> abscissa{0, 0.5384693101056831, -0.5384693101056831,
+                                         0.9061798459386640, -0.9061798459386640};
 constexpr std::array<double, 5> weight{0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
                                        0.2369268850561891, 0.2369268850561891};
 
@@ -40,13 +40,15 @@ Mat6 wall_section_stiffness(const WallSection& s) {
       strain.col(k) = voigt((m - z * m * b) * inverse);
       strain.col(3 + k) = voigt(z * m * inverse);
     }
-    stiffness += half * weight[i] * shifter.determinant() * strain.transpose() * s.stiffness * strain;
+    stiffness +=
+        half * weight[i] * shifter.determinant() * strain.transpose() * s.stiffness * strain;
   }
   return stiffness;
 }
 
 double shear_compliance(const WallSection& s, const Vec2& d, double curvature) {
-  return 4 * curvature * curvature / (5.0 / 6 * d.cwiseAbs2().dot(s.shear_modulus) * (s.outer - s.inner));
+  return 4 * curvature * curvature /
+         (5.0 / 6 * d.cwiseAbs2().dot(s.shear_modulus) * (s.outer - s.inner));
 }
 
 void add_bending_compliance(Mat6& stiffness, const Vec2& d, double compliance) {

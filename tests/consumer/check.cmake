@@ -1,3 +1,4 @@
+# A stranger's view: install into a scratch folder, configure and build examples/ against it, run them.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -6,7 +7,15 @@ function(step)
 endfunction()
 file(REMOVE_RECURSE ${SCRATCH})
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-step(${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+# Only the public headers are installed.
+file(GLOB_RECURSE installed RELATIVE ${SCRATCH}/prefix/include ${SCRATCH}/prefix/include/*)
+file(GLOB public RELATIVE ${SOURCE}/hybrid/include ${SOURCE}/hybrid/include/vasorod/*.h)
+if(NOT "${installed}" STREQUAL "${public}")
+  message(FATAL_ERROR "installed headers: ${installed}\nexpected: ${public}")
+endif()
+step(${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${SCRATCH}/build -G ${GENERATOR}
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
 step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
-step(${SCRATCH}/build/consumer)
+step(${SCRATCH}/build/example_rod)
+step(${SCRATCH}/build/example_tube ${SCRATCH}/results)
+step(${SCRATCH}/build/example_glenn ${SOURCE}/benchmarks/cases/glenn/infant.yaml)

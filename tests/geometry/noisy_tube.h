@@ -5,13 +5,13 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::testing {
 
-/// An open tube round a circular arc (or the z axis where `bend` is 0), with `jitter` (fraction of an edge)
-/// random displacement of every vertex within the surface and flipped diagonals, so that no two triangles are
-/// alike.
+/// An open tube round a circular arc (or the z axis where `bend` is 0), with `jitter` (fraction of
+/// an edge) random displacement of every vertex within the surface and flipped diagonals, so that
+/// no two triangles are alike.
 struct TubeShape {
   int around = 24, along = 30;
   double radius = 5, length = 40;
@@ -34,7 +34,8 @@ inline Pose tube_frame(const TubeShape& shape, double s) {
   Pose pose;
   pose.position = on_tube(shape, 0, s, 0);
   if (shape.bend != 0)
-    pose.rotation = Eigen::AngleAxisd(s * shape.bend / shape.length, Vec3::UnitY()).toRotationMatrix();
+    pose.rotation =
+        Eigen::AngleAxisd(s * shape.bend / shape.length, Vec3::UnitY()).toRotationMatrix();
   return pose;
 }
 

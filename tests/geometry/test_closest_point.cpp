@@ -1,11 +1,10 @@
-#include "geometry/closest_point.h"
-
 #include <gtest/gtest.h>
-
 #include <limits>
 #include <random>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "geometry/closest_point.h"
 #include "geometry/noisy_tube.h"
 
 namespace vasorod {
@@ -16,8 +15,8 @@ TriangleSurface cube() {
   s.points.resize(8, 3);
   s.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
   s.triangles.resize(12, 3);
-  s.triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1,
-      3, 5, 3, 7, 5;
+  s.triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2,
+      4, 6, 1, 3, 5, 3, 7, 5;
   return s;
 }
 
@@ -51,7 +50,8 @@ TEST(ClosestPoint, FindsWhatTryingEveryTriangleFinds) {
       const Vec3 p(uniform(random), uniform(random), uniform(random));
       double best = std::numeric_limits<double>::infinity();
       for (int t = 0; t < tube.triangles.rows(); ++t) {
-        const Vec3 a = tube.points.row(tube.triangles(t, 0)), b = tube.points.row(tube.triangles(t, 1)),
+        const Vec3 a = tube.points.row(tube.triangles(t, 0)),
+                   b = tube.points.row(tube.triangles(t, 1)),
                    c = tube.points.row(tube.triangles(t, 2));
         const Vec3 w = closest_in_triangle(p, a, b, c);
         best = std::min(best, (p - w[0] * a - w[1] * b - w[2] * c).norm());
@@ -71,8 +71,8 @@ TEST(ClosestPoint, ClosestInTriangleBeatsEverySampleAlsoWhenDegenerate) {
   auto draw = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
   for (int i = 0; i < 300; ++i) {
     const Vec3 a = draw(), b = draw(), p = 2 * draw();
-    const Vec3 c =
-        i % 3 == 0 ? Vec3(0.3 * a + 0.7 * b) : (i % 3 == 1 ? a : draw());  // a line, a segment, a triangle
+    const Vec3 c = i % 3 == 0 ? Vec3(0.3 * a + 0.7 * b)
+                              : (i % 3 == 1 ? a : draw());  // a line, a segment, a triangle
     const Vec3 w = closest_in_triangle(p, a, b, c);
     ASSERT_TRUE(w.allFinite());
     EXPECT_GE(w.minCoeff(), 0);

@@ -1,7 +1,6 @@
-#include "geometry/isoline_path.h"
-
 #include <gtest/gtest.h>
 
+#include "geometry/isoline_path.h"
 #include "geometry/noisy_tube.h"
 #include "geometry/triangle_surface.h"
 
@@ -17,7 +16,8 @@ TriangleSurface sheet(unsigned seed) {
   for (int j = 0; j < 7; ++j)
     for (int i = 0; i < 11; ++i) {
       const bool inside = i > 0 && i < 10 && j > 0 && j < 6;
-      s.points.row(j * 11 + i) << i + (inside ? uniform(random) : 0), j + (inside ? uniform(random) : 0), 0;
+      s.points.row(j * 11 + i) << i + (inside ? uniform(random) : 0),
+          j + (inside ? uniform(random) : 0), 0;
     }
   s.triangles.resize(120, 3);
   int t = 0;

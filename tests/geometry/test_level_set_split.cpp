@@ -1,9 +1,7 @@
-#include "geometry/level_set_split.h"
-
+#include <algorithm>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "geometry/level_set_split.h"
 #include "geometry/noisy_tube.h"
 #include "geometry/plane_section.h"
 #include "geometry/triangle_surface.h"
@@ -34,7 +32,8 @@ TEST(LevelSetSplit, TheCycleLiesOnTheLevelWithTheUpperPartOnItsLeft) {
       const int left = editor.triangle_left_of(cycle[k], cycle[(k + 1) % cycle.size()]);
       ASSERT_GE(left, 0);
       const auto& corners = editor.triangle(left);
-      EXPECT_GT(editor.point(corners[0]).z() + editor.point(corners[1]).z() + editor.point(corners[2]).z(),
+      EXPECT_GT(editor.point(corners[0]).z() + editor.point(corners[1]).z() +
+                    editor.point(corners[2]).z(),
                 3 * level + 1e-6);
     }
     EXPECT_EQ(euler_number(editor.whole().surface.triangles), 0);

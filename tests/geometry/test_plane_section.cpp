@@ -1,10 +1,8 @@
-#include "geometry/plane_section.h"
-
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
 #include "geometry/noisy_tube.h"
+#include "geometry/plane_section.h"
 
 namespace vasorod {
 namespace {
@@ -16,8 +14,8 @@ TEST(PlaneSection, SectionOfAStraightTubeIsItsPolygon) {
   shape.around = n;
   shape.radius = radius;
   const auto tube = testing::noisy_tube(shape);
-  // A row's own height: vertices exactly on the plane must not break the loop. There the section is a regular
-  // polygon.
+  // A row's own height: vertices exactly on the plane must not break the loop. There the section is
+  // a regular polygon.
   const auto loops = plane_sections(tube, {0, 0, 40.0 / 30 * 7}, Vec3::UnitZ());
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_TRUE(loops[0].closed);

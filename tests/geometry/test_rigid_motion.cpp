@@ -1,17 +1,17 @@
-#include "geometry/rigid_motion.h"
-
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "geometry/rigid_motion.h"
 
 namespace vasorod {
 namespace {
 
 const Vec3 axis = Vec3(0.3, -0.7, 0.5).normalized();
-const double angles[] = {0, 1e-9, 1e-4, 0.3, 0.70710678, 0.7072, 0.99999, 1.00001, 2.0, 3.0, 3.1415926};
+const double angles[] = {0,       1e-9,    1e-4, 0.3, 0.70710678, 0.7072,
+                         0.99999, 1.00001, 2.0,  3.0, 3.1415926};
 
 Vec6 twist_with_angle(double angle) {
   Vec6 x;
@@ -72,8 +72,10 @@ TEST(RigidMotion, JacobiansAreTheDerivativesOfExp) {
   for (const double angle : angles) {
     const Vec6 x = twist_with_angle(angle);
     const Pose inverse = exp_motion(x).inverse();
-    const Mat6 left = difference([&](const Vec6& d) { return log_motion(exp_motion(x + d) * inverse); });
-    const Mat6 right = difference([&](const Vec6& d) { return log_motion(inverse * exp_motion(x + d)); });
+    const Mat6 left =
+        difference([&](const Vec6& d) { return log_motion(exp_motion(x + d) * inverse); });
+    const Mat6 right =
+        difference([&](const Vec6& d) { return log_motion(inverse * exp_motion(x + d)); });
     EXPECT_LT((left_jacobian(x) - left).norm(), 1e-9) << angle;
     EXPECT_LT((right_jacobian(x) - right).norm(), 1e-9) << angle;
     const Vec3 u = x.tail<3>();
@@ -85,8 +87,10 @@ TEST(RigidMotion, JacobiansAreTheDerivativesOfExp) {
 TEST(RigidMotion, InverseJacobians) {
   for (const double angle : angles) {
     const Vec6 x = twist_with_angle(angle);
-    EXPECT_LT((left_jacobian(x) * left_jacobian_inverse(x) - Mat6::Identity()).norm(), 1e-13) << angle;
-    EXPECT_LT((right_jacobian(x) * right_jacobian_inverse(x) - Mat6::Identity()).norm(), 1e-13) << angle;
+    EXPECT_LT((left_jacobian(x) * left_jacobian_inverse(x) - Mat6::Identity()).norm(), 1e-13)
+        << angle;
+    EXPECT_LT((right_jacobian(x) * right_jacobian_inverse(x) - Mat6::Identity()).norm(), 1e-13)
+        << angle;
     const Vec3 u = x.tail<3>();
     EXPECT_LT((left_jacobian(u) * left_jacobian_inverse(u) - Mat3::Identity()).norm(), 1e-14);
     EXPECT_LT((right_jacobian(u) * right_jacobian_inverse(u) - Mat3::Identity()).norm(), 1e-14);

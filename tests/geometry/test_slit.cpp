@@ -1,11 +1,9 @@
-#include "geometry/slit.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <stdexcept>
 
 #include "geometry/noisy_tube.h"
+#include "geometry/slit.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {

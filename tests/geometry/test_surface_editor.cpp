@@ -1,8 +1,7 @@
-#include "geometry/surface_editor.h"
-
 #include <gtest/gtest.h>
 
 #include "geometry/noisy_tube.h"
+#include "geometry/surface_editor.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -40,8 +39,9 @@ TEST(SurfaceEditor, SplittingKeepsAreaTopologyAndSources) {
   EXPECT_EQ(euler_number(part.surface.triangles), 1);
   EXPECT_EQ(boundary_loops(part.surface.triangles)[0].size(), 7U);
   EXPECT_NEAR(total_area(part.surface), 1.5 * std::sqrt(3.0), 1e-14);
-  EXPECT_LT((interpolate(part.sources, Eigen::MatrixXd(hexagon().points)) - part.surface.points).norm(),
-            1e-15);
+  EXPECT_LT(
+      (interpolate(part.sources, Eigen::MatrixXd(hexagon().points)) - part.surface.points).norm(),
+      1e-15);
   for (const int v : {inner, rim, face}) EXPECT_TRUE(editor.touched(v));
   EXPECT_FALSE(editor.touched(0));
 }

@@ -1,10 +1,9 @@
-#include "geometry/triangle_surface.h"
-
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <vasorod/error.h>
 
-#include "geometry/error.h"
+#include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
@@ -23,7 +22,8 @@ TriangleSurface open_tube(int around, int along, double radius, double length) {
   int t = 0;
   for (int j = 0; j < along; ++j)
     for (int i = 0; i < around; ++i) {
-      const int a = j * around + i, b = j * around + (i + 1) % around, c = a + around, d = b + around;
+      const int a = j * around + i, b = j * around + (i + 1) % around, c = a + around,
+                d = b + around;
       tube.triangles.row(t++) << a, b, c;
       tube.triangles.row(t++) << b, d, c;
     }
@@ -42,7 +42,8 @@ TEST(TriangleSurface, OpenTubeHasEulerNumberZeroAndTwoLoops) {
 TEST(TriangleSurface, LoopsRunWithTheSurfaceOnTheirLeft) {
   const auto tube = open_tube(40, 5, 2, 10);
   const auto loops = boundary_loops(tube.triangles);
-  // Seen from outside with the surface on the left, the area vector of an end points into the vessel.
+  // Seen from outside with the surface on the left, the area vector of an end points into the
+  // vessel.
   const double polygon_area = 0.5 * 40 * 4 * std::sin(2 * M_PI / 40);
   EXPECT_NEAR((area_vector(tube.points, loops[0]) - Vec3(0, 0, polygon_area)).norm(), 0, 1e-12);
   EXPECT_NEAR((area_vector(tube.points, loops[1]) - Vec3(0, 0, -polygon_area)).norm(), 0, 1e-12);

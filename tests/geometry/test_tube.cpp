@@ -1,10 +1,8 @@
-#include "geometry/tube.h"
-
+#include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include <Eigen/Geometry>
+#include <vasorod/tube.h>
 
 #include "geometry/triangle_surface.h"
 
@@ -43,8 +41,8 @@ TEST(Tube, FacesOutwardsInEveryTriangle) {
 
 TEST(Tube, IsNearEquilateralWhenRowsAreSpacedSo) {
   TubeSpec tube = straight();
-  tube.along =
-      static_cast<int>(std::lround(tube.length / (std::sqrt(0.75) * 2 * M_PI * tube.radius / tube.around)));
+  tube.along = static_cast<int>(
+      std::lround(tube.length / (std::sqrt(0.75) * 2 * M_PI * tube.radius / tube.around)));
   const auto surface = tube_surface(tube);
   double shortest = 1e9, longest = 0;
   for (const Edge& e : edges_of(surface.triangles)) {
@@ -105,8 +103,9 @@ TEST(Tube, PlacementIsARigidMotion) {
   const auto after = tube_surface(tube);
   for (int i = 0; i < before.points.rows(); ++i)
     EXPECT_NEAR(
-        (turn * before.points.row(i).transpose() + tube.position - after.points.row(i).transpose()).norm(), 0,
-        1e-11);
+        (turn * before.points.row(i).transpose() + tube.position - after.points.row(i).transpose())
+            .norm(),
+        0, 1e-11);
 }
 
 TEST(Tube, ThicknessTapersLinearly) {

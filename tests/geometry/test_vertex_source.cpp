@@ -1,14 +1,15 @@
-#include "geometry/vertex_source.h"
-
 #include <gtest/gtest.h>
+
+#include "geometry/vertex_source.h"
 
 namespace vasorod {
 namespace {
 
 TEST(VertexSource, TwoEditsInARowAreOneMean) {
-  // First edit: vertex 2 halfway between 0 and 1. Second: its vertex 1 a quarter of the way from the first's
-  // 2 to 1.
-  const VertexSources first{VertexSource::original(0), VertexSource::original(1), {{0, 1}, {0.5, 0.5}}};
+  // First edit: vertex 2 halfway between 0 and 1. Second: its vertex 1 a quarter of the way from
+  // the first's 2 to 1.
+  const VertexSources first{
+      VertexSource::original(0), VertexSource::original(1), {{0, 1}, {0.5, 0.5}}};
   const VertexSources second{VertexSource::original(0), {{1, 2}, {0.25, 0.75}}};
   const auto both = compose(second, first);
   ASSERT_EQ(both[1].vertex, (std::vector<int>{0, 1}));
@@ -25,7 +26,8 @@ TEST(VertexSource, TwoEditsInARowAreOneMean) {
 }
 
 TEST(VertexSource, LabelsFollowTheLargestWeight) {
-  const VertexSources sources{{{4, 7}, {0.4, 0.6}}, {{4, 7}, {0.5, 0.5}}, VertexSource::original(2)};
+  const VertexSources sources{
+      {{4, 7}, {0.4, 0.6}}, {{4, 7}, {0.5, 0.5}}, VertexSource::original(2)};
   EXPECT_EQ(carry_labels(sources, {9, 9, 3, 9, 1, 9, 9, 2}), (std::vector<int>{2, 1, 3}));
 }
 

@@ -1,19 +1,19 @@
-// The committed infant anatomy: what the scenes in benchmarks/cases/glenn and the README say about it.
-#include <gtest/gtest.h>
-
+// The committed infant anatomy: what the scenes in benchmarks/cases/glenn and the README say about
+// it.
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <map>
 #include <string>
+
+#include <vasorod/read_scene.h>
 
 #include "geometry/closest_point.h"
 #include "geometry/plane_section.h"
 #include "geometry/triangle_surface.h"
-#include "scene/read_surface.h"
-#include "scene/scene.h"
-#include "scene/self_intersections.h"
+#include "surface_file/read_surface.h"
+#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 namespace {
@@ -30,7 +30,8 @@ const TriangleSurface& part(const std::string& name) {
   return loaded[name] = load_surface(scene().vessel(name), scene()).surface;
 }
 
-// Equivalent radius of the section nearest `point` across `direction`: that of the circle of equal area.
+// Equivalent radius of the section nearest `point` across `direction`: that of the circle of equal
+// area.
 double radius_at(const std::string& name, const Vec3& point, const Vec3& direction) {
   const auto loops = plane_sections(part(name), point, direction.normalized());
   const int around = section_around(loops, point, direction.normalized());
@@ -83,7 +84,8 @@ TEST_P(InfantPart, EndsArePlanarCircles) {
   for (const auto& loop : boundary_loops(surface.triangles)) {
     const Vec3 normal = area_vector(surface.points, loop).normalized();
     Vec3 center = Vec3::Zero();
-    for (const int v : loop) center += surface.points.row(v).transpose() / static_cast<double>(loop.size());
+    for (const int v : loop)
+      center += surface.points.row(v).transpose() / static_cast<double>(loop.size());
     const double radius = perimeter(surface.points, loop) / (2 * M_PI);
     for (const int v : loop) {
       const Vec3 arm = surface.points.row(v).transpose() - center;
@@ -94,7 +96,8 @@ TEST_P(InfantPart, EndsArePlanarCircles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, InfantPart,
-                         ::testing::Values(Expected{"svc", 5600, 2}, Expected{"pulmonary_artery", 9800, 3},
+                         ::testing::Values(Expected{"svc", 5600, 2},
+                                           Expected{"pulmonary_artery", 9800, 3},
                                            Expected{"aorta", 9000, 5}, Expected{"heart", 2434, 0}),
                          [](const auto& made) { return std::string(made.param.name); });
 
@@ -109,8 +112,9 @@ TEST(InfantAnatomy, NeighboursLieApartAsInAChest) {
       double smallest = 1e9;
       for (int v = 0; v < points.rows(); ++v) {
         const auto hit = closest.query(points.row(v));
-        smallest = std::min(
-            smallest, hit.on_boundary ? (points.row(v).transpose() - hit.point).norm() : hit.signed_distance);
+        smallest =
+            std::min(smallest, hit.on_boundary ? (points.row(v).transpose() - hit.point).norm()
+                                               : hit.signed_distance);
       }
       EXPECT_GT(smallest, 0.4) << names[j] << " from " << names[i];
       const std::string pair = std::string(names[std::min(i, j)]) + "-" + names[std::max(i, j)];

@@ -1,19 +1,20 @@
 #include "program/glenn_scene.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iomanip>
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
-#include <iomanip>
+#include <vasorod/read_scene.h>
 
 #include "program/run_program.h"
-#include "scene/read_surface.h"
-#include "scene/scene.h"
+#include "surface_file/read_surface.h"
 
 namespace vasorod::testing {
 namespace {
 
-const std::filesystem::path cases = std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/glenn";
+const std::filesystem::path cases =
+    std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/glenn";
 
 nlohmann::json run_scene(const std::filesystem::path& scene, const std::string& options) {
   const ScratchFolder scratch;
@@ -44,7 +45,8 @@ void write_obj(const std::filesystem::path& file, const TriangleSurface& surface
   std::ofstream out(file);
   out << std::setprecision(17);
   for (int i = 0; i < surface.points.rows(); ++i)
-    out << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' ' << surface.points(i, 2) << '\n';
+    out << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
+        << surface.points(i, 2) << '\n';
   for (int t = 0; t < surface.triangles.rows(); ++t)
     out << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
         << surface.triangles(t, 2) + 1 << '\n';
@@ -58,7 +60,9 @@ nlohmann::json solve_case(const std::string& file, const std::string& options) {
 
 nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options) {
   const ScratchFolder scratch;
-  const auto moved = [&](const Vec3& p) { return Vec3(changed.length_scale * (changed.motion * p)); };
+  const auto moved = [&](const Vec3& p) {
+    return Vec3(changed.length_scale * (changed.motion * p));
+  };
   const auto scaled = [](YAML::Node parent, const char* key, double factor) {
     if (!parent[key]) return;
     std::ostringstream text;

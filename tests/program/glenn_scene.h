@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::testing {
 
@@ -22,8 +22,8 @@ inline GlennScene infant() {
   return {};
 }
 
-/// Runs `vasorod solve` on a case file as it stands; returns result.json. Fails the test on exit codes
-/// above 1.
+/// Runs `vasorod solve` on a case file as it stands; returns result.json. Fails the test on exit
+/// codes above 1.
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
 /// Writes the scene changed as told, its surfaces too, and runs it.

@@ -1,13 +1,12 @@
 // Runs a built program as a user would and keeps what it said.
 #pragma once
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
 
 namespace vasorod::testing {
 
@@ -43,8 +42,9 @@ class ScratchFolder {
 inline ProgramRun run_program(const std::string& command) {
   const ScratchFolder scratch;
   const auto out = scratch / "out", err = scratch / "err";
-  const int status = std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null")
-                                     .c_str());  // NOLINT(cert-env33-c)
+  const int status =
+      std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null")
+                      .c_str());  // NOLINT(cert-env33-c)
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
 }
 

@@ -1,8 +1,7 @@
 // The commands' contract with a shell: exit codes, one sentence on standard error, what is written.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"
@@ -17,7 +16,8 @@ std::string pulled_tube(const std::string& fidelity) {
   return "scene: pulled\nunits: {length: mm, stress: MPa}\nvessels:\n"
          "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n"
          "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\n"
-         "ends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, move: [0, 0, 5]}\n"
+         "ends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, move: "
+         "[0, 0, 5]}\n"
          "fidelity: " +
          fidelity + "\n";
 }
@@ -44,8 +44,8 @@ TEST(Commands, WrongUsageIsOneSentenceAndTwo) {
 
 TEST(Commands, NumbersThatAreNoneAreRefusedInASentenceThatCanBeRead) {
   for (const char* arguments :
-       {"solve x -o y --time-limit nan", "solve x -o y --time-limit inf", "solve x -o y --time-limit=-1",
-        "fit x -o y --remesh nan", "fit x -o y --remesh 0"}) {
+       {"solve x -o y --time-limit nan", "solve x -o y --time-limit inf",
+        "solve x -o y --time-limit=-1", "fit x -o y --remesh nan", "fit x -o y --remesh 0"}) {
     const auto run = run_program(vasorod(arguments));
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(lines_in(run.err), 1) << run.err;
@@ -84,16 +84,17 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
     const double exact = 1.0 * 2 * M_PI * 10 * 1 * 0.05;
     EXPECT_NEAR(result.at("ends")[1].at("force")[2].get<double>(), exact, 0.01 * exact);
     EXPECT_NEAR(result.at("ends")[0].at("force")[2].get<double>(), -exact, 0.01 * exact);
-    // The wall itself stretches a little less beside rigid ends, which keep it from narrowing, and so more
-    // elsewhere.
+    // The wall itself stretches a little less beside rigid ends, which keep it from narrowing, and
+    // so more elsewhere.
     EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05,
                 fidelity == "coupled" ? 1e-3 : 1e-6);
     EXPECT_TRUE(result.at("validity").at("in_range").get<bool>());
     // Rods always have it; on a surface `paper` has to be asked for it.
-    EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive").is_null(), fidelity == "paper");
+    EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive").is_null(),
+              fidelity == "paper");
   }
-  const auto compared = run_program(
-      vasorod("compare '" + (scratch / "skin").string() + "' '" + (scratch / "paper").string() + "' --json"));
+  const auto compared = run_program(vasorod("compare '" + (scratch / "skin").string() + "' '" +
+                                            (scratch / "paper").string() + "' --json"));
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_TRUE(nlohmann::json::accept(compared.out));
 }
@@ -102,7 +103,8 @@ TEST(Commands, AResultComparedWithItselfIsZeroApartEvenAtAnIncision) {
   const ScratchFolder scratch;
   const auto folder = (scratch / "out").string();
   ASSERT_EQ(run_program(vasorod("solve '" + source +
-                                "/benchmarks/cases/glenn/infant.yaml' --fidelity skin -o '" + folder + "'"))
+                                "/benchmarks/cases/glenn/infant.yaml' --fidelity skin -o '" +
+                                folder + "'"))
                 .exit_code,
             0);
   const auto run = run_program(vasorod("compare '" + folder + "' '" + folder + "' --json"));
@@ -129,8 +131,9 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
 
 TEST(Commands, ABareRodTreeHasThePublishedEnergy) {
   const ScratchFolder scratch;
-  const auto run = run_program(vasorod("solve '" + source + "/benchmarks/cases/rod/b13-tree.yaml' -o '" +
-                                       (scratch / "out").string() + "' --json --threads 2"));
+  const auto run =
+      run_program(vasorod("solve '" + source + "/benchmarks/cases/rod/b13-tree.yaml' -o '" +
+                          (scratch / "out").string() + "' --json --threads 2"));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto result = nlohmann::json::parse(run.out);
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
@@ -150,8 +153,8 @@ TEST(Commands, ABareRodTreeHasThePublishedEnergy) {
 
 TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   const ScratchFolder scratch;
-  const auto run = run_program(
-      vasorod("fit '" + source + "/meshes/infant/aorta.vtp' -o '" + (scratch / "out").string() + "'"));
+  const auto run = run_program(vasorod("fit '" + source + "/meshes/infant/aorta.vtp' -o '" +
+                                       (scratch / "out").string() + "'"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta_centerline.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta.vtp"));
@@ -162,8 +165,8 @@ TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
 TEST(Commands, FitNamesItsVesselAsASceneCould) {
   const ScratchFolder scratch;
   std::filesystem::copy(source + "/meshes/infant/svc.vtp", scratch / "a&b <c.vtp");
-  const auto run = run_program(
-      vasorod("fit '" + (scratch / "a&b <c.vtp").string() + "' -o '" + (scratch / "out").string() + "'"));
+  const auto run = run_program(vasorod("fit '" + (scratch / "a&b <c.vtp").string() + "' -o '" +
+                                       (scratch / "out").string() + "'"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "a_b__c.vtp"));
   EXPECT_EQ(contents_of(scratch / "out" / "scene.pvd").find('&'), std::string::npos);
@@ -193,8 +196,8 @@ TEST(Commands, AFolderThatIsNotOursIsLeftAlone) {
   std::ofstream(scratch / "scene.yaml") << pulled_tube("rod");
   std::filesystem::create_directory(scratch / "mine");
   std::ofstream(scratch / "mine" / "thesis.txt") << "years of work";
-  const auto run = run_program(
-      vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "mine").string() + "'"));
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "mine").string() + "'"));
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(lines_in(run.err), 1) << run.err;
   EXPECT_EQ(contents_of(scratch / "mine" / "thesis.txt"), "years of work");

@@ -1,20 +1,18 @@
 // Fidelity coupled as a user runs it: one minimum of the walls, its result folder.
+#include <Eigen/SVD>
+#include <fstream>
 #include <gtest/gtest.h>
-
+#include <nlohmann/json.hpp>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <Eigen/SVD>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "geometry/rigid_motion.h"
-#include "output/read_vtp.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
+#include "result/read_vtp.h"
 
 namespace vasorod::testing {
 namespace {
@@ -34,15 +32,17 @@ std::string tube(const std::string& name, const std::string& wall, const std::st
   return "scene: " + name +
          "\nunits: {length: mm, stress: MPa}\nvessels:\n"
          "  - name: tube\n    tube: {length: 100, radius: 10, around: 32, along: 50}\n    wall: " +
-         wall + "\nends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, " + moved +
-         "}\nfidelity: coupled\n";
+         wall +
+         "\nends:\n  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, " +
+         moved + "}\nfidelity: coupled\n";
 }
 
 const std::string isotropic = "{thickness: 1.0, young: 1.0, poisson: 0.3}";
 
 TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   // 10 degrees over 100 mm: a third of the Brazier curvature.
-  const json result = solve(tube("bend", isotropic, "rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]"));
+  const json result =
+      solve(tube("bend", isotropic, "rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]"));
   EXPECT_EQ(result.at("status"), "converged");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_LT(result.at("balance")[0].at("residual").get<double>(), 1e-6);
@@ -56,7 +56,8 @@ TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   EXPECT_GT(moment, 0.95 * rod);
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.01);
   // Away from the ends the sections' means are bent as the motion asks.
-  EXPECT_NEAR(result.at("metrics")[0].at("largest_curvature").get<double>(), M_PI / 1800, 0.1 * M_PI / 1800);
+  EXPECT_NEAR(result.at("metrics")[0].at("largest_curvature").get<double>(), M_PI / 1800,
+              0.1 * M_PI / 1800);
 }
 
 struct Centerline {
@@ -92,20 +93,22 @@ Centerline read_centerline(const std::filesystem::path& file) {
 /// The pose that fits a row of the tube's vertices best, against the same row at rest.
 Pose mean_pose(const Points& rest, const Points& now) {
   const Vec3 from = rest.colwise().mean(), to = now.colwise().mean();
-  const Mat3 spread = (now.rowwise() - to.transpose()).transpose() * (rest.rowwise() - from.transpose());
+  const Mat3 spread =
+      (now.rowwise() - to.transpose()).transpose() * (rest.rowwise() - from.transpose());
   const Eigen::JacobiSVD<Mat3> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 sign = Mat3::Identity();
   sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   return {svd.matrixU() * sign * svd.matrixV().transpose(), to};
 }
 
-// A long thin tube pulled, bent and twisted a little at once: what its centerline reports is the mean of its
-// sections, and times the rod's stiffnesses it is the force and the moment there.
+// A long thin tube pulled, bent and twisted a little at once: what its centerline reports is the
+// mean of its sections, and times the rod's stiffnesses it is the force and the moment there.
 TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
   const double length = 200, radius = 10, thickness = 1, nu = 0.3;
   const Vec6 strain = (Vec6() << 0, 0, 1.0005, 0, 2e-4, 2e-4).finished();
   const Pose target = exp_motion(length * strain);
-  const Vec3 turn = log_rotation(target.rotation) * 180 / M_PI, move = target.position - Vec3(0, 0, length);
+  const Vec3 turn = log_rotation(target.rotation) * 180 / M_PI,
+             move = target.position - Vec3(0, 0, length);
   const ScratchFolder scratch;
   std::ostringstream scene;
   scene.precision(17);
@@ -113,22 +116,25 @@ TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
            "  - name: tube\n    tube: {length: 200, radius: 10, around: 40, along: 148}\n"
            "    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}\nends:\n"
            "  - {vessel: tube, end: start, hold: true}\n  - {vessel: tube, end: end, rotate_deg: ["
-        << turn.x() << ", " << turn.y() << ", " << turn.z() << "], move: [" << move.x() << ", " << move.y()
-        << ", " << move.z() << "]}\nfidelity: coupled\n";
+        << turn.x() << ", " << turn.y() << ", " << turn.z() << "], move: [" << move.x() << ", "
+        << move.y() << ", " << move.z() << "]}\nfidelity: coupled\n";
   std::ofstream(scratch / "scene.yaml") << scene.str();
   const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
                                        (scratch / "out").string() + "' --json"));
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const json end = json::parse(run.out).at("ends")[1];
   const auto three = [&](const char* name) {
-    return Vec3(end.at(name)[0].get<double>(), end.at(name)[1].get<double>(), end.at(name)[2].get<double>());
+    return Vec3(end.at(name)[0].get<double>(), end.at(name)[1].get<double>(),
+                end.at(name)[2].get<double>());
   };
   const ReadVessel tube = read_vessel_vtp(scratch / "out" / "tube.vtp");
   const Centerline line = read_centerline(scratch / "out" / "tube_centerline.vtp");
 
   // The rows at a quarter and at three quarters of the length, and the centerline between them.
   const int around = 40, first = 37, last = 111;
-  const auto row = [&](const Points& p, int k) -> Points { return p.middleRows(k * around, around); };
+  const auto row = [&](const Points& p, int k) -> Points {
+    return p.middleRows(k * around, around);
+  };
   const Pose a = mean_pose(row(tube.rest, first), row(tube.current, first)),
              b = mean_pose(row(tube.rest, last), row(tube.current, last));
   const Vec6 mean = log_motion(a.inverse() * b) / (length * (last - first) / 148);
@@ -152,28 +158,30 @@ TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
   EXPECT_LT(v.head<2>().norm() / nodes, 1e-2 * stretch);
 
   const double area = 2 * M_PI * radius * thickness, shear_modulus = 1 / (2 * (1 + nu));
-  const double inertia = M_PI * std::pow(radius, 3) * thickness * (1 + std::pow(thickness / radius, 2) / 4);
+  const double inertia =
+      M_PI * std::pow(radius, 3) * thickness * (1 + std::pow(thickness / radius, 2) / 4);
   const Vec3 middle = (a.position + b.position) / 2, axis = (b.position - a.position).normalized();
   const Vec3 moment = three("moment") + (three("center") - middle).cross(three("force"));
   EXPECT_NEAR(three("force").dot(axis), area * stretch, 1e-2 * area * stretch) << "E A";
   EXPECT_NEAR(moment.dot(axis), shear_modulus * 2 * inertia * twist,
               1e-2 * shear_modulus * 2 * inertia * twist)
       << "G J";
-  EXPECT_NEAR((moment - moment.dot(axis) * axis).norm(), inertia * bend, 1e-2 * inertia * bend) << "E I";
+  EXPECT_NEAR((moment - moment.dot(axis) * axis).norm(), inertia * bend, 1e-2 * inertia * bend)
+      << "E I";
 }
 
 TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
-  const json result = solve(
-      tube("twist",
-           "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: 0.7, poisson: 0.3, coupling: 0.1}}",
-           "rotate_deg: [0, 0, 1]"));
+  const json result = solve(tube("twist",
+                                 "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: "
+                                 "0.7, poisson: 0.3, coupling: 0.1}}",
+                                 "rotate_deg: [0, 0, 1]"));
   EXPECT_EQ(result.at("status"), "converged");
   const double exact = 0.1 * 2 * M_PI * 1000 * (1 + 0.0025) * (M_PI / 180) / 100;
   EXPECT_NEAR(result.at("ends")[1].at("moment")[2].get<double>(), exact, 0.01 * exact);
 }
 
-// Bent to 0.9 of the Brazier curvature this tube between rigid ends kinks on the way, near 0.75 (design.md,
-// section 1).
+// Bent to 0.9 of the Brazier curvature this tube between rigid ends kinks on the way, near 0.75
+// (design.md, section 1).
 TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
   const json result =
       solve(tube("kink", isotropic, "rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]"), 1);
@@ -183,8 +191,8 @@ TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.3);
 }
 
-// Twisted by 30 degrees it wrinkles on the way (design.md: at 20); the wrinkles may turn about the axis at no
-// cost, which is no instability.
+// Twisted by 30 degrees it wrinkles on the way (design.md: at 20); the wrinkles may turn about the
+// axis at no cost, which is no instability.
 TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
   const json result = solve(tube("wrinkles", isotropic, "rotate_deg: [0, 0, 30]"), 1);
   EXPECT_EQ(result.at("status"), "buckled");
@@ -193,8 +201,9 @@ TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
   EXPECT_LT(result.at("ends")[1].at("moment")[2].get<double>(), 0.9 * smooth);
 }
 
-// With a tenth of the ordinary shear modulus the limit is at a third (Donnell's equations, tests/vessel): half of
-// Brazier's curvature, which a tube with the ordinary one takes smoothly, is past it.
+// With a tenth of the ordinary shear modulus the limit is at a third (Donnell's equations,
+// tests/vessel): half of Brazier's curvature, which a tube with the ordinary one takes smoothly, is
+// past it.
 TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
   const json result = solve(tube("soft_shear",
                                  "{thickness: 1.0, young: 1.0, shear: 0.05, "
@@ -206,11 +215,11 @@ TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
   EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
 }
 
-// A section free to flatten kinks earlier: the same tube between soft ends between 0.40 and 0.45 of that
-// curvature.
+// A section free to flatten kinks earlier: the same tube between soft ends between 0.40 and 0.45 of
+// that curvature.
 TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
-  std::string scene =
-      tube("soft", isotropic, "section: soft, rotate_deg: [0, 12.7302, 0], move: [11.0646, 0, -0.8206]");
+  std::string scene = tube(
+      "soft", isotropic, "section: soft, rotate_deg: [0, 12.7302, 0], move: [11.0646, 0, -0.8206]");
   const std::string held = "end: start, hold: true";
   scene.replace(scene.find(held), held.size(), held + ", section: soft");
   const json result = solve(scene, 1);
@@ -218,8 +227,8 @@ TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.2);
 }
 
-// Two tubes side by side, the held ends of one moved into the other's: settled, with the reason why contact
-// beside the ends is missing.
+// Two tubes side by side, the held ends of one moved into the other's: settled, with the reason why
+// contact beside the ends is missing.
 TEST(Coupled, ParallelTubesWhoseHeldEndsOverlapSettleAndSaySo) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "scene.yaml") << R"(scene: parallel
@@ -240,20 +249,22 @@ fidelity: coupled
 )";
   for (const std::string fidelity : {"coupled", "paper"}) {
     SCOPED_TRACE(fidelity);
-    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                         (scratch / "out").string() + "' --json --fidelity " + fidelity));
+    const auto run =
+        run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                            (scratch / "out").string() + "' --json --fidelity " + fidelity));
     ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
     const json result = json::parse(run.out);
     EXPECT_EQ(result.at("status"), "converged");
     EXPECT_GT(result.at("contact")[0].at("force")[0].get<double>(), 0);
-    for (const auto& vessel : result.at("balance")) EXPECT_LT(vessel.at("residual").get<double>(), 1e-6);
+    for (const auto& vessel : result.at("balance"))
+      EXPECT_LT(vessel.at("residual").get<double>(), 1e-6);
     const std::string notes = result.at("certificate").at("notes").dump();
     EXPECT_NE(notes.find("rigid ends are held 2.97"), std::string::npos) << notes;
   }
 }
 
-// Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both vessels
-// balance.
+// Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both
+// vessels balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
   const json result = solve(small_glenn("coupled"));
   EXPECT_EQ(result.at("status"), "converged");

@@ -1,8 +1,7 @@
-// The whole way from two picked points to a predicted shunt, as a user runs it: issue by issue what the paper
-// shows.
-#include <gtest/gtest.h>
-
+// The whole way from two picked points to a predicted shunt, as a user runs it: issue by issue what
+// the paper shows.
 #include <cmath>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "program/glenn_scene.h"
@@ -59,7 +58,8 @@ TEST(Glenn, ShortVeinPressesOnTheAortaALongerOneLessALongOneNotAtAll) {
   EXPECT_GT(low, 0);
   EXPECT_EQ(pressure_between(longer, "svc", "aorta"), 0);
   // The aorta's own entry feels the same.
-  EXPECT_GT(entry(shorter.at("metrics"), "vessel", "aorta").at("largest_pressure").get<double>(), 0);
+  EXPECT_GT(entry(shorter.at("metrics"), "vessel", "aorta").at("largest_pressure").get<double>(),
+            0);
   EXPECT_EQ(entry(longer.at("metrics"), "vessel", "aorta").at("largest_pressure").get<double>(), 0);
 }
 
@@ -82,7 +82,8 @@ TEST(Glenn, AutoRotationIsAsGoodAsTheBestOfTwentyFour) {
 
 void expect_same(const json& a, const json& b, const std::string& where) {
   if (a.is_number()) {
-    EXPECT_NEAR(a.get<double>(), b.get<double>(), 1e-6 * std::max(1.0, std::abs(a.get<double>()))) << where;
+    EXPECT_NEAR(a.get<double>(), b.get<double>(), 1e-6 * std::max(1.0, std::abs(a.get<double>())))
+        << where;
   } else if (a.is_structured()) {
     ASSERT_EQ(a.size(), b.size()) << where;
     for (const auto& [key, value] : a.items())
@@ -111,7 +112,8 @@ json in_original_units(json value, const std::string& name, const GlennScene& sc
   }
   if (!value.is_number_float()) return value;
   const double x = value.get<double>(), l = scene.length_scale;
-  if (name == "perimeter" || name == "length" || name == "largest_gap" || name == "rms_gap") return x / l;
+  if (name == "perimeter" || name == "length" || name == "largest_gap" || name == "rms_gap")
+    return x / l;
   if (name == "opened_area" || name == "contact_area") return x / (l * l);
   if (name == "largest_curvature") return x * l;
   if (name == "largest_pressure") return x / scene.stress_scale;
@@ -140,7 +142,8 @@ TEST(Glenn, RealAnatomyConverges) {
   for (const char* fidelity : {"skin", "paper"}) {
     const auto result = solve_case("adult.yaml", std::string("--fidelity ") + fidelity);
     expect_joined(result);
-    EXPECT_FALSE(result.at("validity").at("warnings").empty()) << "the kept vein is short: validity speaks";
+    EXPECT_FALSE(result.at("validity").at("warnings").empty())
+        << "the kept vein is short: validity speaks";
   }
 }
 

@@ -1,7 +1,7 @@
-// The bundled anatomy at fidelity coupled: half a minute each, so apart from the default tests (label long).
-#include <gtest/gtest.h>
-
+// The bundled anatomy at fidelity coupled: half a minute each, so apart from the default tests
+// (label long).
 #include <cmath>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "program/glenn_scene.h"
@@ -31,11 +31,13 @@ TEST(GlennCoupled, AShorterVeinToo) {
   expect_one_minimum(solve_case("infant_short.yaml", "--fidelity coupled"));
 }
 
-// At the slit's tip the vein's wall folds sharper than its mesh can follow; that is named, not lost.
+// At the slit's tip the vein's wall folds sharper than its mesh can follow; that is named, not
+// lost.
 TEST(GlennCoupled, ALongerVeinToo) {
   const auto result = solve_case("infant_long.yaml", "--fidelity coupled");
   expect_one_minimum(result);
-  EXPECT_NE(result.at("certificate").at("notes").dump().find("degrees over one edge"), std::string::npos)
+  EXPECT_NE(result.at("certificate").at("notes").dump().find("degrees over one edge"),
+            std::string::npos)
       << result.at("certificate").dump();
 }
 

@@ -1,10 +1,9 @@
-// Every bare-rod scene of benchmarks/cases/rod through the built program, against the digits in its first
-// lines.
-#include <gtest/gtest.h>
-
+// Every bare-rod scene of benchmarks/cases/rod through the built program, against the digits in its
+// first lines.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -14,12 +13,14 @@
 namespace vasorod::testing {
 namespace {
 
-const std::filesystem::path cases = std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/rod";
+const std::filesystem::path cases =
+    std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/rod";
 
 nlohmann::json solved(const std::string& name, int exit_code) {
   const ScratchFolder scratch;
-  const auto run = run_program(vasorod("solve '" + (cases / (name + ".yaml")).string() +
-                                       "' --fidelity rod -o '" + (scratch / "out").string() + "' --json"));
+  const auto run =
+      run_program(vasorod("solve '" + (cases / (name + ".yaml")).string() +
+                          "' --fidelity rod -o '" + (scratch / "out").string() + "' --json"));
   EXPECT_EQ(run.exit_code, exit_code) << name << ": " << run.err;
   return nlohmann::json::parse(run.out);
 }
@@ -38,11 +39,27 @@ constexpr double pi = 3.14159265358979323846;
 constexpr std::nullopt_t none = std::nullopt;
 // An extrapolated scene reaches the digits, the others are second order in their elements.
 const std::vector<Digits> table = {
-    {"b1-elastica", "converged", none, 0, "beam", "end", {{1 - 0.387628360724, 0.713791523612, 0}}, 1e-6, 16},
+    {"b1-elastica",
+     "converged",
+     none,
+     0,
+     "beam",
+     "end",
+     {{1 - 0.387628360724, 0.713791523612, 0}},
+     1e-6,
+     16},
     {"b4-timoshenko", "converged", none, 0, "beam", "end", {{2.99926793, 0.06774842, 0}}, 3e-5, 8},
     {"b5-rollup", "equilibrium_only", 2 * pi* pi, 1e-11, "beam", "end", {{0, 0, 0}}, 1e-10, 8},
     {"b5-rollup-plane", "converged", 2 * pi* pi, 1e-11, "beam", "end", {{0, 0, 0}}, 1e-10, 8},
-    {"b6-helix", "equilibrium_only", 0.0958801882209, 1e-10, "wire", "end", {{0, -10, 50}}, 1e-8, 8},
+    {"b6-helix",
+     "equilibrium_only",
+     0.0958801882209,
+     1e-10,
+     "wire",
+     "end",
+     {{0, -10, 50}},
+     1e-8,
+     8},
     {"b7-bend45",
      "converged",
      10695.37439,
@@ -104,9 +121,25 @@ const std::vector<Digits> table = {
     {"b11-ring", "converged", none, 0, "ring", "end", {{0, 0, 0}}, 1e-12, 40},
     {"b11-greenhill", "equilibrium_only", 18, 1e-10, "shaft", "end", {{1, 0, 0}}, 1e-10, 8},
     {"b12-pose-60", "converged", 4.975051418, 1e-3, "rod", "end", {{0.8, 0.1, 0.05}}, 1e-12, 20},
-    {"b12-pose-60-slender", "converged", 4.975112310, 2e-7, "rod", "end", {{0.8, 0.1, 0.05}}, 1e-12, 40},
+    {"b12-pose-60-slender",
+     "converged",
+     4.975112310,
+     2e-7,
+     "rod",
+     "end",
+     {{0.8, 0.1, 0.05}},
+     1e-12,
+     40},
     {"b12-pose-120", "converged", 9.368806732, 1e-3, "rod", "end", {{0.6, 0.2, 0.1}}, 1e-12, 25},
-    {"b12-pose-120-thick", "converged", 9.361704850, 2e-7, "rod", "end", {{0.6, 0.2, 0.1}}, 1e-12, 50},
+    {"b12-pose-120-thick",
+     "converged",
+     9.361704850,
+     2e-7,
+     "rod",
+     "end",
+     {{0.6, 0.2, 0.1}},
+     1e-12,
+     50},
     {"b13-tree",
      "converged",
      3.055132910623,
@@ -157,12 +190,14 @@ TEST_P(RodCase, ReachesItsDigits) {
   EXPECT_LT(result.at("certificate").at("relative_residual").get<double>(), 1e-9) << d.name;
   EXPECT_LE(result.at("iterations").at("rod").get<int>(), d.iterations) << d.name;
   if (d.energy) {
-    EXPECT_NEAR(result.at("energy").at("rod").get<double>(), *d.energy, d.energy_error * *d.energy) << d.name;
+    EXPECT_NEAR(result.at("energy").at("rod").get<double>(), *d.energy, d.energy_error * *d.energy)
+        << d.name;
   }
   for (const auto& end : result.at("ends")) {
     if (!d.center || end.at("vessel") != d.vessel || end.at("end") != d.end) continue;
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(end.at("center")[i].get<double>(), (*d.center)[i], d.center_error) << d.name << ' ' << i;
+      EXPECT_NEAR(end.at("center")[i].get<double>(), (*d.center)[i], d.center_error)
+          << d.name << ' ' << i;
   }
   for (const auto& balance : result.at("balance"))
     EXPECT_LT(balance.at("residual").get<double>(), 1e-6) << d.name;
@@ -220,14 +255,14 @@ struct Wrong {
 };
 
 TEST(RodCases, WhatCannotBeIsOneSentence) {
-  const std::string
-      stiffness = "stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}",
-      good =
-          "  - name: a\n    rod: {position: [0, 0, 0], tangent: [1, 0, 0], normal: [0, 1, 0], pieces: "
-          "[{length: 1, elements: 4}], " +
-          stiffness + "}\n",
-      held = "  - {vessel: a, end: start, hold: true}\n",
-      pulled = "  - {vessel: a, end: end, force: [0, 1, 0]}\n";
+  const std::string stiffness = "stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}",
+                    good =
+                        "  - name: a\n    rod: {position: [0, 0, 0], tangent: [1, 0, 0], normal: "
+                        "[0, 1, 0], pieces: "
+                        "[{length: 1, elements: 4}], " +
+                        stiffness + "}\n",
+                    held = "  - {vessel: a, end: start, hold: true}\n",
+                    pulled = "  - {vessel: a, end: end, force: [0, 1, 0]}\n";
   const auto with = [&](std::string text, const std::string& from, const std::string& to) {
     const auto at = text.find(from);
     if (at == std::string::npos) throw std::logic_error("no " + from);
@@ -247,19 +282,22 @@ TEST(RodCases, WhatCannotBeIsOneSentence) {
         {with(good, "rod: {position", "rod: {parent: nobody, position"), held, "nobody"},
         {with(good, "rod: {position", "rod: {parent: b, position") + child, held, "parent"},
         {with(good, stiffness,
-              "stiffness: {matrix: [[1, 0, 0, 2, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [2, 0, 0, 1, "
+              "stiffness: {matrix: [[1, 0, 0, 2, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], "
+              "[2, 0, 0, 1, "
               "0, 0], "
               "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]}"),
          held, "positive definite"},
         {good,
-         "  - {vessel: a, end: start, hold: true}\n  - {vessel: a, end: end, rotate_deg: [0, 0, 1000]}\n",
+         "  - {vessel: a, end: start, hold: true}\n  - {vessel: a, end: end, rotate_deg: [0, 0, "
+         "1000]}\n",
          "use more elements"}}) {
     const ScratchFolder scratch;
-    std::ofstream(scratch / "scene.yaml") << "scene: wrong\nunits: {length: mm, stress: MPa}\nvessels:\n"
-                                          << wrong.rods << "ends:\n"
-                                          << wrong.ends << "fidelity: rod\n";
-    const auto run = run_program(
-        vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
+    std::ofstream(scratch / "scene.yaml")
+        << "scene: wrong\nunits: {length: mm, stress: MPa}\nvessels:\n"
+        << wrong.rods << "ends:\n"
+        << wrong.ends << "fidelity: rod\n";
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / "out").string() + "'"));
     EXPECT_EQ(run.exit_code, 2) << wrong.sentence << ": " << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_NE(run.err.find(wrong.sentence), std::string::npos) << run.err;

@@ -1,10 +1,9 @@
 // A cell's residual and tangent against central differences of its energy and residual.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <vector>
 
 #include "reference_fem/model.h"
@@ -34,9 +33,10 @@ inline void expect_derivatives(const Model& model, int cell, const Eigen::Vector
     ASSERT_TRUE(model.evaluate(cell, v, load, false, minus));
     const auto column = static_cast<Eigen::Index>(b);
     worst_tangent =
-        std::max(worst_tangent, ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
-    worst_residual =
-        std::max(worst_residual, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
+        std::max(worst_tangent,
+                 ((plus.residual - minus.residual) / (2 * h) - at.tangent.col(column)).norm());
+    worst_residual = std::max(
+        worst_residual, std::abs((plus.energy - minus.energy) / (2 * h) - at.residual[column]));
   }
   EXPECT_LT(worst_tangent, 1e-7 * at.tangent.norm());
   if (has_energy) {

@@ -1,9 +1,8 @@
-// The equilibrium at the full load in a single step, for tests whose loads are small or whose supports hold
-// nearly everything.
+// The equilibrium at the full load in a single step, for tests whose loads are small or whose
+// supports hold nearly everything.
 #pragma once
 
 #include <gtest/gtest.h>
-
 #include <utility>
 
 #include "reference_fem/stepper.h"

@@ -1,22 +1,24 @@
-// A shallow arch pushed through by a dead load: the path in arc length against the one that an imposed
-// displacement of the crown gives.
-#include <gtest/gtest.h>
-
+// A shallow arch pushed through by a dead load: the path in arc length against the one that an
+// imposed displacement of the crown gives.
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "reference_fem/sze.h"
 
 namespace vasorod::fem {
 namespace {
 
-/// Half of a hinged cylindrical strip, radius 100, half angle 0.2, width 1, thickness 1.4: rise over
-/// thickness is 1.4, so it snaps; above about 2 the crown's deflection would turn back too. The crown is at
-/// parameter 0.
+/// Half of a hinged cylindrical strip, radius 100, half angle 0.2, width 1, thickness 1.4: rise
+/// over thickness is 1.4, so it snaps; above about 2 the crown's deflection would turn back too.
+/// The crown is at parameter 0.
 struct Arch {
   Shell shell = sze::make_shell(
       {{4, 1, 1}, false, 3},
-      [](const Vec3& p) { return Vec3(100 * std::sin(0.2 * p[0]), p[1], 100 * std::cos(0.2 * p[0])); },
-      [](const Vec3& p) { return Vec3(std::sin(0.2 * p[0]), 0, std::cos(0.2 * p[0])); }, 1.4, 1e4, 0);
+      [](const Vec3& p) {
+        return Vec3(100 * std::sin(0.2 * p[0]), p[1], 100 * std::cos(0.2 * p[0]));
+      },
+      [](const Vec3& p) { return Vec3(std::sin(0.2 * p[0]), 0, std::cos(0.2 * p[0])); }, 1.4, 1e4,
+      0);
   Supports supports;
 
   Arch() {
@@ -74,7 +76,8 @@ TEST(ArcLength, FollowsAShallowArchThroughItsLimitPoints) {
   double highest = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     EXPECT_GT(path[i].crown, path[i - 1].crown);
-    if (path[i].load < path[i - 1].load && (lowest == 0 || path[i].load < path[lowest].load)) lowest = i;
+    if (path[i].load < path[i - 1].load && (lowest == 0 || path[i].load < path[lowest].load))
+      lowest = i;
   }
   ASSERT_GT(lowest, 0u);
   for (std::size_t i = 0; i < lowest; ++i) highest = std::max(highest, path[i].load);

@@ -1,14 +1,15 @@
-// The scenes of benchmarks/cases/reference: closed forms; solid and shell against the recorded output beside
-// them, and against each other, which must be the closer the thinner the wall.
-#include <gtest/gtest.h>
-
+// The scenes of benchmarks/cases/reference: closed forms; solid and shell against the recorded
+// output beside them, and against each other, which must be the closer the thinner the wall.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+
+#include <vasorod/read_scene.h>
 
 #include "reference_fem/solve_scene.h"
 
@@ -18,7 +19,8 @@ namespace {
 const std::string folder = VASOROD_SOURCE_DIR "/benchmarks/cases/reference/";
 
 struct Outcome {
-  double reaction = 0;  ///< force of the stretch, torque of the twist, moment of the bend; at the moved end
+  double reaction =
+      0;  ///< force of the stretch, torque of the twist, moment of the bend; at the moved end
   Points displacement;
 };
 
@@ -31,7 +33,9 @@ Outcome solved(const std::string& name, ModelKind model) {
   const Result r = solve_scene(read_scene(folder + name + ".yaml"), options);
   EXPECT_EQ(r.status, Status::converged) << name;
   const EndReaction& end = r.ends[1];
-  const double reaction = name[0] == 's' ? end.force[2] : name[0] == 't' ? end.moment[2] : end.moment[1];
+  const double reaction = name[0] == 's'   ? end.force[2]
+                          : name[0] == 't' ? end.moment[2]
+                                           : end.moment[1];
   return {reaction, r.vessels[0].current - r.vessels[0].rest};
 }
 
@@ -46,11 +50,12 @@ TEST(Cases, SolidAndShellAgreeTheBetterTheThinnerTheWall) {
       EXPECT_NEAR(shell.reaction / expected[name]["shell"].get<double>(), 1, 1e-6) << name;
       const double gap = std::abs(shell.reaction / solid.reaction - 1);
       EXPECT_LT(gap, kind == "twist" ? 0.002 : 0.01) << name;
-      EXPECT_LT((shell.displacement - solid.displacement).rowwise().norm().maxCoeff(), 0.01 * 10) << name;
+      EXPECT_LT((shell.displacement - solid.displacement).rowwise().norm().maxCoeff(), 0.01 * 10)
+          << name;
       EXPECT_LT(gap, std::max(before, 1e-5)) << name;  // below 1e-5 it is the meshes' own error
       before = gap;
-      std::printf("%s: solid %.8g, shell %.8g, relative %.1e, displacements %.1e of R\n", name.c_str(),
-                  solid.reaction, shell.reaction, gap,
+      std::printf("%s: solid %.8g, shell %.8g, relative %.1e, displacements %.1e of R\n",
+                  name.c_str(), solid.reaction, shell.reaction, gap,
                   (shell.displacement - solid.displacement).rowwise().norm().maxCoeff() / 10);
     }
   }
@@ -75,7 +80,8 @@ std::array<double, 2> cantilever_fit(LawKind law) {
   const std::array<int, 3> lengths{40, 60, 90};
   for (int i = 0; i < 3; ++i) {
     const double L = lengths[static_cast<std::size_t>(i)];
-    const Result r = solid_of("cantilever-" + std::to_string(lengths[static_cast<std::size_t>(i)]), law);
+    const Result r =
+        solid_of("cantilever-" + std::to_string(lengths[static_cast<std::size_t>(i)]), law);
     compliance[i] = r.ends[1].center[0] / 1e-4;
     powers.row(i) << L * L * L, L, 1;
   }

@@ -1,7 +1,6 @@
 // Cook's membrane by the split neo-Hookean law, compressible and nearly incompressible.
-#include <gtest/gtest.h>
-
 #include <cstdio>
+#include <gtest/gtest.h>
 
 #include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
@@ -10,8 +9,8 @@
 namespace vasorod::fem {
 namespace {
 
-// Cook's membrane, compressible split neo-Hookean, plane strain, dead shear of 1 N: 14.74 mm at the middle of
-// the right edge.
+// Cook's membrane, compressible split neo-Hookean, plane strain, dead shear of 1 N: 14.74 mm at the
+// middle of the right edge.
 double cooks_tip(double kappa, int cells, int degree) {
   const double mu = 0.4225;
   const Solid solid(make_solid({{cells, cells, 1}, false, degree},
@@ -19,7 +18,8 @@ double cooks_tip(double kappa, int cells, int degree) {
                                  const double low = 44 * p[0], high = 44 + 16 * p[0];
                                  return Vec3(48 * p[0], low + (high - low) * p[1], p[2]);
                                }),
-                    MaterialLaw::split(mu, kappa), [](const Vec3&) { return Mat3(Mat3::Identity()); });
+                    MaterialLaw::split(mu, kappa),
+                    [](const Vec3&) { return Mat3(Mat3::Identity()); });
   const Mesh& mesh = solid.mesh();
   Supports supports;
   for (const int node : mesh.nodes_on(0, 0))
@@ -28,7 +28,8 @@ double cooks_tip(double kappa, int cells, int degree) {
     if (mesh.parameters(node, 2) < 1e-9 || mesh.parameters(node, 2) > 1 - 1e-9)
       supports.prescribed.emplace_back(3 * node + 2, 0);
   supports.dead_load = Eigen::VectorXd::Zero(solid.dof_count());
-  for (const auto& [node, share] : parameter_shares(mesh, 0, 1)) supports.dead_load[3 * node + 1] = share;
+  for (const auto& [node, share] : parameter_shares(mesh, 0, 1))
+    supports.dead_load[3 * node + 1] = share;
   const System system(solid, supports);
   State state;
   System::Assembly assembly;
@@ -48,12 +49,14 @@ TEST(Cook, Compressible) {
   EXPECT_NEAR(tip, 14.74, 0.015);
 }
 
-// No locking near incompressibility (bulk modulus 1e4 mu): few large cells give the fine mesh's answer as
-// closely as they do for the compressible law.
+// No locking near incompressibility (bulk modulus 1e4 mu): few large cells give the fine mesh's
+// answer as closely as they do for the compressible law.
 TEST(Cook, NearlyIncompressible) {
   const double kappa = 1e4 * 0.4225;
-  const double fine = cooks_tip(kappa, 8, 4), coarse = cooks_tip(kappa, 4, 2), low = cooks_tip(kappa, 8, 1);
-  std::printf("Cook, nearly incompressible: p = 4 %.4f, p = 2 %.4f, p = 1 %.4f\n", fine, coarse, low);
+  const double fine = cooks_tip(kappa, 8, 4), coarse = cooks_tip(kappa, 4, 2),
+               low = cooks_tip(kappa, 8, 1);
+  std::printf("Cook, nearly incompressible: p = 4 %.4f, p = 2 %.4f, p = 1 %.4f\n", fine, coarse,
+              low);
   EXPECT_NEAR(coarse / fine, 1, 0.01);
   EXPECT_NEAR(low / fine, 1, 0.06);
 }

@@ -1,10 +1,10 @@
-// A bent tube followed through its kink: L / R = 10, t / R = 0.2, ends turned as rigid disks and free to
-// approach. A quarter of it, by symmetry: the kink forms in the middle. The angle itself folds back: the path
-// in arc length shows it, and a test bench that turns the ends snaps across it.
-#include <gtest/gtest.h>
-
+// A bent tube followed through its kink: L / R = 10, t / R = 0.2, ends turned as rigid disks and
+// free to approach. A quarter of it, by symmetry: the kink forms in the middle. The angle itself
+// folds back: the path in arc length shows it, and a test bench that turns the ends snaps across
+// it.
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "reference_fem/sze.h"
@@ -14,7 +14,8 @@ namespace vasorod::fem {
 namespace {
 
 constexpr double radius = 10, thickness = 2, half_length = 50;
-constexpr double full_angle = 75;  ///< degrees between the ends; a little beyond the walls would touch
+constexpr double full_angle =
+    75;  ///< degrees between the ends; a little beyond the walls would touch
 
 /// A point of the path; angle between the ends in degrees, moment and energy of the whole tube.
 struct Bent {
@@ -29,12 +30,13 @@ struct Tube {
   static Vec3 quarter(const Vec3& p) { return {0.5 * p[0], p[1], 0.5}; }
 
   explicit Tube(const std::array<int, 3>& cells)
-      : shell(
-            make_surface({cells, false, 3}, [this](const Vec3& p) { return shape.point(quarter(p)); }),
-            MaterialLaw(LawKind::biot, Moduli::isotropic(1, 0.3)),
-            {[this](const Vec3& p) { return Vec3(shape.axes(quarter(p)).col(0)); },
-             [](const Vec3&) { return thickness; }, [this](const Vec3& p) { return shape.axes(quarter(p)); }},
-            3) {
+      : shell(make_surface({cells, false, 3},
+                           [this](const Vec3& p) { return shape.point(quarter(p)); }),
+              MaterialLaw(LawKind::biot, Moduli::isotropic(1, 0.3)),
+              {[this](const Vec3& p) { return Vec3(shape.axes(quarter(p)).col(0)); },
+               [](const Vec3&) { return thickness; },
+               [this](const Vec3& p) { return shape.axes(quarter(p)); }},
+              3) {
     const Mesh& mesh = shell.mesh();
     sze::hold(supports, mesh.nodes_on(1, 0), {2, 5});
     for (const int side : {0, 1})
@@ -48,11 +50,13 @@ struct Tube {
 
   std::vector<Bent> bend(StepperOptions options) const {
     const System system(shell, supports);
-    const int inside = shell.mesh().nearest_node({0, 0, 0}), outside = shell.mesh().nearest_node({1, 0, 0});
+    const int inside = shell.mesh().nearest_node({0, 0, 0}),
+              outside = shell.mesh().nearest_node({1, 0, 0});
     std::vector<Bent> path;
     options.on_step = [&](double load, const State& at, const System::Assembly& a) {
       const double height = 2 * radius + at.u[7 * inside] - at.u[7 * outside];
-      path.push_back({full_angle * load, 2 * a.section_force[0][4], 4 * a.energy, height / (2 * radius)});
+      path.push_back(
+          {full_angle * load, 2 * a.section_force[0][4], 4 * a.energy, height / (2 * radius)});
     };
     State state;
     System::Assembly assembly;
@@ -90,8 +94,8 @@ TEST(Kink, IsFollowedThroughTheFoldOfItsAngle) {
   const auto coarse = Tube({6, 12, 1}).bend(options), fine = Tube({6, 14, 1}).bend(options);
   const Fold fold = fold_of(fine), other = fold_of(coarse);
   for (const Bent& b : fine)
-    std::printf("%.4f degrees: moment %.4f, energy %.4f, height %.4f\n", b.angle, b.moment, b.energy,
-                b.height);
+    std::printf("%.4f degrees: moment %.4f, energy %.4f, height %.4f\n", b.angle, b.moment,
+                b.energy, b.height);
   // on both meshes the moment has its maximum just before the angle turns back
   EXPECT_NEAR(fold.first.angle, 44.60, 0.03);
   EXPECT_NEAR(fold.first.angle, other.first.angle, 0.03);
@@ -127,8 +131,8 @@ TEST(Kink, SnapsToTheSameBranchWhereTheEndsAreTurned) {
   double after = 0;
   for (std::size_t i = 1; i < snapped.size(); ++i)
     if (after == 0 && snapped[i].moment < 0.8 * snapped[i - 1].moment) {
-      std::printf("snaps between %.3f and %.3f degrees: moment %.3f, then %.3f\n", snapped[i - 1].angle,
-                  snapped[i].angle, snapped[i - 1].moment, snapped[i].moment);
+      std::printf("snaps between %.3f and %.3f degrees: moment %.3f, then %.3f\n",
+                  snapped[i - 1].angle, snapped[i].angle, snapped[i - 1].moment, snapped[i].moment);
       EXPECT_GT(snapped[i].angle, fold.second.angle);
       EXPECT_LT(snapped[i - 1].angle, fold.first.angle + 0.01);
       after = snapped[i].angle;

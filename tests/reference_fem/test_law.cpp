@@ -1,13 +1,13 @@
-// The laws against finite differences of their own energy, closed forms, and each other at small strain.
-#include "reference_fem/law.h"
-
-#include <gtest/gtest.h>
-
+// The laws against finite differences of their own energy, closed forms, and each other at small
+// strain.
 #include <Eigen/Dense>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <vector>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "reference_fem/law.h"
 
 namespace vasorod::fem {
 namespace {
@@ -19,7 +19,8 @@ Moduli vessel() {
 std::vector<MaterialLaw> laws() {
   return {MaterialLaw(LawKind::biot, vessel()), MaterialLaw(LawKind::svk, vessel()),
           MaterialLaw(LawKind::biot, Moduli::isotropic(1, 0.3)),
-          MaterialLaw(LawKind::neo_hookean, Moduli::isotropic(1, 0.3)), MaterialLaw::split(0.4, 7.0)};
+          MaterialLaw(LawKind::neo_hookean, Moduli::isotropic(1, 0.3)),
+          MaterialLaw::split(0.4, 7.0)};
 }
 
 Mat3 rotation() {
@@ -64,7 +65,8 @@ TEST(Law, TangentIsTheDerivativeOfTheStressAlsoAtRepeatedStretches) {
           const Mat3 dE = 0.5 * (F.transpose() * dF + dF.transpose() * F);
           Vec6 strain;
           strain << dE(0, 0), dE(1, 1), dE(2, 2), 2 * dE(0, 1), 2 * dE(0, 2), 2 * dE(1, 2);
-          const Vec6 expected = (law.evaluate(F + h * dF).stress - law.evaluate(F - h * dF).stress) / (2 * h);
+          const Vec6 expected =
+              (law.evaluate(F + h * dF).stress - law.evaluate(F - h * dF).stress) / (2 * h);
           EXPECT_LT((at.tangent * strain - expected).norm(), 3e-9 * at.tangent.norm())
               << to_string(law.kind());
         }
@@ -83,22 +85,25 @@ TEST(Law, DoesNotFeelRotations) {
 TEST(Law, AllAgreeWithTheStiffnessAtRest) {
   const Moduli m = vessel();
   for (const LawKind kind : {LawKind::biot, LawKind::svk})
-    EXPECT_LT((MaterialLaw(kind, m).evaluate(Mat3::Identity()).tangent - stiffness(m)).norm(), 1e-12);
+    EXPECT_LT((MaterialLaw(kind, m).evaluate(Mat3::Identity()).tangent - stiffness(m)).norm(),
+              1e-12);
   const Moduli i = Moduli::isotropic(1, 0.3);
-  EXPECT_LT((MaterialLaw(LawKind::neo_hookean, i).evaluate(Mat3::Identity()).tangent - stiffness(i)).norm(),
+  EXPECT_LT((MaterialLaw(LawKind::neo_hookean, i).evaluate(Mat3::Identity()).tangent - stiffness(i))
+                .norm(),
             1e-12);
   EXPECT_LT(
-      (MaterialLaw(LawKind::split_neo_hookean, i).evaluate(Mat3::Identity()).tangent - stiffness(i)).norm(),
+      (MaterialLaw(LawKind::split_neo_hookean, i).evaluate(Mat3::Identity()).tangent - stiffness(i))
+          .norm(),
       1e-12);
 }
 
-// Closed forms of the stiffness (transverse isotropy, axis 3), written independently of the inverted
-// compliance.
+// Closed forms of the stiffness (transverse isotropy, axis 3), written independently of the
+// inverted compliance.
 TEST(Law, StiffnessMatchesItsClosedForm) {
   const Moduli m = vessel();
   const double d = m.axial * (1 - m.poisson) - 2 * m.transverse * m.coupling * m.coupling;
-  const double c12 =
-      m.transverse * (m.axial * m.poisson + m.transverse * m.coupling * m.coupling) / ((1 + m.poisson) * d);
+  const double c12 = m.transverse * (m.axial * m.poisson + m.transverse * m.coupling * m.coupling) /
+                     ((1 + m.poisson) * d);
   const double c66 = m.transverse / (2 * (1 + m.poisson));
   const Mat6 C = stiffness(m);
   EXPECT_NEAR(C(0, 1), c12, 1e-14);
@@ -109,7 +114,8 @@ TEST(Law, StiffnessMatchesItsClosedForm) {
   EXPECT_NEAR(C(5, 5), m.shear, 1e-14);
 }
 
-/// P11 of a bar of E = 1, nu = 0.3 pulled to `stretch`, its sides free (Newton on the lateral stretch).
+/// P11 of a bar of E = 1, nu = 0.3 pulled to `stretch`, its sides free (Newton on the lateral
+/// stretch).
 double bar(const MaterialLaw& law, double stretch, double& lateral) {
   lateral = 1;
   for (int i = 0; i < 50; ++i) {
@@ -122,7 +128,8 @@ double bar(const MaterialLaw& law, double stretch, double& lateral) {
 TEST(Law, FiniteUniaxialTension) {
   const Moduli m = Moduli::isotropic(1, 0.3);
   double lateral = 0;
-  // stretch, neo-Hookean lateral stretch and P, solved independently from mu (lt^2 - 1) + lambda ln J = 0
+  // stretch, neo-Hookean lateral stretch and P, solved independently from mu (lt^2 - 1) + lambda ln
+  // J = 0
   const double table[][3] = {{0.5, 1.2107673905, -0.9353520569},
                              {0.8, 1.0673383693, -0.2400053820},
                              {1.2, 0.9456326243, 0.1749291474},
@@ -131,8 +138,8 @@ TEST(Law, FiniteUniaxialTension) {
   for (const auto& [stretch, lt, P] : table) {
     EXPECT_NEAR(bar(MaterialLaw(LawKind::neo_hookean, m), stretch, lateral), P, 1e-9);
     EXPECT_NEAR(lateral, lt, 1e-9);
-    EXPECT_NEAR(bar(MaterialLaw(LawKind::svk, m), stretch, lateral), stretch * (stretch * stretch - 1) / 2,
-                1e-12);
+    EXPECT_NEAR(bar(MaterialLaw(LawKind::svk, m), stretch, lateral),
+                stretch * (stretch * stretch - 1) / 2, 1e-12);
     EXPECT_NEAR(lateral, std::sqrt(1 - 0.3 * (stretch * stretch - 1)), 1e-12);
     EXPECT_NEAR(bar(MaterialLaw(LawKind::biot, m), stretch, lateral), stretch - 1, 1e-12);
     EXPECT_NEAR(lateral, 1 - 0.3 * (stretch - 1), 1e-12);

@@ -1,19 +1,18 @@
-// gmsh meshes: the same numbers as the built-in mesh of the same cells, and one sentence for each file that
-// deal.II would misread or that is not the scene's tube. One test has meshes/tube.py make its
-// files.
-#include "reference_fem/mesh_file.h"
-
-#include <gtest/gtest.h>
-
+// gmsh meshes: the same numbers as the built-in mesh of the same cells, and one sentence for each
+// file that deal.II would misread or that is not the scene's tube. One test has meshes/tube.py make
+// its files.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <sstream>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "geometry/rigid_motion.h"
 #include "program/run_program.h"
+#include "reference_fem/mesh_file.h"
 #include "reference_fem/shell.h"
 #include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
@@ -22,8 +21,8 @@
 namespace vasorod::fem {
 namespace {
 
-/// A hexahedral (quadrilateral) mesh of the straight tube in gmsh's format 2.2, its cells in an order and
-/// with local axes that differ from cell to cell.
+/// A hexahedral (quadrilateral) mesh of the straight tube in gmsh's format 2.2, its cells in an
+/// order and with local axes that differ from cell to cell.
 struct Written {
   int around = 6, along = 3, layers = 2;  ///< no layers: the mid-wall
   double length = 30, radius = 10, thickness = 2;
@@ -36,17 +35,23 @@ struct Written {
   std::string text() const {
     const bool solid = layers > 0;
     const int levels = solid ? layers + 1 : 1;
-    const auto node = [&](int i, int j, int k) { return 1 + i % around + around * (j + (along + 1) * k); };
+    const auto node = [&](int i, int j, int k) {
+      return 1 + i % around + around * (j + (along + 1) * k);
+    };
     std::ostringstream out;
     out.precision(17);
-    out << "$MeshFormat\n" << header << "\n$EndMeshFormat\n$Nodes\n" << around * (along + 1) * levels << "\n";
+    out << "$MeshFormat\n"
+        << header << "\n$EndMeshFormat\n$Nodes\n"
+        << around * (along + 1) * levels << "\n";
     for (int k = 0; k < levels; ++k)
       for (int j = 0; j <= along; ++j)
         for (int i = 0; i < around; ++i) {
           const double a = 2 * std::numbers::pi * i / around,
-                       r = solid ? radius + thickness * (static_cast<double>(k) / layers - 0.5) : radius;
+                       r = solid ? radius + thickness * (static_cast<double>(k) / layers - 0.5)
+                                 : radius;
           const double z = length * j / along + (i == 1 && j == 1 ? shift : 0);
-          out << node(i, j, k) << " " << r * std::cos(a) << " " << r * std::sin(a) << " " << z << "\n";
+          out << node(i, j, k) << " " << r * std::cos(a) << " " << r * std::sin(a) << " " << z
+              << "\n";
         }
     std::vector<std::string> cells;
     const auto line = [&](const std::string& type, int tag, const std::vector<int>& nodes) {
@@ -57,7 +62,8 @@ struct Written {
     };
     for (int i = 0; i < around && start_tag > 0; ++i) {
       for (int k = 0; k < layers; ++k)
-        line("3", start_tag, {node(i, 0, k), node(i + 1, 0, k), node(i + 1, 0, k + 1), node(i, 0, k + 1)});
+        line("3", start_tag,
+             {node(i, 0, k), node(i + 1, 0, k), node(i + 1, 0, k + 1), node(i, 0, k + 1)});
       if (!solid) line("1", start_tag, {node(i, 0, 0), node(i + 1, 0, 0)});
     }
     for (int j = along - 1; j >= 0; --j)
@@ -66,7 +72,8 @@ struct Written {
           if (leave_out && i == 0 && j == 0 && k == 0) continue;
           const int n[2][4] = {
               {node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k)},
-              {node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)}};
+              {node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1),
+               node(i, j + 1, k + 1)}};
           std::vector<int> nodes;
           const int turn = (i + j) % 4;  // gmsh's order may start at any corner
           for (int side = 0; side < (solid ? 2 : 1); ++side)
@@ -84,8 +91,8 @@ class File {
  public:
   explicit File(const std::string& text)
       : path_(std::filesystem::temp_directory_path() /
-              (std::string("vasorod_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-               ".msh")) {
+              (std::string("vasorod_") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".msh")) {
     std::ofstream(path_) << text;
   }
   ~File() { std::filesystem::remove(path_); }
@@ -136,9 +143,10 @@ TEST(MeshFile, HexahedraInAnyOrderGiveTheBuiltInMeshsNumbers) {
   const Mesh mesh = read_solid({file.path(), 1, 0}, straight, 2);
   EXPECT_EQ(count_cells(mesh).around, 6);
   EXPECT_EQ(count_cells(mesh).along, 3);
-  expect_same(bent_solid(mesh, straight),
-              bent_solid(make_solid({{6, 3, 2}, true, 2}, [](const Vec3& p) { return straight.point(p); }),
-                         straight));
+  expect_same(
+      bent_solid(mesh, straight),
+      bent_solid(make_solid({{6, 3, 2}, true, 2}, [](const Vec3& p) { return straight.point(p); }),
+                 straight));
 }
 
 TEST(MeshFile, QuadrilateralsGiveTheBuiltInMeshsNumbers) {
@@ -164,18 +172,21 @@ TEST(MeshFile, HalvedCellsLieOnTheTubeAndUnitsArePassedOn) {
   const File file(metres.text());
   const Mesh mesh = read_solid({file.path(), 1e-3, 1}, straight, 2);
   EXPECT_EQ(mesh.cell_count(), 8 * 4 * 2);
-  expect_same(bent_solid(mesh, straight),
-              bent_solid(make_solid({{8, 4, 2}, true, 2}, [](const Vec3& p) { return straight.point(p); }),
-                         straight));
+  expect_same(
+      bent_solid(mesh, straight),
+      bent_solid(make_solid({{8, 4, 2}, true, 2}, [](const Vec3& p) { return straight.point(p); }),
+                 straight));
 }
 
 // By meshes/tube.py: bent by 60 degrees, tapered in radius and thickness; both of gmsh's formats.
 TEST(MeshFile, CurvedTaperedTubeOfGmsh) {
   const testing::ScratchFolder scratch;
-  const std::string hexahedra = (scratch / "hex.msh").string(), flat = (scratch / "quad.msh").string(),
-                    shape = " --length 30 --radius 5 --end-radius 4 --bend-deg 60 --around 8 --along 6";
-  for (const std::string& arguments :
-       {hexahedra + shape + " --thickness 1 --end-thickness 0.7", flat + shape + " --cells quad --msh2"}) {
+  const std::string hexahedra = (scratch / "hex.msh").string(),
+                    flat = (scratch / "quad.msh").string(),
+                    shape =
+                        " --length 30 --radius 5 --end-radius 4 --bend-deg 60 --around 8 --along 6";
+  for (const std::string& arguments : {hexahedra + shape + " --thickness 1 --end-thickness 0.7",
+                                       flat + shape + " --cells quad --msh2"}) {
     const testing::ProgramRun made = testing::run_program(VASOROD_TUBE_GENERATOR " " + arguments);
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }
@@ -197,7 +208,8 @@ TEST(MeshFile, ParametersOfATubeAreTheChartsInverse) {
   for (const double bend : {0.0, 1.2, -1.2, 4.0}) {
     TubeShape tube{60, 5, 1, 4, 0.7, bend, {}};
     tube.placement.rotation = exp_rotation(Vec3(0.3, -1, 0.4));
-    for (const Vec3& p : {Vec3(0.1, 0, 0.2), Vec3(0.6, 1, 1), Vec3(0.95, 0.4, 0), Vec3(0.3, 0.8, 0.7)})
+    for (const Vec3& p :
+         {Vec3(0.1, 0, 0.2), Vec3(0.6, 1, 1), Vec3(0.95, 0.4, 0), Vec3(0.3, 0.8, 0.7)})
       EXPECT_LT((tube.parameters(tube.point(p)) - p).norm(), 1e-13) << bend;
   }
 }
@@ -236,7 +248,8 @@ TEST(MeshFile, RefusesWhatTheReaderWouldMisread) {
   w.layers = 0;
   refused(w.text(), "found no hexahedra");
   refused(
-      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 10 11 0\n$EndEntities\n"
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 10 11 "
+      "0\n$EndEntities\n"
       "$Elements\n1 1 1 1\n3 1 5 1\n1 1 2 3 4 5 6 7 8\n$EndElements\n",
       "found 2 physical groups on entity 1");
   EXPECT_THROW(read_solid({"/nowhere/wall.msh", 1, 0}, straight, 2), FileError);

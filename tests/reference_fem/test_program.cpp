@@ -1,10 +1,9 @@
-// vasorod-fem as a user runs it: exit codes, one sentence for what it cannot do, the last converged state
-// where a path ends, and the same numbers from two processes.
-#include <gtest/gtest.h>
-
+// vasorod-fem as a user runs it: exit codes, one sentence for what it cannot do, the last converged
+// state where a path ends, and the same numbers from two processes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"
@@ -14,7 +13,8 @@ namespace {
 
 const std::string head =
     "scene: bend\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
-    "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: 0.3}}\n";
+    "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: "
+    "0.3}}\n";
 const std::string ends =
     "ends:\n  - {vessel: tube, end: start, hold: true}\n"
     "  - {vessel: tube, end: end, rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]}\n";
@@ -24,12 +24,14 @@ struct Solved {
   nlohmann::json json;
 };
 
-Solved solve(const std::string& scene, const std::string& options, const std::string& launcher = "") {
+Solved solve(const std::string& scene, const std::string& options,
+             const std::string& launcher = "") {
   const ScratchFolder scratch;
   std::ofstream(scratch / "scene.yaml") << scene;
   Solved out;
-  out.run = run_program(launcher + " '" VASOROD_PROGRAM "' solve '" + (scratch / "scene.yaml").string() +
-                        "' -o '" + (scratch / "result").string() + "' --quiet " + options);
+  out.run =
+      run_program(launcher + " '" VASOROD_PROGRAM "' solve '" + (scratch / "scene.yaml").string() +
+                  "' -o '" + (scratch / "result").string() + "' --quiet " + options);
   const std::string text = contents_of(scratch / "result/result.json");
   if (!text.empty()) out.json = nlohmann::json::parse(text);
   return out;
@@ -46,13 +48,15 @@ void refused(const std::string& scene, const std::string& part, const std::strin
 TEST(FemProgram, RefusesWithOneSentenceAndNamesWhatItCanDo) {
   const std::string can = "the finite-element reference solves one generated tube (`tube:`)";
   const std::string other =
-      "  - {name: other, tube: {length: 40, radius: 10, position: [50, 0, 0]}, wall: {thickness: 2, young: "
+      "  - {name: other, tube: {length: 40, radius: 10, position: [50, 0, 0]}, wall: {thickness: "
+      "2, young: "
       "1, "
       "poisson: 0.3}}\n";
   refused(head + other + ends, "found 2 vessels; " + can);
   refused(
       "scene: x\nfidelity: rod\nunits: {length: mm, stress: MPa}\nvessels:\n"
-      "  - name: tube\n    rod: {position: [0,0,0], tangent: [0,0,1], normal: [1,0,0], pieces: [{length: 40, "
+      "  - name: tube\n    rod: {position: [0,0,0], tangent: [0,0,1], normal: [1,0,0], pieces: "
+      "[{length: 40, "
       "elements: 4}], stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}}\n" +
           ends,
       "found the bare rod \"tube\"; " + can);
@@ -73,9 +77,10 @@ TEST(FemProgram, AMissingMeshFileIsAFilesError) {
 TEST(FemProgram, WhereThePathEndsTheLargestLoadIsWrittenWithExitCode1) {
   // S = C : E has no more strength in compression below 1 / sqrt(3)
   std::string crush = ends;
-  crush.replace(crush.find("rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]"), 43, "move: [0, 0, -39.5]");
-  const Solved r =
-      solve(head + crush, "--law svk --degree 1 --refine 0 --cells 6 4 --arc-steps 4 --first-step 0.05");
+  crush.replace(crush.find("rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]"), 43,
+                "move: [0, 0, -39.5]");
+  const Solved r = solve(
+      head + crush, "--law svk --degree 1 --refine 0 --cells 6 4 --arc-steps 4 --first-step 0.05");
   EXPECT_EQ(r.run.exit_code, 1);
   ASSERT_TRUE(r.json.is_object());
   EXPECT_EQ(r.json["status"], "iteration_limit");
@@ -111,8 +116,8 @@ TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
       size = std::max(size, std::abs(one.json["ends"][0]["moment"][k].get<double>()));
     for (const char* what : {"force", "moment"})
       for (int k = 0; k < 3; ++k)
-        EXPECT_NEAR(two.json["ends"][0][what][k].get<double>(), one.json["ends"][0][what][k].get<double>(),
-                    1e-8 * size);
+        EXPECT_NEAR(two.json["ends"][0][what][k].get<double>(),
+                    one.json["ends"][0][what][k].get<double>(), 1e-8 * size);
   }
 }
 

@@ -1,10 +1,9 @@
-// The grid convergence index against NASA's worked example (NPARC verification page: 0.97050, 0.96854,
-// 0.96178, r = 2).
-#include "reference_fem/refinement.h"
-
+// The grid convergence index against NASA's worked example (NPARC verification page: 0.97050,
+// 0.96854, 0.96178, r = 2).
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "reference_fem/refinement.h"
 
 namespace vasorod::fem {
 namespace {
@@ -16,7 +15,8 @@ TEST(Refinement, GridConvergenceIndexOfNasasExample) {
   EXPECT_EQ(c.safety, 1.25);
   EXPECT_NEAR(c.uncertainty / f1, 1.030826e-3, 1e-9);
   const Convergence coarse = grid_convergence(f2 - f3, std::nullopt, 2, *c.observed_order);
-  EXPECT_NEAR(coarse.uncertainty / f2 * 1.25 / 3, 3.562493e-3, 1e-8);  // without a third mesh Fs = 3
+  EXPECT_NEAR(coarse.uncertainty / f2 * 1.25 / 3, 3.562493e-3,
+              1e-8);  // without a third mesh Fs = 3
 }
 
 TEST(Refinement, DoesNotTrustAnOrderAboveTheory) {

@@ -1,15 +1,13 @@
-// The shell: derivatives, rigid motions, and Sze, Liu and Lo's benchmarks (Finite Elements in Analysis and
-// Design 40, 2004).
-#include "geometry/rigid_motion.h"
-#include "reference_fem/shell.h"
-
-#include <gtest/gtest.h>
-
+// The shell: derivatives, rigid motions, and Sze, Liu and Lo's benchmarks (Finite Elements in
+// Analysis and Design 40, 2004).
 #include <Eigen/Dense>
 #include <cmath>
+#include <gtest/gtest.h>
 
+#include "geometry/rigid_motion.h"
 #include "reference_fem/finite_differences.h"
 #include "reference_fem/in_one_step.h"
+#include "reference_fem/shell.h"
 #include "reference_fem/sze.h"
 #include "reference_fem/tube.h"
 #include "reference_fem/tube_ends.h"
@@ -82,15 +80,15 @@ TEST(Shell, HasTheVolumeOfTheSolid) {
   EXPECT_NEAR(energy / law.evaluate(2 * Mat3::Identity()).energy / volume, 1, 1e-5);
 }
 
-// A flat plate of distorted cells, its edge nodes moved by one gradient: the same inside, the thickness that
-// of plane stress.
+// A flat plate of distorted cells, its edge nodes moved by one gradient: the same inside, the
+// thickness that of plane stress.
 TEST(Shell, PatchTestOnDistortedCells) {
   Mat3 H = Mat3::Zero();
   H.topLeftCorner<2, 2>() << 0.15, 0.2, -0.05, -0.1;
   const double h = 0.3;
   const auto plate = [](const Vec3& p) {
-    return Vec3(p[0] + 0.15 * std::sin(3 * p[1]) * p[0] * (1 - p[0]), p[1] + 0.2 * p[0] * p[1] * (1 - p[1]),
-                0);
+    return Vec3(p[0] + 0.15 * std::sin(3 * p[1]) * p[0] * (1 - p[0]),
+                p[1] + 0.2 * p[0] * p[1] * (1 - p[1]), 0);
   };
   for (const LawKind kind : {LawKind::biot, LawKind::svk})
     for (const int degree : {1, 2, 3}) {
@@ -101,7 +99,8 @@ TEST(Shell, PatchTestOnDistortedCells) {
         (law.evaluate(Mat3::Identity() + H).stress[2] < 0 ? low : high) = H(2, 2);
       }
       const Shell shell = sze::make_shell(
-          {{3, 2, 1}, false, degree}, plate, [](const Vec3&) { return Vec3(0, 0, 1); }, h, 1.3, 0.3, kind);
+          {{3, 2, 1}, false, degree}, plate, [](const Vec3&) { return Vec3(0, 0, 1); }, h, 1.3, 0.3,
+          kind);
       const Mesh& mesh = shell.mesh();
       Supports supports;
       for (int i = 0; i < mesh.node_count(); ++i) {
@@ -132,12 +131,12 @@ TEST(Shell, SzeCantileverUnderEndShear) {
   }
 }
 
-// p = 4: what twelve cells of p = 3 are too stiff by is of the size of the difference between the exact
-// solutions.
+// p = 4: what twelve cells of p = 3 are too stiff by is of the size of the difference between the
+// exact solutions.
 TEST(Shell, SzeCantileverRolledToACircleByAnEndMoment) {
   const std::vector<double> loads{0.25, 0.5, 0.75, 1.0};
-  sze::expect_rolled(loads, sze::cantilever_moment(loads, {12, 1, 1}, 4), reference::RolledStrip::Kind::shell,
-                     0.0003);
+  sze::expect_rolled(loads, sze::cantilever_moment(loads, {12, 1, 1}, 4),
+                     reference::RolledStrip::Kind::shell, 0.0003);
 }
 
 }  // namespace

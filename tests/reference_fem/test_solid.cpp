@@ -1,16 +1,14 @@
-// The solid against exact solutions: patch test, manufactured solution, Lame's tube, uniaxial bar, residual
-// and tangent.
-#include "reference_fem/solid.h"
-
-#include <gtest/gtest.h>
-
+// The solid against exact solutions: patch test, manufactured solution, Lame's tube, uniaxial bar,
+// residual and tangent.
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "reference_fem/finite_differences.h"
 #include "reference_fem/in_one_step.h"
+#include "reference_fem/solid.h"
 #include "reference_fem/stepper.h"
 #include "reference_fem/sze.h"
 #include "reference_fem/tube.h"
@@ -45,7 +43,8 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
   expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);  // a face under pressure
 }
 
-// The split law on cells whose volume ratio is projected: energy, residual and tangent belong together.
+// The split law on cells whose volume ratio is projected: energy, residual and tangent belong
+// together.
 TEST(Solid, ProjectedVolumeRatioIsConsistent) {
   for (const int degree : {1, 2, 3}) {
     const Solid solid(make_solid({{1, 1, 1}, false, degree}, skewed), MaterialLaw::split(0.4, 50),
@@ -72,7 +71,8 @@ TEST(Solid, PatchTestOnDistortedCells) {
       ASSERT_EQ(summary.status, PathStatus::complete);
       double worst = 0;
       for (int i = 0; i < mesh.node_count(); ++i)
-        worst = std::max(worst, (state.u.segment<3>(3 * i) - H * mesh.nodes.row(i).transpose()).norm());
+        worst =
+            std::max(worst, (state.u.segment<3>(3 * i) - H * mesh.nodes.row(i).transpose()).norm());
       EXPECT_LT(worst, 1e-9) << degree;
       double volume = 0;
       for (const auto& w : mesh.weights) volume += w.sum();
@@ -80,18 +80,20 @@ TEST(Solid, PatchTestOnDistortedCells) {
     }
 }
 
-// x = X + 0.3 f(X), f smooth; body force -Div P by central differences of the law's P; Dirichlet data on all
-// faces.
+// x = X + 0.3 f(X), f smooth; body force -Div P by central differences of the law's P; Dirichlet
+// data on all faces.
 struct Manufactured {
   MaterialLaw law;
   static Vec3 u(const Vec3& X) {
-    return 0.1 * Vec3(std::sin(2 * X[1] + X[2]), std::cos(X[0] - 1.5 * X[2]), std::sin(X[0] + X[1] * X[2]));
+    return 0.1 * Vec3(std::sin(2 * X[1] + X[2]), std::cos(X[0] - 1.5 * X[2]),
+                      std::sin(X[0] + X[1] * X[2]));
   }
   static Mat3 gradient(const Vec3& X) {
     Mat3 H;
     H << 0, 2 * std::cos(2 * X[1] + X[2]), std::cos(2 * X[1] + X[2]),  //
-        -std::sin(X[0] - 1.5 * X[2]), 0, 1.5 * std::sin(X[0] - 1.5 * X[2]), std::cos(X[0] + X[1] * X[2]),
-        X[2] * std::cos(X[0] + X[1] * X[2]), X[1] * std::cos(X[0] + X[1] * X[2]);
+        -std::sin(X[0] - 1.5 * X[2]), 0, 1.5 * std::sin(X[0] - 1.5 * X[2]),
+        std::cos(X[0] + X[1] * X[2]), X[2] * std::cos(X[0] + X[1] * X[2]),
+        X[1] * std::cos(X[0] + X[1] * X[2]);
     return Mat3::Identity() + 0.1 * H;
   }
   Mat3 P(const Vec3& X) const {
@@ -103,7 +105,8 @@ struct Manufactured {
     Vec3 b = Vec3::Zero();
     for (int J = 0; J < 3; ++J) {
       const Vec3 e = Vec3::Unit(J);
-      b -= ((P(X - 2 * h * e) - P(X + 2 * h * e)) + 8 * (P(X + h * e) - P(X - h * e))).col(J) / (12 * h);
+      b -= ((P(X - 2 * h * e) - P(X + 2 * h * e)) + 8 * (P(X + h * e) - P(X - h * e))).col(J) /
+           (12 * h);
     }
     return b;
   }
@@ -156,9 +159,10 @@ Errors manufactured_errors(const Manufactured& exact, int degree, int cells) {
     for (int q = 0; q < mesh.point_count(); ++q) {
       const Vec3 X = (mesh.shape.row(q) * xe).transpose();
       const Mat3 H = (mesh.gradient[c].middleRows<3>(3 * q) * ue).transpose();
-      square +=
-          mesh.weights[c][q] * ((mesh.shape.row(q) * ue).transpose() - Manufactured::u(X)).squaredNorm();
-      slope += mesh.weights[c][q] * (H + Mat3::Identity() - Manufactured::gradient(X)).squaredNorm();
+      square += mesh.weights[c][q] *
+                ((mesh.shape.row(q) * ue).transpose() - Manufactured::u(X)).squaredNorm();
+      slope +=
+          mesh.weights[c][q] * (H + Mat3::Identity() - Manufactured::gradient(X)).squaredNorm();
     }
   }
   return {std::sqrt(square), std::sqrt(slope), assembly.energy - supports.dead_load.dot(state.u)};
@@ -176,8 +180,9 @@ TEST(Solid, ManufacturedSolutionConvergesAtItsOrder) {
                    slope_order = std::log2(a.gradient / b.gradient),
                    potential_order =
                        std::log2(std::abs((a.potential - potential) / (b.potential - potential)));
-      std::printf("%s, p = %d: order %.2f of displacements, %.2f of gradients, %.2f of the potential\n",
-                  to_string(kind).c_str(), degree, order, slope_order, potential_order);
+      std::printf(
+          "%s, p = %d: order %.2f of displacements, %.2f of gradients, %.2f of the potential\n",
+          to_string(kind).c_str(), degree, order, slope_order, potential_order);
       EXPECT_GT(order, degree + 1 - 0.25) << degree;
       EXPECT_LT(order, degree + 1 + 0.6) << degree;
       EXPECT_GT(slope_order, degree - 0.25) << degree;
@@ -219,8 +224,8 @@ TEST(Solid, SzeCantileverUnderEndShear) {
 }
 
 TEST(Solid, SaysWhereAnElementIsTurnedInsideOut) {
-  Solid solid(make_solid({{1, 1, 1}, false, 2}, skewed), MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)),
-              space_axes);
+  Solid solid(make_solid({{1, 1, 1}, false, 2}, skewed),
+              MaterialLaw(LawKind::svk, Moduli::isotropic(1, 0.3)), space_axes);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(solid.dof_count());
   const Mesh& mesh = solid.mesh();
   for (int i = 0; i < mesh.node_count(); ++i) u[3 * i] = -2 * mesh.nodes(i, 0);

@@ -1,30 +1,31 @@
-// Scenes through the reference: units, placement, solid against shell, loads, what is refused, where a path
-// ends.
-#include "reference_fem/solve_scene.h"
-
-#include <gtest/gtest.h>
-
+// Scenes through the reference: units, placement, solid against shell, loads, what is refused,
+// where a path ends.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+#include <vasorod/read_scene.h>
+
 #include "geometry/rigid_motion.h"
+#include "reference_fem/solve_scene.h"
 
 namespace vasorod::fem {
 namespace {
 
 const char* bend =
     "scene: bend\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
-    "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: 0.3}}\nends:\n"
+    "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: "
+    "0.3}}\nends:\n"
     "  - {vessel: tube, end: start, hold: true}\n"
     "  - {vessel: tube, end: end, rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]}\n";
 
 Scene scene_of(const std::string& text) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() /
-      (std::string("vasorod_fem_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-       ".yaml");
+      (std::string("vasorod_fem_") +
+       ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
   std::ofstream(file) << text;
   Scene scene = read_scene(file, {.accept_pressure = true});
   std::filesystem::remove(file);
@@ -71,7 +72,8 @@ TEST(SolveScene, APlacedTubeIsTheSameTube) {
   const Result a = solve_scene(scene_of(bend), options);
   // the whole scene turned so that z goes to x, x to y, y to z, and shifted
   std::string turned =
-      with(bend, "radius: 10}", "radius: 10, position: [5, -3, 7], tangent: [1, 0, 0], normal: [0, 1, 0]}");
+      with(bend, "radius: 10}",
+           "radius: 10, position: [5, -3, 7], tangent: [1, 0, 0], normal: [0, 1, 0]}");
   turned = with(turned, "[0, 8, 0], move: [2.8, 0, -0.1]", "[0, 0, 8], move: [-0.1, 2.8, 0]");
   const Result b = solve_scene(scene_of(turned), options);
   const auto turn = [](const Vec3& v) { return Vec3(v[2], v[0], v[1]); };
@@ -83,7 +85,8 @@ TEST(SolveScene, APlacedTubeIsTheSameTube) {
 
 TEST(SolveScene, SolidAndShellAgree) {
   const Scene scene = scene_of(bend);
-  const Result solid = solve_scene(scene, coarse()), shell = solve_scene(scene, coarse(ModelKind::shell));
+  const Result solid = solve_scene(scene, coarse()),
+               shell = solve_scene(scene, coarse(ModelKind::shell));
   EXPECT_EQ(solid.fidelity, "solid");
   EXPECT_EQ(shell.fidelity, "shell");
   EXPECT_NEAR(shell.ends[1].moment[1] / solid.ends[1].moment[1], 1, 5e-3);
@@ -112,7 +115,8 @@ TEST(SolveScene, ErrorEstimateFromTwoMeshesHoldsAgainstAFinerOne) {
   options.around = 14;
   options.along = 10;
   const Result fine = solve_scene(scene, options);
-  EXPECT_LT(std::abs(two.energy.strain / fine.energy.strain - 1), *two.discretisation->error_estimate);
+  EXPECT_LT(std::abs(two.energy.strain / fine.energy.strain - 1),
+            *two.discretisation->error_estimate);
   EXPECT_LT(std::abs(two.ends[1].moment[1] / fine.ends[1].moment[1] - 1),
             *two.discretisation->error_estimate);
 }
@@ -121,11 +125,13 @@ TEST(SolveScene, PressureWidensTheTube) {
   // soft ends that may slide: Lame's open tube, u(r = 10) at p = 1e-3 times a small factor
   const std::string text =
       "scene: lame\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
-      "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: 0.3}, "
+      "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: "
+      "0.3}, "
       "pressure: 1e-6}\nends:\n"
       "  - {vessel: tube, end: start, hold: true, section: soft}\n";
   // the shell's thickness is t / R = 0.2: its strain is linear through it, Lame's is not
-  for (const auto& [model, bound] : {std::pair{ModelKind::solid, 2e-3}, std::pair{ModelKind::shell, 5e-3}}) {
+  for (const auto& [model, bound] :
+       {std::pair{ModelKind::solid, 2e-3}, std::pair{ModelKind::shell, 5e-3}}) {
     const Result r = solve_scene(scene_of(text), coarse(model));
     EXPECT_EQ(r.status, Status::equilibrium_only);
     const auto& v = r.vessels[0];
@@ -135,20 +141,24 @@ TEST(SolveScene, PressureWidensTheTube) {
   }
 }
 
-// Inflated by a third of its modulus times t / R and bent: solid and shell under the same follower pressure.
+// Inflated by a third of its modulus times t / R and bent: solid and shell under the same follower
+// pressure.
 TEST(SolveScene, SolidAndShellAgreeUnderPressure) {
-  const Scene scene = scene_of(with(
-      with(with(bend, "thickness: 2", "thickness: 0.5"), "poisson: 0.3}", "poisson: 0.3}, pressure: 0.004"),
-      "radius: 10}", "radius: 10}"));
-  const Result solid = solve_scene(scene, coarse()), shell = solve_scene(scene, coarse(ModelKind::shell));
-  EXPECT_LT((shell.vessels[0].current - solid.vessels[0].current).cwiseAbs().maxCoeff(), 0.002 * 10);
+  const Scene scene = scene_of(with(with(with(bend, "thickness: 2", "thickness: 0.5"),
+                                         "poisson: 0.3}", "poisson: 0.3}, pressure: 0.004"),
+                                    "radius: 10}", "radius: 10}"));
+  const Result solid = solve_scene(scene, coarse()),
+               shell = solve_scene(scene, coarse(ModelKind::shell));
+  EXPECT_LT((shell.vessels[0].current - solid.vessels[0].current).cwiseAbs().maxCoeff(),
+            0.002 * 10);
   EXPECT_NEAR(shell.ends[1].moment[1] / solid.ends[1].moment[1], 1, 0.01);
   EXPECT_NEAR(shell.ends[1].force[2] / solid.ends[1].force[2], 1, 0.01);
   EXPECT_GT((solid.vessels[0].current - solid.vessels[0].rest).cwiseAbs().maxCoeff(), 0.5);
 }
 
 TEST(SolveScene, RefusesWhatItCannotDo) {
-  const auto refused = [](const std::string& text, const std::string& part, SolveOptions options = coarse()) {
+  const auto refused = [](const std::string& text, const std::string& part,
+                          SolveOptions options = coarse()) {
     try {
       solve_scene(scene_of(text), options);
       ADD_FAILURE() << "accepted: " << part;
@@ -157,7 +167,8 @@ TEST(SolveScene, RefusesWhatItCannotDo) {
     }
   };
   refused(with(bend, "ends:\n",
-               "  - {name: other, tube: {length: 40, radius: 10, position: [50, 0, 0]}, wall: {thickness: 2, "
+               "  - {name: other, tube: {length: 40, radius: 10, position: [50, 0, 0]}, wall: "
+               "{thickness: 2, "
                "young: 1, "
                "poisson: 0.3}}\nends:\n"),
           "found 2 vessels");
@@ -182,7 +193,8 @@ TEST(SolveScene, APathThatEndsSaysWhere) {
   options.law = LawKind::svk;
   options.stepper.arc_steps = 4;
   const Result r = solve_scene(
-      scene_of(with(bend, "rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]", "move: [0, 0, -39.5]")), options);
+      scene_of(with(bend, "rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]", "move: [0, 0, -39.5]")),
+      options);
   EXPECT_EQ(r.status, Status::iteration_limit);
   EXPECT_GT(r.ends[1].center[2], 0.5);
   EXPECT_LT(r.ends[1].center[2], 40);

@@ -1,4 +1,5 @@
-// Sze, Liu and Lo's longer benchmarks, each along its whole path: 1 % or 0.002, 3 % in the snap zone of 3.7.
+// Sze, Liu and Lo's longer benchmarks, each along its whole path: 1 % or 0.002, 3 % in the snap
+// zone of 3.7.
 #include <gtest/gtest.h>
 
 #include "reference_fem/sze.h"
@@ -25,20 +26,30 @@ TEST(Sze, CantileverRolledToACircleAsASolid) {
 
 TEST(Sze, SlitAnnularPlate) {
   const std::vector<double> loads{0.1, 0.2, 0.4, 0.6, 0.8, 1.0};
-  compare(
-      sze::slit_annulus(loads, {2, 12, 1}, 4),
-      {{4.277, 5.876}, {6.725, 9.160}, {9.529, 12.661}, {11.257, 14.674}, {12.642, 16.202}, {13.891, 17.528}},
-      loads);
+  compare(sze::slit_annulus(loads, {2, 12, 1}, 4),
+          {{4.277, 5.876},
+           {6.725, 9.160},
+           {9.529, 12.661},
+           {11.257, 14.674},
+           {12.642, 16.202},
+           {13.891, 17.528}},
+          loads);
 }
 
 TEST(Sze, HemisphereWithAHole) {
   const std::vector<double> loads{0.1, 0.2, 0.4, 0.6, 0.8, 1.0};
   compare(sze::hemisphere(loads, {10, 10, 1}, 4),
-          {{1.499, 1.840}, {2.321, 3.261}, {3.158, 5.196}, {3.598, 6.497}, {3.875, 7.448}, {4.067, 8.178}},
+          {{1.499, 1.840},
+           {2.321, 3.261},
+           {3.158, 5.196},
+           {3.598, 6.497},
+           {3.875, 7.448},
+           {4.067, 8.178}},
           loads);
 }
 
-// Small-load anchor from an independent high-order shell code (quarter load 10): +0.18493629 and 0.18902206.
+// Small-load anchor from an independent high-order shell code (quarter load 10): +0.18493629 and
+// 0.18902206.
 TEST(Sze, HemisphereAtSmallLoad) {
   const auto path = sze::hemisphere({0.01}, {10, 10, 1}, 4);
   std::printf("%.6f %.6f\n", path[0][0], path[0][1]);
@@ -46,7 +57,8 @@ TEST(Sze, HemisphereAtSmallLoad) {
   EXPECT_NEAR(path[0][1], 0.18902206, 0.002);
 }
 
-const std::vector<double> semi_cylinder_loads{0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
+const std::vector<double> semi_cylinder_loads{0.1, 0.2, 0.25, 0.3, 0.35, 0.4,
+                                              0.5, 0.6, 0.7,  0.8, 0.9,  1.0};
 
 void compare_semi_cylinder(const sze::Rows& path) {
   const std::array<double, 12> table{16.100,  37.582,  48.537,  66.410,  94.669,  113.704,

@@ -1,6 +1,7 @@
-// Finite torsion and stretch of the tube ri = 9, ro = 11: the exact one-dimensional solutions' torque and
-// axial force, computed independently, to every digit printed, by the one-dimensional minimiser here and by
-// the solid: a piece of the infinite tube whose end sections have the exact deformed shape.
+// Finite torsion and stretch of the tube ri = 9, ro = 11: the exact one-dimensional solutions'
+// torque and axial force, computed independently, to every digit printed, by the one-dimensional
+// minimiser here and by the solid: a piece of the infinite tube whose end sections have the exact
+// deformed shape.
 #include <gtest/gtest.h>
 
 #include "reference_fem/in_one_step.h"
@@ -25,12 +26,13 @@ Resultants solid_piece(const MaterialLaw& law, double twist, double stretch) {
   const double L = 4;
   const TubeShape tube{L, 10, 2, 10, 2, 0, {}};
   const UniformTorsion exact(law, inner, outer, twist, stretch);
-  const Solid solid(make_solid({{6, 1, 1}, true, 4}, [&](const Vec3& p) { return tube.point(p); }), law,
-                    [&](const Vec3& p) { return tube.axes(p); });
+  const Solid solid(make_solid({{6, 1, 1}, true, 4}, [&](const Vec3& p) { return tube.point(p); }),
+                    law, [&](const Vec3& p) { return tube.axes(p); });
   const Mesh& mesh = solid.mesh();
   Supports supports;
   const auto end = [&](const Vec3& X) {
-    const double R = X.head<2>().norm(), r = exact.radius(R), angle = std::atan2(X[1], X[0]) + twist * X[2];
+    const double R = X.head<2>().norm(), r = exact.radius(R),
+                 angle = std::atan2(X[1], X[0]) + twist * X[2];
     return Vec3(r * std::cos(angle), r * std::sin(angle), stretch * X[2]);
   };
   const auto moved = [&](const Vec3& X) { return Vec3(end(X) - X); };
@@ -67,14 +69,15 @@ TEST(Torsion, CompressibleLaws) {
     EXPECT_NEAR(l, row.free_stretch, 1e-8);
     const Resultants held = solid_piece(law, row.twist, 1), free = solid_piece(law, row.twist, l);
     EXPECT_NEAR(held.torque / row.torque, 1, 1e-6) << to_string(row.law) << row.twist;
-    EXPECT_NEAR(held.force / row.torque, row.force / row.torque, 1e-6) << to_string(row.law) << row.twist;
+    EXPECT_NEAR(held.force / row.torque, row.force / row.torque, 1e-6)
+        << to_string(row.law) << row.twist;
     EXPECT_NEAR(free.torque / row.free_torque, 1, 1e-6) << to_string(row.law) << row.twist;
     EXPECT_LT(std::abs(free.force), 1e-6 * row.torque);
   }
 }
 
-// Rivlin's torsion of an incompressible neo-Hookean tube, mu = 1, as the limit of the split law: what a bulk
-// modulus of 1e5 mu leaves is below 1e-6.
+// Rivlin's torsion of an incompressible neo-Hookean tube, mu = 1, as the limit of the split law:
+// what a bulk modulus of 1e5 mu leaves is below 1e-6.
 TEST(Torsion, RivlinsIncompressibleTube) {
   struct Row {
     double twist, torque, force, inner, outer;
@@ -92,8 +95,8 @@ TEST(Torsion, RivlinsIncompressibleTube) {
   }
 }
 
-// Torque over G J D of a transversely isotropic tube, E = 1, nu = 0.3, G = f / 2.6, S = C : E, at fixed
-// length and with the axial force zero: every factor and twist of the table.
+// Torque over G J D of a transversely isotropic tube, E = 1, nu = 0.3, G = f / 2.6, S = C : E, at
+// fixed length and with the axial force zero: every factor and twist of the table.
 TEST(Torsion, TransverselyIsotropicTable) {
   struct Row {
     double twist;

@@ -1,13 +1,11 @@
 // Tubes with rigid and soft ends against closed forms and one-dimensional exact solutions.
-#include "geometry/rigid_motion.h"
-#include "reference_fem/tube.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
+#include "geometry/rigid_motion.h"
 #include "reference_fem/stepper.h"
+#include "reference_fem/tube.h"
 #include "reference_fem/tube_ends.h"
 
 namespace vasorod::fem {
@@ -36,11 +34,13 @@ struct Case {
 };
 
 Pulled run(const Case& c) {
-  const Solid solid(make_solid({c.cells, true, c.degree}, [&](const Vec3& p) { return c.tube.point(p); }),
-                    c.law, [&](const Vec3& p) { return c.tube.axes(p); });
+  const Solid solid(
+      make_solid({c.cells, true, c.degree}, [&](const Vec3& p) { return c.tube.point(p); }), c.law,
+      [&](const Vec3& p) { return c.tube.axes(p); });
   Supports supports;
   for (const int side : {0, 1})
-    supports.sections.push_back(end_section(solid, c.tube, side, c.soft || (side == 0 && c.soft_start)));
+    supports.sections.push_back(
+        end_section(solid, c.tube, side, c.soft || (side == 0 && c.soft_start)));
   supports.sections[0].fixed = all;
   supports.sections[1].fixed = c.fixed;
   supports.sections[1].move = c.move;
@@ -61,8 +61,10 @@ TEST(Tube, ChartIsExact) {
   EXPECT_NEAR(end[0], radius * (1 - std::cos(1.2)), 1e-12);
   EXPECT_NEAR(end[2], radius * std::sin(1.2), 1e-12);
   EXPECT_NEAR((tube.point({0.3, 1, 1}) - end).norm(), 4.25, 1e-12);
-  EXPECT_NEAR((tube.axes({0.3, 0.5, 0.2}).transpose() * tube.axes({0.3, 0.5, 0.2}) - Mat3::Identity()).norm(),
-              0, 1e-14);
+  EXPECT_NEAR(
+      (tube.axes({0.3, 0.5, 0.2}).transpose() * tube.axes({0.3, 0.5, 0.2}) - Mat3::Identity())
+          .norm(),
+      0, 1e-14);
 }
 
 // A bent tube's volume by Pappus: exact to the mapping's order.
@@ -76,8 +78,8 @@ TEST(Tube, VolumeConvergesToPappus) {
 }
 
 TEST(Tube, SmallTwistAndBendingOfTheSection) {
-  // ri 9, ro 11, L 60, one layer, p = 4, 4 x 4 cells: errors -3.56e-6 (twist) and -3.53e-6 (bending, nu = 0)
-  // known for this mesh
+  // ri 9, ro 11, L 60, one layer, p = 4, 4 x 4 cells: errors -3.56e-6 (twist) and -3.53e-6
+  // (bending, nu = 0) known for this mesh
   Case c;
   c.tube.length = 60;
   c.cells = {4, 4, 1};
@@ -99,12 +101,13 @@ double hutchinson(double inner, double outer, double nu) {
          (7 * a4 + 34 * ab + nu * (12 * a4 + 48 * ab) + nu * nu * (4 * a4 + 16 * ab));
 }
 
-// Column, one end held and the other free under a dead force along the axis: the certificate changes sign at
+// Column, one end held and the other free under a dead force along the axis: the certificate
+// changes sign at
 //   P (1 + P / k G A - P / E A) = (1 + nu P / E A)^2 pi^2 E I / 4 L^2,
-// Euler's load (1.566), less by shear, more by the shortening before it and by the section's widening, which
-// lengthens the bent fibres' arms. k is Hutchinson's. (Haringx's closed form with Cowper's k, without
-// shortening and widening: 1.482.) nu = 0, or a soft root, leave the section free to widen: within 0.2 %. A
-// rigid root hinders it, which adds 0.2 to 0.6 %.
+// Euler's load (1.566), less by shear, more by the shortening before it and by the section's
+// widening, which lengthens the bent fibres' arms. k is Hutchinson's. (Haringx's closed form with
+// Cowper's k, without shortening and widening: 1.482.) nu = 0, or a soft root, leave the section
+// free to widen: within 0.2 %. A rigid root hinders it, which adds 0.2 to 0.6 %.
 TEST(Tube, TheCertificateChangesAtTheColumnsBucklingLoad) {
   struct Row {
     double nu;
@@ -122,7 +125,8 @@ TEST(Tube, TheCertificateChangesAtTheColumnsBucklingLoad) {
     const double A = 125.6637061436, G = 1 / (2 * (1 + row.nu)), k = hutchinson(9, 11, row.nu),
                  euler = std::pow(std::numbers::pi / (2 * c.tube.length), 2) * 6346.0171602514;
     double P = euler;
-    for (int i = 0; i < 50; ++i) P = euler * std::pow(1 + row.nu * P / A, 2) / (1 + P / (k * G * A) - P / A);
+    for (int i = 0; i < 50; ++i)
+      P = euler * std::pow(1 + row.nu * P / A, 2) / (1 + P / (k * G * A) - P / A);
     for (const auto& [share, stable] : {std::pair{row.low, true}, std::pair{row.high, false}}) {
       c.force = Vec3(0, 0, -share * P);
       const StepperSummary summary = run(c).summary;
@@ -141,16 +145,17 @@ TEST(Tube, SoftEndsLetAStretchedTubeNarrow) {
   c.move = Vec3(0, 0, 4);
   const Pulled p = run(c);
   ASSERT_EQ(p.summary.status, PathStatus::complete);
-  EXPECT_NEAR(p.at_end()[2] / (125.6637061436 * 0.2), 1, 1e-4);  // Biot bar: E A (l - 1), the mesh's area
+  EXPECT_NEAR(p.at_end()[2] / (125.6637061436 * 0.2), 1,
+              1e-4);  // Biot bar: E A (l - 1), the mesh's area
   EXPECT_LT(p.at_end().head<2>().norm() + p.at_end().tail<3>().norm(), 1e-6);
   const Member& member = p.sections[1].members[0];
   const Vec3 u = p.state.u.segment<3>(member.first_dof);
   EXPECT_NEAR(u.dot(member.arm) / member.arm.squaredNorm(), -0.3 * 0.2, 1e-4);
 }
 
-// Uniform torsion at fixed length, walls free: torque and axial force of the one-dimensional exact solutions.
-// Soft ends do not hinder the contraction; what is left is their traction, linear over the section, against
-// the exact one.
+// Uniform torsion at fixed length, walls free: torque and axial force of the one-dimensional exact
+// solutions. Soft ends do not hinder the contraction; what is left is their traction, linear over
+// the section, against the exact one.
 TEST(Tube, FiniteTorsionAtFixedLength) {
   struct Row {
     LawKind kind;
@@ -163,8 +168,8 @@ TEST(Tube, FiniteTorsionAtFixedLength) {
   c.soft = true;
   c.rotation = Vec3(0, 0, 0.005 * 20);
   c.options.first_step = c.options.largest_step = 1;
-  for (const Row& row :
-       {Row{LawKind::svk, 24.24830225, 0.08500331}, Row{LawKind::neo_hookean, 24.36579726, -0.03657457}}) {
+  for (const Row& row : {Row{LawKind::svk, 24.24830225, 0.08500331},
+                         Row{LawKind::neo_hookean, 24.36579726, -0.03657457}}) {
     c.law = MaterialLaw(row.kind, Moduli::isotropic(1, 0.3));
     const Vec6 f = run(c).at_end();
     EXPECT_NEAR(f[5] / row.torque, 1, 5e-5) << to_string(row.kind);

@@ -1,7 +1,7 @@
-// Uniform torsion and stretch of a tube as a one-dimensional problem: r(R) alone is unknown. F has the local
-// columns (radial, hoop, axis) = (r' e_r, r / R e_t, l e_z + r D e_t); the energy per length is minimised
-// over r(R) in Chebyshev-spaced polynomials. An independent path to M and N, and the end sections' exact
-// shape for the three-dimensional models.
+// Uniform torsion and stretch of a tube as a one-dimensional problem: r(R) alone is unknown. F has
+// the local columns (radial, hoop, axis) = (r' e_r, r / R e_t, l e_z + r D e_t); the energy per
+// length is minimised over r(R) in Chebyshev-spaced polynomials. An independent path to M and N,
+// and the end sections' exact shape for the three-dimensional models.
 #pragma once
 
 #include <Eigen/Dense>
@@ -45,7 +45,8 @@ class UniformTorsion {
   static constexpr int degree = 8;
 
   double radius_at(int k) const {
-    return 0.5 * (inner_ + outer_) - 0.5 * (outer_ - inner_) * std::cos(std::numbers::pi * k / degree);
+    return 0.5 * (inner_ + outer_) -
+           0.5 * (outer_ - inner_) * std::cos(std::numbers::pi * k / degree);
   }
   /// Lagrange basis through the nodes: values, or slopes by products.
   double basis(int k, double R, bool slope) const {
@@ -92,8 +93,8 @@ class UniformTorsion {
     integrate([&](double R, double weight) {
       const Mat3 P = stress(r, R);
       for (int k = 0; k <= degree; ++k)
-        g[k] +=
-            weight * (P(0, 0) * basis(k, R, true) + (P(1, 1) / R + P(1, 2) * twist_) * basis(k, R, false));
+        g[k] += weight * (P(0, 0) * basis(k, R, true) +
+                          (P(1, 1) / R + P(1, 2) * twist_) * basis(k, R, false));
     });
     return g;
   }

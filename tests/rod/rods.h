@@ -23,7 +23,8 @@ inline Pose frame(const Vec3& position, const Vec3& tangent, const Vec3& normal)
   return p;
 }
 
-/// Appends a branch of equal elements with constant drawn curvature at node `from` (or a root at `start`).
+/// Appends a branch of equal elements with constant drawn curvature at node `from` (or a root at
+/// `start`).
 inline int append(RodTree& tree, const Pose& start, int from, double length, const Vec3& curvature,
                   int elements, const Vec6& stiffness) {
   RodBranch branch;
@@ -64,11 +65,12 @@ inline Vec6 isotropic(double ga, double ea, double ei, double gj) {
   return vec6(ga, ga, ea, ei, ei, gj);
 }
 
-/// B7: the 45 degree bend, clamped at the origin, tangent +y, turning towards +x; dead tip force along +z.
+/// B7: the 45 degree bend, clamped at the origin, tangent +y, turning towards +x; dead tip force
+/// along +z.
 inline RodTree bend45(int elements, const Vec6& stiffness) {
   // d3 = y; turning towards x: with d1 = x, u = (0, 1/R, 0) turns d3 towards d1
-  return chain(frame({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), 100 * 3.14159265358979323846 / 4, {0, 0.01, 0},
-               elements, stiffness);
+  return chain(frame({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), 100 * 3.14159265358979323846 / 4,
+               {0, 0.01, 0}, elements, stiffness);
 }
 
 }  // namespace vasorod

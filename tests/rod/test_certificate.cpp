@@ -1,14 +1,12 @@
 // What the solver says about an equilibrium: lowest modes, symmetries of the scene, best states.
-#include "rod/certificate.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
+#include "rod/certificate.h"
 #include "rod/energy.h"
 #include "rod/newton.h"
-#include "rods.h"
+#include "rod/rods.h"
 
 namespace vasorod {
 namespace {
@@ -30,8 +28,9 @@ struct Column {
   }
 };
 
-// z^T H z / z^T M z by the element's own Hessian, M the lengths at each node; dead forces add nothing in (r,
-// omega) about a straight rod's axis but their bracket term F.(omega x v)/2, which the elimination has too.
+// z^T H z / z^T M z by the element's own Hessian, M the lengths at each node; dead forces add
+// nothing in (r, omega) about a straight rod's axis but their bracket term F.(omega x v)/2, which
+// the elimination has too.
 double rayleigh(const RodTree& tree, const RodPoses& poses, const std::vector<Vec6>& stress,
                 const RodStep& mode) {
   double up = 0, weight = 0;
@@ -62,9 +61,9 @@ TEST(Certificate, TheLowestModeIsTheBucklingMode) {
     for (std::size_t k = 0; k < mode.twist.size(); ++k)
       weight += problem.elimination().weight(static_cast<int>(k)) * mode.twist[k].squaredNorm();
     if (!held)
-      force_term =
-          -Vec3(-1.05 * critical, 0, 0).dot(mode.twist[32].tail<3>().cross(mode.twist[32].head<3>())) /
-          weight;
+      force_term = -Vec3(-1.05 * critical, 0, 0)
+                        .dot(mode.twist[32].tail<3>().cross(mode.twist[32].head<3>())) /
+                   weight;
     EXPECT_LT(rayleigh(column.tree, column.tree.rest, state.stress, mode) + force_term, 0) << held;
     // sideways everywhere, largest where the closed form is
     const std::size_t largest = held ? 16 : 32;
@@ -72,7 +71,8 @@ TEST(Certificate, TheLowestModeIsTheBucklingMode) {
       EXPECT_LE(t.segment<2>(1).norm(), mode.twist[largest].segment<2>(1).norm() * (1 + 1e-9));
       EXPECT_LT(std::abs(t[0]), 1e-6 * mode.size());
     }
-    const double shape = mode.twist[8].segment<2>(1).norm() / mode.twist[largest].segment<2>(1).norm();
+    const double shape =
+        mode.twist[8].segment<2>(1).norm() / mode.twist[largest].segment<2>(1).norm();
     EXPECT_NEAR(shape, held ? 0.5 : 1 - std::cos(pi / 8),
                 2e-3);  // (1 - cos 2 pi s)/2 and 1 - cos(pi s / 2), s = 1/4
   }
@@ -81,17 +81,18 @@ TEST(Certificate, TheLowestModeIsTheBucklingMode) {
 TEST(Certificate, ABuckledColumnIsOneOfAFamily) {
   const Column column(1.3 * pi * pi / 4, isotropic(1e8, 1e8, 1, 0.7), false);
   const RodSolution s = solve_rod(column.tree, column.conditions);
-  EXPECT_EQ(s.summary.status, RodStatus::converged);
+  EXPECT_EQ(s.summary.status, Status::converged);
   EXPECT_EQ(s.summary.negative_directions, 0);
   EXPECT_EQ(s.summary.neutral_directions, 1);
-  EXPECT_NE(s.summary.message.find("rotation about the axis"), std::string::npos) << s.summary.message;
+  EXPECT_NE(s.summary.message.find("rotation about the axis"), std::string::npos)
+      << s.summary.message;
   EXPECT_NE(s.summary.message.find("while the sections turn back"), std::string::npos);
 }
 
 TEST(Certificate, AnUnequalColumnIsNot) {  // it buckles in its weak plane, to either side
   const Column column(1.3 * pi * pi / 4, vec6(1e8, 1e8, 1e8, 1, 2, 0.7), false);
   const RodSolution s = solve_rod(column.tree, column.conditions);
-  EXPECT_EQ(s.summary.status, RodStatus::converged);
+  EXPECT_EQ(s.summary.status, Status::converged);
   EXPECT_EQ(s.summary.neutral_directions, 0);
   EXPECT_EQ(s.summary.message, "");
 }
@@ -102,24 +103,27 @@ TEST(Certificate, ATwistedRodBesideItsAxisIsOneOfAFamily) {
   conditions.supports = {clamp(0), clamp(48)};
   conditions.supports[1].motion = {{0, 0, 2 * pi}, {0, 0, -.1}};
   const RodSolution s = solve_rod(tree, conditions);
-  EXPECT_EQ(s.summary.status, RodStatus::converged) << s.summary.message;
+  EXPECT_EQ(s.summary.status, Status::converged) << s.summary.message;
   EXPECT_EQ(s.summary.neutral_directions, 1);
   EXPECT_GT(s.poses[24].position.head<2>().norm(), 0.1);
 }
 
-TEST(Certificate, ARodBetweenBallJointsIsOneOfAFamily) {  // unequal bending stiffness: it turns as a whole
+TEST(Certificate,
+     ARodBetweenBallJointsIsOneOfAFamily) {  // unequal bending stiffness: it turns as a whole
   const RodTree tree = chain(along_x, 1, Vec3::Zero(), 8, vec6(1e4, 1e4, 1e4, 1, 2, 1));
   RodConditions conditions;
   conditions.supports = {clamp(0), clamp(8)};
   for (RodSupport& s : conditions.supports) s.fixed = {true, true, true, false, false, false};
   const RodSolution free = solve_rod(tree, conditions);
-  EXPECT_EQ(free.summary.status, RodStatus::converged);
+  EXPECT_EQ(free.summary.status, Status::converged);
   EXPECT_EQ(free.summary.neutral_directions, 1);
-  EXPECT_NE(free.summary.message.find("rotation about the axis"), std::string::npos) << free.summary.message;
+  EXPECT_NE(free.summary.message.find("rotation about the axis"), std::string::npos)
+      << free.summary.message;
 }
 
-// A straight rod closed to a ring may roll about its tangent at no cost. Sections that shear more easily one
-// way are no symmetry, and the ring is not sheared: a direction that costs nothing without one.
+// A straight rod closed to a ring may roll about its tangent at no cost. Sections that shear more
+// easily one way are no symmetry, and the ring is not sheared: a direction that costs nothing
+// without one.
 TEST(Certificate, ADirectionThatCostsNothingWithoutASymmetryIsNotCalledAMinimum) {
   for (const double second : {1e6, 2e6}) {
     RodTree tree = chain(along_x, 2 * pi, {0, 1, 0}, 64, vec6(1e6, second, 1e6, 1, 1, 0.7));
@@ -129,7 +133,7 @@ TEST(Certificate, ADirectionThatCostsNothingWithoutASymmetryIsNotCalledAMinimum)
     const RodSolution s = solve_rod(tree, conditions);
     EXPECT_EQ(s.summary.neutral_directions, 1) << second;
     EXPECT_EQ(s.summary.negative_directions, 0) << second;
-    EXPECT_EQ(s.summary.status, second == 1e6 ? RodStatus::converged : RodStatus::equilibrium_only)
+    EXPECT_EQ(s.summary.status, second == 1e6 ? Status::converged : Status::equilibrium_only)
         << s.summary.message;
   }
 }
@@ -146,7 +150,7 @@ TEST(Certificate, AnInterruptedSolveReturnsTheBestState) {
     int asked = 0;
     options.stop = [&] { return ++asked > limit; };
     const RodSolution s = solve_rod(tree, conditions, options);
-    ASSERT_EQ(s.summary.status, RodStatus::interrupted) << limit;
+    ASSERT_EQ(s.summary.status, Status::interrupted) << limit;
     for (const Pose& p : s.poses) ASSERT_TRUE(p.position.allFinite() && p.rotation.allFinite());
     EXPECT_TRUE(std::isfinite(s.summary.residual));
     if (limit + 3 >= all) {  // the last of Newton's steps: never worse than a step earlier

@@ -1,14 +1,13 @@
 // Orders of convergence against closed forms and an independent shooting solver.
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <numbers>
 
-#include "rod/index.h"
+#include "data/index.h"
 #include "rod/newton.h"
-#include "rods.h"
+#include "rod/rods.h"
 
 namespace vasorod {
 namespace {
@@ -40,7 +39,7 @@ TEST(Convergence, Elastica) {  // B1: Mattiasson 1981, EA L^2 / EI = 1e8
     expect_order(
         [&](int n) {
           const RodSolution s = elastica(n, alpha);
-          EXPECT_EQ(s.summary.status, RodStatus::converged);
+          EXPECT_EQ(s.summary.status, Status::converged);
           EXPECT_LE(s.summary.iterations, 8) << alpha;
           return (s.poses.back().position - Vec3(1 - u, w, 0)).norm();
         },
@@ -48,12 +47,13 @@ TEST(Convergence, Elastica) {  // B1: Mattiasson 1981, EA L^2 / EI = 1e8
 }
 
 TEST(Convergence, ElasticaExtrapolatedIsOrderFour) {
-  const auto error = [](int n) {  // EA L^2 / EI = 1e11: the digits are those of a rod that cannot stretch
-    const RodSolution a = elastica(n, 5, 1e11), b = elastica(2 * n, 5, 1e11);
-    return ((4 * b.poses.back().position - a.poses.back().position) / 3 -
-            Vec3(1 - 0.387628360724, 0.713791523612, 0))
-        .norm();
-  };
+  const auto error =
+      [](int n) {  // EA L^2 / EI = 1e11: the digits are those of a rod that cannot stretch
+        const RodSolution a = elastica(n, 5, 1e11), b = elastica(2 * n, 5, 1e11);
+        return ((4 * b.poses.back().position - a.poses.back().position) / 3 -
+                Vec3(1 - 0.387628360724, 0.713791523612, 0))
+            .norm();
+      };
   double before = error(8);
   for (const int n : {16, 32}) {
     const double now = error(n);
@@ -63,15 +63,16 @@ TEST(Convergence, ElasticaExtrapolatedIsOrderFour) {
 }
 
 TEST(Convergence, ElasticaOfEveryTabulatedLoad) {
-  for (const auto& [alpha, w, u, theta] : {std::array{0.5, 0.162143575658, 0.0159189624708, 0.244533647133},
-                                           {1, 0.3017207738, 0.0564332362834, 0.461351949712},
-                                           {2, 0.493457480397, 0.160641720825, 0.781749831557},
-                                           {5, 0.713791523612, 0.387628360724, 1.21536811761},
-                                           {10, 0.81060902488, 0.554995597754, 1.4302855388},
-                                           {50, 0.917155447304, 0.80000039605, 1.56798190157}}) {
+  for (const auto& [alpha, w, u, theta] :
+       {std::array{0.5, 0.162143575658, 0.0159189624708, 0.244533647133},
+        {1, 0.3017207738, 0.0564332362834, 0.461351949712},
+        {2, 0.493457480397, 0.160641720825, 0.781749831557},
+        {5, 0.713791523612, 0.387628360724, 1.21536811761},
+        {10, 0.81060902488, 0.554995597754, 1.4302855388},
+        {50, 0.917155447304, 0.80000039605, 1.56798190157}}) {
     // n and 2n extrapolated leave fourth order
     const RodSolution a = elastica(128, alpha, 1e10), b = elastica(256, alpha, 1e10);
-    EXPECT_EQ(b.summary.status, RodStatus::converged) << alpha;
+    EXPECT_EQ(b.summary.status, Status::converged) << alpha;
     const Vec3 tip = (4 * b.poses.back().position - a.poses.back().position) / 3;
     const auto turn = [](const RodSolution& s) {
       const Vec3 d = s.poses.back().director(3);
@@ -89,7 +90,7 @@ TEST(Convergence, IterationsDoNotDependOnSlenderness) {
     const double slenderness = std::pow(10, e);
     for (const double alpha : {0.5, 1., 2., 5., 10.}) {
       const RodSolution s = elastica(64, alpha, 12 * slenderness * slenderness);
-      EXPECT_EQ(s.summary.status, RodStatus::converged) << e << ' ' << alpha;
+      EXPECT_EQ(s.summary.status, Status::converged) << e << ' ' << alpha;
       EXPECT_LE(s.summary.iterations, 8) << e << ' ' << alpha;
     }
     // B7, width R / slenderness: F = 6e6 (w / 10)^4, E = 1e7
@@ -99,7 +100,7 @@ TEST(Convergence, IterationsDoNotDependOnSlenderness) {
     conditions.supports = {clamp(0)};
     conditions.loads = {{64, {0, 0, 600 * std::pow(w, 4)}, Vec3::Zero(), false}};
     const RodSolution s = solve_rod(tree, conditions);
-    EXPECT_EQ(s.summary.status, RodStatus::converged) << e;
+    EXPECT_EQ(s.summary.status, Status::converged) << e;
     EXPECT_LE(s.summary.iterations, 8) << e;
     if (e <= 4) {  // [C], n = 64: second order, 2.6e-3
       const Vec3 tips[] = {{15.657247969, 47.065665642, 54.095027011},
@@ -137,7 +138,7 @@ TEST(Convergence, Bend45OfEveryTabulatedLoad) {
       conditions.supports = {clamp(0)};
       conditions.loads = {{64 << k, {0, 0, c.force}, Vec3::Zero(), false}};
       s[k] = solve_rod(tree, conditions);
-      EXPECT_EQ(s[k].summary.status, RodStatus::converged) << c.force;
+      EXPECT_EQ(s[k].summary.status, Status::converged) << c.force;
     }
     const Vec3 tip = (4 * s[1].poses.back().position - s[0].poses.back().position) / 3;
     const double tolerance = c.force > 1000 ? 1e-4 : 1e-6;
@@ -167,12 +168,13 @@ TEST(Convergence, PrescribedEndPoses) {  // B12
     double slenderness, energy;
     Vec3 middle;
   };
-  for (const Case& c : {Case{60, {-.2, .1, .05}, 1e2, 4.968969708, {0.41678651, -0.09390444, 0.23674919}},
-                        {60, {-.2, .1, .05}, 1e3, 4.975051418, {0.41678141, -0.09399874, 0.23689195}},
-                        {60, {-.2, .1, .05}, 1e4, 4.975112310, {0.41678136, -0.09399969, 0.23689338}},
-                        {120, {-.4, .2, .1}, 1e2, 9.361704850, {0.39869454, -0.17698886, 0.21032135}},
-                        {120, {-.4, .2, .1}, 1e3, 9.368806732, {0.3986925, -0.1770716, 0.21037551}},
-                        {120, {-.4, .2, .1}, 1e4, 9.368877827, {0.39869248, -0.17707243, 0.21037605}}}) {
+  for (const Case& c :
+       {Case{60, {-.2, .1, .05}, 1e2, 4.968969708, {0.41678651, -0.09390444, 0.23674919}},
+        {60, {-.2, .1, .05}, 1e3, 4.975051418, {0.41678141, -0.09399874, 0.23689195}},
+        {60, {-.2, .1, .05}, 1e4, 4.975112310, {0.41678136, -0.09399969, 0.23689338}},
+        {120, {-.4, .2, .1}, 1e2, 9.361704850, {0.39869454, -0.17698886, 0.21032135}},
+        {120, {-.4, .2, .1}, 1e3, 9.368806732, {0.3986925, -0.1770716, 0.21037551}},
+        {120, {-.4, .2, .1}, 1e4, 9.368877827, {0.39869248, -0.17707243, 0.21037605}}}) {
     const double ea = 12 * c.slenderness * c.slenderness;
     const auto solve = [&](int n) {
       const RodTree tree = chain(along_x, 1, Vec3::Zero(), n, isotropic(.4 * ea, ea, 1, .8));
@@ -180,11 +182,12 @@ TEST(Convergence, PrescribedEndPoses) {  // B12
       conditions.supports = {clamp(0), clamp(n)};
       conditions.supports[1].motion = {Vec3(1, 1, 0.3).normalized() * c.degrees * pi / 180, c.move};
       const RodSolution s = solve_rod(tree, conditions);
-      EXPECT_EQ(s.summary.status, RodStatus::converged);
+      EXPECT_EQ(s.summary.status, Status::converged);
       return s;
     };
     expect_order([&](int n) { return std::abs(solve(n).summary.energy - c.energy); }, 2, 0.05);
-    expect_order([&](int n) { return (solve(n).poses[index(n / 2)].position - c.middle).norm(); }, 2, 0.05);
+    expect_order([&](int n) { return (solve(n).poses[index(n / 2)].position - c.middle).norm(); },
+                 2, 0.05);
   }
 }
 
@@ -197,11 +200,13 @@ TEST(Convergence, TwoClampsAtAnySlenderness) {
     conditions.supports = {clamp(0), clamp(64)};
     conditions.supports[1].motion = {Vec3(1, 1, 0.3).normalized() * pi / 3, {-.2, .1, .05}};
     const RodSolution s = solve_rod(tree, conditions);
-    EXPECT_EQ(s.summary.status, RodStatus::converged) << e;
+    EXPECT_EQ(s.summary.status, Status::converged) << e;
     EXPECT_LE(s.summary.iterations, 13) << e;
     EXPECT_LT(s.summary.last_step, 1e-8) << e;
     EXPECT_LT(s.summary.residual, 1e-11) << e;
-    EXPECT_LT((s.reactions[0].force + s.reactions[1].force).norm(), 1e-11 * s.reactions[0].force.norm()) << e;
+    EXPECT_LT((s.reactions[0].force + s.reactions[1].force).norm(),
+              1e-11 * s.reactions[0].force.norm())
+        << e;
   }
 }
 

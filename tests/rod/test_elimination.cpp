@@ -1,15 +1,13 @@
-// The block elimination against the same Newton step by a dense matrix, built from the tested element
-// derivatives.
-#include "rod/elimination.h"
-
-#include <gtest/gtest.h>
-
+// The block elimination against the same Newton step by a dense matrix, built from the tested
+// element derivatives.
 #include <Eigen/Dense>
 #include <array>
+#include <gtest/gtest.h>
 
+#include "rod/elimination.h"
 #include "rod/energy.h"
+#include "rod/rods.h"
 #include "rod/strains.h"
-#include "rods.h"
 
 namespace vasorod {
 namespace {
@@ -27,8 +25,8 @@ struct Fixture {
     append(tree, tree.rest[2], 2, 0.7, {1, 0, 0.4}, 2, c);
     for (std::size_t i = 0; i < tree.rest.size(); ++i) {
       const double x = static_cast<double>(i);
-      poses.push_back(tree.rest[i] * exp_motion(0.1 * vec6(std::sin(x), std::cos(2 * x), 0.3, std::sin(3 * x),
-                                                           -0.6, std::cos(x))));
+      poses.push_back(tree.rest[i] * exp_motion(0.1 * vec6(std::sin(x), std::cos(2 * x), 0.3,
+                                                           std::sin(3 * x), -0.6, std::cos(x))));
     }
     for (RodElement& e : tree.elements) {
       e.stiffness(0, 3) = e.stiffness(3, 0) = 0.7;
@@ -45,10 +43,11 @@ struct Fixture {
   }
 };
 
-// Dense step in space-axes node twists: B^T (C/L)(B z + eps) + G(stress) z = loads, with held freedoms
-// removed.
-Eigen::VectorXd dense_step(const Fixture& f, const std::vector<bool>& held, const Eigen::VectorXd& load,
-                           const Eigen::MatrixXd& node_terms, int* negative) {
+// Dense step in space-axes node twists: B^T (C/L)(B z + eps) + G(stress) z = loads, with held
+// freedoms removed.
+Eigen::VectorXd dense_step(const Fixture& f, const std::vector<bool>& held,
+                           const Eigen::VectorXd& load, const Eigen::MatrixXd& node_terms,
+                           int* negative) {
   const int n = static_cast<int>(f.poses.size());
   Eigen::MatrixXd h = node_terms;
   Eigen::VectorXd g = -load;
@@ -123,9 +122,9 @@ TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
   }
 }
 
-// The reactions as unknowns: two branches held at their ends meet in a junction, one of them also halfway, so
-// that more than six reactions arrive at a node and some are eliminated there. Dense: held freedoms struck
-// out.
+// The reactions as unknowns: two branches held at their ends meet in a junction, one of them also
+// halfway, so that more than six reactions arrive at a node and some are eliminated there. Dense:
+// held freedoms struck out.
 TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
   for (const double size : {1., 30., -60.})
     for (const bool held_junction : {false, true}) {
@@ -151,8 +150,8 @@ TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
       std::vector<Vec6> step, stress, stretch;
       elimination.solve(step, stress, stretch);
       int negative = 0;
-      const Eigen::VectorXd expected =
-          dense_step(f, held, Eigen::VectorXd::Zero(6 * n), Eigen::MatrixXd::Zero(6 * n, 6 * n), &negative);
+      const Eigen::VectorXd expected = dense_step(f, held, Eigen::VectorXd::Zero(6 * n),
+                                                  Eigen::MatrixXd::Zero(6 * n, 6 * n), &negative);
       for (int i = 0; i < n; ++i)
         EXPECT_LT((step[index(i)] - expected.segment<6>(6 * i)).norm(), 1e-10 * expected.norm())
             << size << ' ' << held_junction << ' ' << i;
@@ -160,8 +159,8 @@ TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
     }
 }
 
-// A prescribed end that is still away from its target: the step takes it there, and is the dense one with
-// that motion given.
+// A prescribed end that is still away from its target: the step takes it there, and is the dense
+// one with that motion given.
 TEST(Elimination, StepsOntoItsTargets) {
   Fixture f;
   NodeCondition root, tip;
@@ -171,13 +170,15 @@ TEST(Elimination, StepsOntoItsTargets) {
   tip.node = 4;
   tip.fixed.fill(true);
   const Vec6 way = vec6(0.01, -0.02, 0.03, 0.02, 0.01, -0.03);
-  tip.target = {exp_rotation(way.tail<3>()) * f.poses[4].rotation, f.poses[4].position + way.head<3>()};
+  tip.target = {exp_rotation(way.tail<3>()) * f.poses[4].rotation,
+                f.poses[4].position + way.head<3>()};
   RodElimination elimination(f.links, {root, tip});
   elimination.factor(f.poses, f.strain, f.stress);
   std::vector<Vec6> step, stress, stretch;
   elimination.solve(step, stress, stretch);
   EXPECT_LT((step[4] - way).norm(), 1e-13);
-  // the junction's forces balance: what the links pass to it adds up to nothing at the linearised state
+  // the junction's forces balance: what the links pass to it adds up to nothing at the linearised
+  // state
   const int n = static_cast<int>(f.poses.size());
   std::vector<bool> held(index(6 * n), false);
   for (int i = 0; i < 6; ++i) held[index(i)] = held[index(24 + i)] = true;
@@ -204,7 +205,8 @@ TEST(Strains, AveragesKeepAConstantInEveryBranch) {
   for (const RodBranch& branch : f.tree.branches) {
     const std::vector<Vec6> nodes = branch_node_values(f.tree, branch, strains);
     ASSERT_EQ(nodes.size(), branch.nodes.size());
-    for (const Vec6& node : nodes) EXPECT_LT((node - strains[index(branch.elements[0])]).norm(), 1e-13);
+    for (const Vec6& node : nodes)
+      EXPECT_LT((node - strains[index(branch.elements[0])]).norm(), 1e-13);
   }
   EXPECT_LT(element_stress(f.tree.elements[3], strains[3]).norm(), 1e-11);
 }

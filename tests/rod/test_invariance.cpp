@@ -1,12 +1,11 @@
 // What must not matter: where the scene stands, the unit of stress, the way to the end (case B14).
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "rod/newton.h"
+#include "rod/rods.h"
 #include "rod/strains.h"
-#include "rods.h"
 
 namespace vasorod {
 namespace {
@@ -29,7 +28,7 @@ TEST(Invariance, ARigidMotionOfTheWholeSceneChangesNoStrain) {
   const RodTree tree = straight(32);
   const RodConditions conditions = moved_end(32);
   const RodSolution here = solve_rod(tree, conditions);
-  ASSERT_EQ(here.summary.status, RodStatus::converged);
+  ASSERT_EQ(here.summary.status, Status::converged);
   const std::vector<Vec6> strains = element_strains(tree, here.poses);
   for (const Vec6& twist :
        {vec6(3, -2, 5, 0.4, 1.1, -2.0), vec6(-40, 7, 1, 0, 0, 3.0), vec6(0, 0, 0, 1.7, 0, 0)}) {
@@ -40,18 +39,21 @@ TEST(Invariance, ARigidMotionOfTheWholeSceneChangesNoStrain) {
     turned.supports[1].motion.rotate = g.rotation * conditions.supports[1].motion.rotate;
     turned.supports[1].motion.move = g.rotation * conditions.supports[1].motion.move;
     const RodSolution s = solve_rod(there, turned);
-    EXPECT_EQ(s.summary.status, RodStatus::converged);
+    EXPECT_EQ(s.summary.status, Status::converged);
     EXPECT_NEAR(s.summary.energy, here.summary.energy, 1e-12 * here.summary.energy);
     const std::vector<Vec6> same = element_strains(there, s.poses);
-    // a strain is a difference of positions over a length: 1e-12 of what round-off makes of coordinates of 45
+    // a strain is a difference of positions over a length: 1e-12 of what round-off makes of
+    // coordinates of 45
     const double round_off = 1e-12 * std::max(1., g.position.norm());
-    for (std::size_t e = 0; e < same.size(); ++e) EXPECT_LT((same[e] - strains[e]).norm(), round_off) << e;
+    for (std::size_t e = 0; e < same.size(); ++e)
+      EXPECT_LT((same[e] - strains[e]).norm(), round_off) << e;
     EXPECT_LT((s.reactions[0].force - g.rotation * here.reactions[0].force).norm(),
               1e-9 * here.reactions[0].force.norm());
   }
 }
 
-TEST(Invariance, TheEndMotionCanBeMadeByTheClampInstead) {  // objectivity by a motion of the supports
+TEST(Invariance,
+     TheEndMotionCanBeMadeByTheClampInstead) {  // objectivity by a motion of the supports
   const RodTree tree = straight(32);
   const RodSolution here = solve_rod(tree, moved_end(32));
   const Pose g = exp_motion(vec6(0.3, -0.2, 0.5, 0.4, 0.9, -0.6));
@@ -59,11 +61,12 @@ TEST(Invariance, TheEndMotionCanBeMadeByTheClampInstead) {  // objectivity by a 
   both.supports = {clamp_at(tree, 0, g * tree.rest[0]),
                    clamp_at(tree, 32, g * target_pose(tree, moved_end(32).supports[1]))};
   const RodSolution there = solve_rod(tree, both);
-  EXPECT_EQ(there.summary.status, RodStatus::converged);
+  EXPECT_EQ(there.summary.status, Status::converged);
   EXPECT_NEAR(there.summary.energy, here.summary.energy, 1e-12 * here.summary.energy);
   const std::vector<Vec6> strains = element_strains(tree, here.poses),
                           same = element_strains(tree, there.poses);
-  for (std::size_t e = 0; e < same.size(); ++e) EXPECT_LT((same[e] - strains[e]).norm(), 1e-12) << e;
+  for (std::size_t e = 0; e < same.size(); ++e)
+    EXPECT_LT((same[e] - strains[e]).norm(), 1e-12) << e;
   for (std::size_t i = 0; i < here.poses.size(); ++i)
     EXPECT_LT((there.poses[i].position - g * here.poses[i].position).norm(), 1e-12) << i;
 }
@@ -72,9 +75,10 @@ TEST(Invariance, ACommonFactorOfAllModuliScalesForcesAlone) {
   const RodSolution base = solve_rod(straight(32), moved_end(32));
   for (const double factor : {1e-6, 1e-3, 1e3, 1e6}) {
     const RodSolution s = solve_rod(straight(32, factor), moved_end(32));
-    EXPECT_EQ(s.summary.status, RodStatus::converged);
+    EXPECT_EQ(s.summary.status, Status::converged);
     EXPECT_EQ(s.summary.iterations, base.summary.iterations) << factor;
-    EXPECT_NEAR(s.summary.energy / factor, base.summary.energy, 1e-12 * base.summary.energy) << factor;
+    EXPECT_NEAR(s.summary.energy / factor, base.summary.energy, 1e-12 * base.summary.energy)
+        << factor;
     for (std::size_t i = 0; i < s.poses.size(); ++i)
       EXPECT_LT((s.poses[i].position - base.poses[i].position).norm(), 1e-13) << factor << ' ' << i;
     EXPECT_LT((s.reactions[1].moment / factor - base.reactions[1].moment).norm(), 1e-10) << factor;
@@ -92,10 +96,12 @@ TEST(Invariance, TheUnitOfLengthChangesNoStrain) {
     }
     RodConditions conditions = moved_end(32);
     conditions.supports[1].motion.move *= size;
-    const RodSolution s = solve_rod(tree, conditions), base = solve_rod(straight(32), moved_end(32));
-    EXPECT_EQ(s.summary.status, RodStatus::converged);
+    const RodSolution s = solve_rod(tree, conditions),
+                      base = solve_rod(straight(32), moved_end(32));
+    EXPECT_EQ(s.summary.status, Status::converged);
     for (std::size_t i = 0; i < s.poses.size(); ++i)
-      EXPECT_LT((s.poses[i].position / size - base.poses[i].position).norm(), 1e-11) << size << ' ' << i;
+      EXPECT_LT((s.poses[i].position / size - base.poses[i].position).norm(), 1e-11)
+          << size << ' ' << i;
   }
 }
 
@@ -113,7 +119,7 @@ TEST(Invariance, TwoWaysToOneEnd) {
   const RodSolution half = solve_rod(tree, first);
   const RodSolution staged = solve_rod(tree, end, {}, &half.poses);
   for (const RodSolution* s : {&followed, &staged}) {
-    EXPECT_EQ(s->summary.status, RodStatus::converged);
+    EXPECT_EQ(s->summary.status, Status::converged);
     EXPECT_NEAR(s->summary.energy, direct.summary.energy, 1e-10 * direct.summary.energy);
     for (std::size_t i = 0; i < s->poses.size(); ++i)
       EXPECT_LT((s->poses[i].position - direct.poses[i].position).norm(), 1e-9) << i;
@@ -130,7 +136,7 @@ TEST(Invariance, TwoLoadsInEitherOrder) {
   const RodSolution after_one = solve_rod(tree, one), after_two = solve_rod(tree, two);
   const RodSolution a = solve_rod(tree, both, {}, &after_one.poses),
                     b = solve_rod(tree, both, {}, &after_two.poses);
-  EXPECT_EQ(a.summary.status, RodStatus::converged);
+  EXPECT_EQ(a.summary.status, Status::converged);
   for (std::size_t i = 0; i < a.poses.size(); ++i)
     EXPECT_LT((a.poses[i].position - b.poses[i].position).norm(), 1e-9) << i;
 }

@@ -1,12 +1,11 @@
-#include "rod/newton.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
-#include "geometry/error.h"
-#include "rods.h"
+#include <vasorod/error.h>
+
+#include "rod/newton.h"
+#include "rod/rods.h"
 
 namespace vasorod {
 namespace {
@@ -21,13 +20,14 @@ RodSolution solve_bend45(int elements, double force) {
   return solve_rod(tree, conditions);
 }
 
-TEST(Newton, Bend45ConvergesAtOrderTwo) {  // Bathe & Bolourchi 1979; digits by an 8th-order shooting solver
+TEST(Newton,
+     Bend45ConvergesAtOrderTwo) {  // Bathe & Bolourchi 1979; digits by an 8th-order shooting solver
   const Vec3 exact(15.684800534, 47.150438574, 53.474858792);
   double error[3];
   int i = 0;
   for (const int n : {32, 64, 128}) {
     const RodSolution s = solve_bend45(n, 600);
-    EXPECT_EQ(s.summary.status, RodStatus::converged);
+    EXPECT_EQ(s.summary.status, Status::converged);
     EXPECT_LE(s.summary.iterations, 8);
     EXPECT_LT((s.reactions[0].force - Vec3(0, 0, -600)).norm(), 1e-9);
     error[i++] = (s.poses.back().position - exact).norm();
@@ -47,18 +47,22 @@ TEST(Newton, PrescribedEndPose) {  // case B12, 60 degrees, slenderness 1e3, sec
   conditions.supports[1].motion.rotate = Vec3(1, 1, 0.3).normalized() * pi / 3;
   conditions.supports[1].motion.move = Vec3(-.2, .1, .05);
   const RodSolution s = solve_rod(tree, conditions);
-  EXPECT_EQ(s.summary.status, RodStatus::converged);
+  EXPECT_EQ(s.summary.status, Status::converged);
   EXPECT_LT((s.poses[64].position - Vec3(0.41678141, -0.09399874, 0.23689195)).norm(), 1e-5);
   EXPECT_NEAR(s.summary.energy, 4.975051418, 1e-3);
-  EXPECT_LT((s.reactions[0].force + s.reactions[1].force).norm(), 1e-6 * s.reactions[0].force.norm());
+  EXPECT_LT((s.reactions[0].force + s.reactions[1].force).norm(),
+            1e-6 * s.reactions[0].force.norm());
   const Pose target = target_pose(tree, conditions.supports[1]);
   EXPECT_LT((s.poses.back().position - target.position).norm(), 1e-15);
-  // warm start at the solution: nothing left to do; with the end moved on: the same answer as from rest
+  // warm start at the solution: nothing left to do; with the end moved on: the same answer as from
+  // rest
   EXPECT_LE(solve_rod(tree, conditions, {}, &s.poses).summary.iterations, 2);
   conditions.supports[1] = clamp_at(
-      tree, 128, {exp_rotation({0.05, 0.1, 0}) * target.rotation, target.position + Vec3(0.02, 0, -0.03)});
-  const RodSolution warm = solve_rod(tree, conditions, {}, &s.poses), cold = solve_rod(tree, conditions);
-  EXPECT_EQ(warm.summary.status, RodStatus::converged);
+      tree, 128,
+      {exp_rotation({0.05, 0.1, 0}) * target.rotation, target.position + Vec3(0.02, 0, -0.03)});
+  const RodSolution warm = solve_rod(tree, conditions, {}, &s.poses),
+                    cold = solve_rod(tree, conditions);
+  EXPECT_EQ(warm.summary.status, Status::converged);
   EXPECT_LT((warm.poses[64].position - cold.poses[64].position).norm(), 1e-7);
 }
 
@@ -68,7 +72,7 @@ TEST(Newton, RollUpIsExactWithThreeElements) {  // B5
   conditions.supports = {clamp(0)};
   conditions.loads = {{3, Vec3::Zero(), {0, 2 * pi, 0}, true}};
   const RodSolution s = solve_rod(tree, conditions);
-  EXPECT_EQ(s.summary.status, RodStatus::equilibrium_only);
+  EXPECT_EQ(s.summary.status, Status::equilibrium_only);
   EXPECT_LT(s.poses.back().position.norm(), 1e-12);
   EXPECT_NEAR(s.summary.energy, 2 * pi * pi, 1e-11);
 }

@@ -1,12 +1,11 @@
 // States of constant strain are exact with one element of less than half a turn.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "rod/newton.h"
+#include "rod/rods.h"
 #include "rod/strains.h"
-#include "rods.h"
 
 namespace vasorod {
 namespace {
@@ -14,9 +13,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const Vec6 stiffness = vec6(30, 40, 70, 1.3, 2.1, 0.9);
 
-// One element with natural strain `natural`, clamped at its start, under the stress of `strain` as a dead
-// force and a body moment at its end. With force and moment parallel as they must be (see each test) that
-// state is exact.
+// One element with natural strain `natural`, clamped at its start, under the stress of `strain` as
+// a dead force and a body moment at its end. With force and moment parallel as they must be (see
+// each test) that state is exact.
 void expect_exact(const Vec6& natural, const Vec6& strain, double length, const Pose& root) {
   RodTree tree = chain(root, length, natural.tail<3>(), 1, stiffness);
   tree.elements[0].natural_strain = natural;
@@ -28,7 +27,7 @@ void expect_exact(const Vec6& natural, const Vec6& strain, double length, const 
   conditions.supports = {clamp(0)};
   conditions.loads = {{1, end.rotation * stress.head<3>(), stress.tail<3>(), true}};
   const RodSolution s = solve_rod(tree, conditions);
-  EXPECT_TRUE(s.summary.status == RodStatus::converged || s.summary.status == RodStatus::equilibrium_only)
+  EXPECT_TRUE(s.summary.status == Status::converged || s.summary.status == Status::equilibrium_only)
       << s.summary.message;
   EXPECT_LT((s.poses[1].position - end.position).norm(), 1e-10 * length);
   EXPECT_LT((s.poses[1].rotation - end.rotation).norm(), 1e-10);
@@ -42,7 +41,8 @@ const Pose somewhere = exp_motion(vec6(2, -1, 4, 0.3, -0.7, 1.1));
 
 TEST(Patch, Stretch) {
   expect_exact(straight, vec6(0, 0, 1.3, 0, 0, 0), 2, somewhere);
-  expect_exact(straight, vec6(0, 0, 0.7, 0, 0, 0), 0.25, somewhere);  // below the column's critical load
+  expect_exact(straight, vec6(0, 0, 0.7, 0, 0, 0), 0.25,
+               somewhere);  // below the column's critical load
 }
 
 TEST(Patch, Shear) {  // a force along v needs no moment: v x n = 0 where EA (v3 - 1) / v3 = GA

@@ -1,15 +1,15 @@
-// The scene files of benchmarks/cases/rod, read, solved and compared with the published or computed digits.
-#include <gtest/gtest.h>
-
+// The scene files of benchmarks/cases/rod, read, solved and compared with the published or computed
+// digits.
 #include <Eigen/Geometry>
-
 #include <cmath>
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <numbers>
 
-#include "geometry/error.h"
-#include "scene/scene.h"
-#include "vessel/rod_scene.h"
+#include <vasorod/error.h>
+#include <vasorod/read_scene.h>
+
+#include "predict/rod_scene.h"
 
 namespace vasorod {
 namespace {
@@ -17,7 +17,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Scene scene_of(const std::string& name) {
-  return read_scene(std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/rod" / (name + ".yaml"));
+  return read_scene(std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/rod" /
+                    (name + ".yaml"));
 }
 Result solve(const std::string& name) {
   return solve_rod_scene(scene_of(name));
@@ -44,7 +45,8 @@ TEST(RodScenes, Bend45) {
   EXPECT_LT((end_of(r, "bend", "start").force - Vec3(0, 0, -600)).norm(), 1e-9);
   EXPECT_LT(r.balance[0].residual, 1e-12);
   EXPECT_NEAR(r.energy.rod, 10695.37439, 2);
-  EXPECT_LT((r.metrics[0].where.at("largest_curvature") - Vec3::Zero()).norm(), 1e-12);  // at the clamp
+  EXPECT_LT((r.metrics[0].where.at("largest_curvature") - Vec3::Zero()).norm(),
+            1e-12);  // at the clamp
 }
 
 TEST(RodScenes, ExtrapolationIsOrderFour) {
@@ -90,7 +92,9 @@ TEST(RodScenes, PrescribedPoses) {
   const Result a = solve("b12-pose-60"), b = solve("b12-pose-120");
   EXPECT_EQ(a.status, Status::converged);
   EXPECT_EQ(b.status, Status::converged);
-  const auto middle = [](const Result& r) { return Vec3(r.vessels[0].centerline->current.row(32)); };
+  const auto middle = [](const Result& r) {
+    return Vec3(r.vessels[0].centerline->current.row(32));
+  };
   EXPECT_LT((middle(a) - Vec3(0.41678141, -0.09399874, 0.23689195)).norm(), 3e-5);
   EXPECT_LT((middle(b) - Vec3(0.3986925, -0.1770716, 0.21037551)).norm(), 7e-5);
   EXPECT_NEAR(a.energy.rod, 4.975051418, 4e-3);
@@ -119,8 +123,10 @@ TEST(RodScenes, TreeConvergesAtOrderTwo) {
   EXPECT_LT((last_point(r, 0) - Vec3(59.2262221974, -5.5860004037, 6.6719754204)).norm(), 1e-6);
   EXPECT_LT((last_point(r, 1) - tip1).norm() + (last_point(r, 2) - tip2).norm(), 3e-6);
   EXPECT_NEAR(r.energy.rod, 3.055132910623, 1e-6);
-  // the support acts against the root moment of the digits' convention (theirs is the rod's on the root)
-  EXPECT_LT((end_of(r, "trunk", "start").moment + Vec3(5.3657261692, -8.2957307198, -6.0994099985)).norm(),
+  // the support acts against the root moment of the digits' convention (theirs is the rod's on the
+  // root)
+  EXPECT_LT((end_of(r, "trunk", "start").moment + Vec3(5.3657261692, -8.2957307198, -6.0994099985))
+                .norm(),
             1e-5);
   for (const Balance& b : r.balance) EXPECT_LT(b.residual, 1e-6) << b.vessel;
   EXPECT_EQ(r.vessels.size(), 3u);
@@ -167,8 +173,8 @@ TEST(RodScenes, SectionForcesAndMomentsAreWritten) {
     EXPECT_LT((circle.moment[i] - Vec3(2 * pi, 0, 0)).norm(), 1e-10) << i;
     EXPECT_LT(circle.force[i].norm(), 1e-10) << i;
   }
-  const Result bend =
-      solve("b7-bend45-extrapolated");  // a dead end force: the same in every section, to second order
+  const Result bend = solve(
+      "b7-bend45-extrapolated");  // a dead end force: the same in every section, to second order
   const CenterlineResult& line = *bend.vessels[0].centerline;
   for (std::size_t i = 1; i + 1 < line.force.size(); ++i)
     EXPECT_LT((line.directors[i] * line.force[i] - Vec3(0, 0, 600)).norm(), 2e-3 * 600) << i;
@@ -192,7 +198,8 @@ TEST(RodScenes, AnUnsupportedRodNamesItsFreeMotion) {
     solve_rod_scene(scene);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("rod 'bend': the loads drive a rigid motion that no support stops"),
+    EXPECT_NE(std::string(e.what()).find(
+                  "rod 'bend': the loads drive a rigid motion that no support stops"),
               std::string::npos)
         << e.what();
   }

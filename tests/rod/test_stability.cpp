@@ -1,14 +1,13 @@
-// The certificate against closed forms: it changes sign where columns, twisted rods and rings buckle, and
-// what has buckled is found from the saddle.
-#include <gtest/gtest.h>
-
+// The certificate against closed forms: it changes sign where columns, twisted rods and rings
+// buckle, and what has buckled is found from the saddle.
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "rod/elimination.h"
 #include "rod/newton.h"
-#include "rods.h"
+#include "rod/rods.h"
 
 namespace vasorod {
 namespace {
@@ -35,8 +34,8 @@ TEST(Stability, EulerColumnWithShearAndStretch) {  // Haringx
                                          {50., 20., 2.307644418}}) {
     const RodSolution below = column(ea, ga, 0.99 * critical, false),
                       above = column(ea, ga, 1.01 * critical, false);
-    EXPECT_EQ(below.summary.status, RodStatus::converged) << ea << ' ' << ga;
-    EXPECT_EQ(above.summary.status, RodStatus::unstable) << ea << ' ' << ga;
+    EXPECT_EQ(below.summary.status, Status::converged) << ea << ' ' << ga;
+    EXPECT_EQ(above.summary.status, Status::unstable) << ea << ' ' << ga;
     EXPECT_EQ(above.summary.negative_directions, 2);  // either way sideways
   }
 }
@@ -52,12 +51,12 @@ TEST(Stability, BuckledColumnFromTheStraightSaddle) {  // elliptic integrals
                                     {4.03008597, -.34031886, .62460351}}) {
     const RodSolution s = column(1e8, 1e8, ratio * pi * pi / 4, true);
     // the plane it buckles in costs nothing to choose
-    EXPECT_EQ(s.summary.status, RodStatus::converged) << ratio;
+    EXPECT_EQ(s.summary.status, Status::converged) << ratio;
     EXPECT_EQ(s.summary.neutral_directions, 1);
     EXPECT_EQ(s.summary.negative_directions, 0);
     const Vec3 tip = s.poses.back().position;
-    // near the critical load the amplitude is the root of a small difference: a load error of 2e-4 shows as
-    // 0.8 % of it
+    // near the critical load the amplitude is the root of a small difference: a load error of 2e-4
+    // shows as 0.8 % of it
     const double tolerance = ratio < 1.03 ? 4e-3 : 1e-3;
     EXPECT_NEAR(tip.x(), x, tolerance) << ratio;
     EXPECT_NEAR(std::hypot(tip.y(), tip.z()), y, tolerance) << ratio;
@@ -87,7 +86,7 @@ TEST(Stability, TwistedClampedRodUnderTension) {  // shooting; T = 0: twice the 
       RodOptions options;
       options.leave_saddle = false;
       const RodSolution s = solve_rod(tree, conditions, options);
-      EXPECT_EQ(s.summary.status, factor < 1 ? RodStatus::converged : RodStatus::unstable)
+      EXPECT_EQ(s.summary.status, factor < 1 ? Status::converged : Status::unstable)
           << tension << ' ' << factor;
       EXPECT_NEAR(s.stress[30][5], factor * critical, 1e-9);
     }
@@ -98,9 +97,10 @@ TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
   for (const double gj : {0.587, 2. / 3, 1.}) {
     const double ga = 1e6;
     for (const double factor : {0.99, 1.01}) {
-      // Drawn as the ring it is bent to, sections without twist; its unstressed shape is straight and twisted
-      // back. Nothing in it prefers a direction, so the ring may turn about its tangent at the clamp while
-      // the sections roll back: that is a symmetry of the scene, and not counted as negative.
+      // Drawn as the ring it is bent to, sections without twist; its unstressed shape is straight
+      // and twisted back. Nothing in it prefers a direction, so the ring may turn about its tangent
+      // at the clamp while the sections roll back: that is a symmetry of the scene, and not counted
+      // as negative.
       const double tau = factor * std::sqrt(3.) / gj;
       RodTree tree = chain(along_x, 2 * pi, {0, 1, 0}, 64, isotropic(ga, ga, 1, gj));
       for (RodElement& e : tree.elements) e.natural_strain << 0, 0, 1, 0, 0, -tau;
@@ -114,14 +114,15 @@ TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
       EXPECT_NEAR((s.poses[32].position - s.poses[0].position).norm(), 2, 0.02);
       EXPECT_EQ(s.summary.neutral_directions, 1) << gj << ' ' << factor;
       EXPECT_EQ(s.summary.negative_directions, factor < 1 ? 0 : 2) << gj << ' ' << factor;
-      EXPECT_EQ(s.summary.status, factor < 1 ? RodStatus::converged : RodStatus::unstable)
+      EXPECT_EQ(s.summary.status, factor < 1 ? Status::converged : Status::unstable)
           << gj << ' ' << factor;
     }
   }
 }
 
-// Ball joints and a dead axial moment at both ends: (M / 2 EI)^2 = (pi / L)^2 + T / EI. There is no energy,
-// so nothing to certify; the tangent is singular there, so the answer to a force from the side changes sign.
+// Ball joints and a dead axial moment at both ends: (M / 2 EI)^2 = (pi / L)^2 + T / EI. There is no
+// energy, so nothing to certify; the tangent is singular there, so the answer to a force from the
+// side changes sign.
 TEST(Stability, GreenhillTangentIsSingular) {
   for (const double tension : {0., 10., -5.}) {
     const double critical = 2 * std::sqrt(pi * pi + tension);
@@ -143,7 +144,8 @@ TEST(Stability, GreenhillTangentIsSingular) {
       }
       std::vector<NodeCondition> conditions(3);
       conditions[0].node = 0;
-      conditions[0].fixed = {true, true, true, false, false, true};  // its spin held: no moment comes of it
+      conditions[0].fixed = {true,  true,  true,
+                             false, false, true};  // its spin held: no moment comes of it
       conditions[0].space_moment = {0, 0, -moment};
       conditions[1].node = 64;
       conditions[1].fixed = {true, true, false, false, false, false};
@@ -183,7 +185,8 @@ TEST(Stability, TwoCoilHelixBetweenClampsIsASaddle) {
   const double c = 50 / (2 * pi * 10 * 2), kappa = 0.1 / (1 + c * c), tau = c * kappa,
                length = 135.24558048876;
   for (const int n : {32, 64}) {
-    // naturally straight, drawn as the helix, held at both ends; stiffness of slenderness 1e2, E = 1
+    // naturally straight, drawn as the helix, held at both ends; stiffness of slenderness 1e2, E =
+    // 1
     const double d = length / 100, ei = pi * std::pow(d, 4) / 64, ea = pi * d * d / 4;
     RodTree tree = chain(along_x, length, {0, kappa, tau}, n, isotropic(ea / 2, ea, ei, ei));
     for (RodElement& e : tree.elements) e.natural_strain << 0, 0, 1, 0, 0, 0;
@@ -192,7 +195,7 @@ TEST(Stability, TwoCoilHelixBetweenClampsIsASaddle) {
     RodOptions options;
     options.leave_saddle = false;
     const RodSolution s = solve_rod(tree, conditions, options, &tree.rest);
-    EXPECT_EQ(s.summary.status, RodStatus::unstable);
+    EXPECT_EQ(s.summary.status, Status::unstable);
     EXPECT_EQ(s.summary.negative_directions, 2) << n;
     EXPECT_LT(s.summary.residual, 1e-9);
     EXPECT_NEAR(s.summary.energy, 0.0958801882209, 1e-10);
@@ -208,15 +211,17 @@ TEST(Stability, OneCoilAlongItsPathIsAMinimum) {
   RodConditions conditions;
   RodPoses poses = straight.rest;
   RodSolution s;
-  for (int step = 1; step <= 16; ++step) {  // the end goes where the helix of part of the strain has it
+  for (int step = 1; step <= 16;
+       ++step) {  // the end goes where the helix of part of the strain has it
     const double t = step / 16.;
     const Pose end = along_x * exp_motion(length * vec6(0, 0, 1, 0, t * kappa, t * tau));
     conditions.supports = {clamp(0), clamp_at(straight, n, end)};
     s = solve_rod(straight, conditions, {}, &poses);
-    ASSERT_EQ(s.summary.status, RodStatus::converged) << t;
+    ASSERT_EQ(s.summary.status, Status::converged) << t;
     poses = s.poses;
   }
-  EXPECT_NEAR(s.summary.energy, length / 2 * ei * (tau * tau + kappa * kappa), 1e-9 * s.summary.energy);
+  EXPECT_NEAR(s.summary.energy, length / 2 * ei * (tau * tau + kappa * kappa),
+              1e-9 * s.summary.energy);
   const Pose middle = along_x * exp_motion(length / 2 * vec6(0, 0, 1, 0, kappa, tau));
   EXPECT_LT((s.poses[n / 2].position - middle.position).norm(), 1e-8 * length);
 }

@@ -1,12 +1,13 @@
-// Scenes that must be refused with one sentence, and mutations of good ones that must never do anything else.
-#include <gtest/gtest.h>
-
+// Scenes that must be refused with one sentence, and mutations of good ones that must never do
+// anything else.
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <random>
 
-#include "geometry/error.h"
-#include "scene/scene.h"
-#include "scene/scratch_folder.h"
+#include <vasorod/error.h>
+#include <vasorod/read_scene.h>
+
+#include "scratch_folder.h"
 
 namespace vasorod {
 namespace {
@@ -27,7 +28,6 @@ contact: [[tube, other]]
 surgery:
   glenn: {svc: tube, rpa: other, cut: [10, 0, 50], incision: [35, 0, 25], keep: {near: [0, 0, 100]}}
 fidelity: paper
-explore: {cut_along: {from: 0.3, to: 0.8, steps: 3}}
 )";
 
 // The first occurrence of `from` becomes `to`; the sentence must hold all of `says`.
@@ -46,7 +46,10 @@ std::string refusal(const std::filesystem::path& file) {
 }
 
 const std::vector<Bad> bads = {
-    {"unknown_key", "fidelity: paper", "fidelty: paper", {":16:", "fidelty", "expected \"fidelity\""}},
+    {"unknown_key",
+     "fidelity: paper",
+     "fidelty: paper",
+     {":16:", "fidelty", "expected \"fidelity\""}},
     {"unknown_key_in_wall", "young: 1.0", "yuong: 1.0", {":6:", "vessels.tube.wall", "\"young\""}},
     {"unknown_key_far_from_any", "thickness: 1.0", "zzzzzzzzz: 1.0", {"thickness, young, poisson"}},
     {"double_key", "fidelity: paper", "fidelity: paper\nfidelity: rod", {":17:", "a second time"}},
@@ -54,7 +57,10 @@ const std::vector<Bad> bads = {
     {"unit_inch", "length: mm", "length: inch", {":2:", "\"inch\"", "mm, cm or m"}},
     {"no_vessels", "contact:", "vessels: []\ncontact:", {"a second time"}},
     {"vessels_a_word", "vessels:\n", "vessels: none\nx:\n", {}},
-    {"young_zero", "young: 1.0", "young: 0", {":6:", "vessels.tube.wall.young", "found 0", "above 0"}},
+    {"young_zero",
+     "young: 1.0",
+     "young: 0",
+     {":6:", "vessels.tube.wall.young", "found 0", "above 0"}},
     {"young_negative", "young: 1.0", "young: -1", {"found -1"}},
     {"young_word", "young: 1.0", "young: soft", {"\"soft\"", "a number"}},
     {"young_quoted", "young: 1.0", "young: \"1.0\"", {"the text \"1.0\""}},
@@ -71,8 +77,11 @@ const std::vector<Bad> bads = {
     {"not_admissible",
      "poisson: 0.3",
      "shear: 0.4, transverse: {young: 4, poisson: 0.3, coupling: 0.3}",
-     {"1 - nu_TT - 2 nu_LT^2 E_T/E_L = -0.02", "> 0"}},
-    {"transverse_without_shear", "poisson: 0.3", "transverse: {poisson: 0.3}", {"wall.shear: found nothing"}},
+     {"1 - nu_TT - 2 nu_LT^2 E_T/E_L = -0.02", "not negative"}},
+    {"transverse_without_shear",
+     "poisson: 0.3",
+     "transverse: {poisson: 0.3}",
+     {"wall.shear: found nothing"}},
     {"transverse_and_poisson",
      "poisson: 0.3",
      "poisson: 0.3, shear: 1, transverse: {poisson: 0.3}",
@@ -99,12 +108,18 @@ const std::vector<Bad> bads = {
      "radius: 10",
      "radius: 10, tangent: [1, 0, 0]",
      {"at 0 degrees", "90 degrees"}},
-    {"tube_no_tangent", "radius: 10", "radius: 10, tangent: [0, 0, 0]", {"[0, 0, 0]", "a direction"}},
+    {"tube_no_tangent",
+     "radius: 10",
+     "radius: 10, tangent: [0, 0, 0]",
+     {"[0, 0, 0]", "a direction"}},
     {"remesh_of_a_tube",
      "radius: 10}",
      "radius: 10}\n    remesh: 1",
      {"vessels.tube.remesh", "beside surface only"}},
-    {"pressure", "radius: 10}", "radius: 10}\n    pressure: 0.01", {"lumen pressure", "vasorod-fem"}},
+    {"pressure",
+     "radius: 10}",
+     "radius: 10}\n    pressure: 0.01",
+     {"lumen pressure", "vasorod-fem"}},
     {"law_unknown", "radius: 10}", "radius: 10}\n    law: neo-hookean", {"biot or svk"}},
     {"binding_zero",
      "radius: 10}",
@@ -125,7 +140,10 @@ const std::vector<Bad> bads = {
     {"end_missing", "end: start, ", "", {"end: found nothing"}},
     {"end_nothing_done", ", hold: true", "", {"without a condition"}},
     {"end_hold_word", "hold: true", "hold: yes please", {"true or false"}},
-    {"end_held_and_loaded", "hold: true", "hold: true, force: [0, 0, 1]", {"either a motion or a load"}},
+    {"end_held_and_loaded",
+     "hold: true",
+     "hold: true, force: [0, 0, 1]",
+     {"either a motion or a load"}},
     {"end_twice", "end: end, move", "end: start, move", {":12:", "line 11"}},
     {"end_fix_unknown", "hold: true", "fix: [x, w]", {"\"w\"", "x, y, z, rx, ry or rz"}},
     {"end_fix_twice", "hold: true", "fix: [x, x]", {"a second time"}},
@@ -133,22 +151,32 @@ const std::vector<Bad> bads = {
     {"end_section_unknown", "hold: true", "hold: true, section: hard", {"rigid or soft"}},
     {"move_word", "move: [1, 0, 0]", "move: [1, 0, up]", {"ends[1].move[2]", "\"up\""}},
     {"contact_with_itself", "[[tube, other]]", "[[tube, tube]]", {"self-contact"}},
-    {"contact_unknown", "[[tube, other]]", "[[tube, aorta]]", {":13:", "\"aorta\"", "tube or other"}},
+    {"contact_unknown",
+     "[[tube, other]]",
+     "[[tube, aorta]]",
+     {":13:", "\"aorta\"", "tube or other"}},
     {"contact_twice", "[[tube, other]]", "[[tube, other], [other, tube]]", {"a second time"}},
     {"contact_three", "[[tube, other]]", "[[tube, other, tube]]", {"two vessels"}},
     {"surgery_unknown", "glenn:", "fontan:", {"\"fontan\"", "glenn"}},
     {"glenn_same", "rpa: other", "rpa: tube", {"another vessel"}},
     {"glenn_no_cut", "cut: [10, 0, 50], ", "", {"surgery.glenn.cut: found nothing"}},
-    {"glenn_rotation_word", "svc: tube", "svc: tube, rotation_deg: automatic", {"auto or a number"}},
+    {"glenn_rotation_word",
+     "svc: tube",
+     "svc: tube, rotation_deg: automatic",
+     {"auto or a number"}},
     {"glenn_no_keep", ", keep: {near: [0, 0, 100]}", "", {"surgery.glenn.keep"}},
-    {"fidelity_unknown", "fidelity: paper", "fidelity: papers", {"rod, skin, paper or coupled"}},
+    {"fidelity_no_name", "fidelity: paper", "fidelity: [paper]", {"the name of a fidelity"}},
+    {"fidelity_and_accuracy",
+     "fidelity: paper",
+     "fidelity: paper\naccuracy: 0.1",
+     {":17:", "one of the two"}},
     {"fidelity_missing", "fidelity: paper\n", "", {"neither fidelity nor accuracy"}},
     {"accuracy_zero", "fidelity: paper", "accuracy: 0", {":16:", "above 0"}},
     {"accuracy_above_one", "fidelity: paper", "accuracy: 2", {"below 1"}},
-    {"explore_outside", "to: 0.8", "to: 1.8", {"from 0 to 1"}},
-    {"explore_backwards", "to: 0.8", "to: 0.1", {"to below from"}},
-    {"explore_no_steps", "steps: 3", "steps: 0", {"from 1 to"}},
-    {"explore_nothing", "{cut_along: {from: 0.3, to: 0.8, steps: 3}}", "{}", {"at least one"}},
+    {"explore",
+     "fidelity: paper",
+     "fidelity: paper\nexplore: {}",
+     {":17:", "unknown key \"explore\""}},
     {"second_document", "fidelity: paper", "---\nfidelity: paper", {"second YAML document"}},
     {"yaml_syntax", "units: {length: mm", "units: {length: mm, {", {":2:", "YAML"}},
     {"yaml_indent", "ends:", " ends:", {"YAML"}},
@@ -169,7 +197,8 @@ TEST_F(BadScene, IsRefusedWithOneSentence) {
     EXPECT_NE(sentence.find("found "), std::string::npos) << sentence;
     EXPECT_NE(sentence.find(", expected "), std::string::npos) << sentence;
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-    for (const std::string& word : bad.says) EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
+    for (const std::string& word : bad.says)
+      EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
   }
 }
 
@@ -177,7 +206,8 @@ class BadRod : public ScratchFolder {
  protected:
   std::string refusal_of(const std::string& rod) const {
     return refusal(
-        write("scene.yaml", "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: rod\nvessels:\n" + rod));
+        write("scene.yaml",
+              "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: rod\nvessels:\n" + rod));
   }
 };
 
@@ -199,20 +229,23 @@ TEST_F(BadRod, ParentsThatAreNoTree) {
   const std::string pieces =
       "pieces: [{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], "
       "torsion: 1}}]}}\n";
-  EXPECT_NE(refusal_of("  - {name: a, rod: {parent: c, " + pieces).find("another rod"), std::string::npos);
+  EXPECT_NE(refusal_of("  - {name: a, rod: {parent: c, " + pieces).find("another rod"),
+            std::string::npos);
   EXPECT_NE(refusal_of("  - {name: a, rod: {parent: a, " + pieces).find("ring"), std::string::npos);
-  EXPECT_NE(
-      refusal_of("  - {name: a, rod: {parent: b, " + pieces + "  - {name: b, rod: {parent: a, " + pieces)
-          .find("ring"),
-      std::string::npos);
-  EXPECT_EQ(refusal_of("  - {name: a, rod: {parent: b, " + pieces + "  - {name: b, rod: {" + pieces), "");
+  EXPECT_NE(refusal_of("  - {name: a, rod: {parent: b, " + pieces +
+                       "  - {name: b, rod: {parent: a, " + pieces)
+                .find("ring"),
+            std::string::npos);
+  EXPECT_EQ(
+      refusal_of("  - {name: a, rod: {parent: b, " + pieces + "  - {name: b, rod: {" + pieces), "");
 }
 
 TEST_F(BadRod, OtherFidelities) {
-  const auto file = write(
-      "scene.yaml",
-      "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: skin\nvessels:\n  - {name: a, rod: {pieces: "
-      "[{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}}]}}\n");
+  const auto file = write("scene.yaml",
+                          "scene: rod\nunits: {length: mm, stress: MPa}\nfidelity: "
+                          "skin\nvessels:\n  - {name: a, rod: {pieces: "
+                          "[{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: "
+                          "[1, 1], torsion: 1}}]}}\n");
   EXPECT_NE(refusal(file).find("bare rod \"a\", expected rod"), std::string::npos);
 }
 
@@ -275,9 +308,10 @@ TEST_F(BadFile, MutationsAreReadOrRefused) {
 
 // Every value of the scene in turn replaced by one of a wrong kind.
 TEST_F(BadFile, WrongKindsOfEveryValue) {
-  for (const char* wrong :
-       {"[]", "{}", "[[1]]", "{a: 1}", "~", "-1", "0", "1e400", ".inf", "\"\"", "*x", "&x", "!!int a"}) {
-    for (size_t colon = base.find(": "); colon != std::string::npos; colon = base.find(": ", colon + 1)) {
+  for (const char* wrong : {"[]", "{}", "[[1]]", "{a: 1}", "~", "-1", "0", "1e400", ".inf", "\"\"",
+                            "*x", "&x", "!!int a"}) {
+    for (size_t colon = base.find(": "); colon != std::string::npos;
+         colon = base.find(": ", colon + 1)) {
       const size_t end = base.find_first_of(",}\n", colon);
       std::string text = base;
       text.replace(colon + 2, end - colon - 2, wrong);

@@ -28,7 +28,7 @@ assert promise.promised(rows, "skin", 48, row(demand_bend=0.41)) is None
 assert (promise.up(0.0123), promise.up(0.0120), promise.up(3.301), promise.up(0)) == ("0.013", "0.012", "3.4", "0.0")
 
 accuracy, _ = read_table(SOURCE / "benchmarks" / "baselines" / "accuracy.csv")
-committed = (SOURCE / "hybrid" / "vessel" / "accuracy_table.cpp").read_text()
+committed = (SOURCE / "hybrid" / "judge" / "accuracy_table.cpp").read_text()
 assert promise.source_text(accuracy, "benchmarks/baselines/accuracy.csv") == committed, "study.py promise was not run after the last study.py tables"
 kept = promise.held_out(accuracy)
 assert len(kept) >= 6, "too few cases check the promise"

@@ -28,7 +28,8 @@ struct MadeBySurgery {
   double smallest_angle = 180;                                     ///< degrees
 };
 
-/// The worst of the edges and triangles that are not the input's (between the input's unmoved vertices).
+/// The worst of the edges and triangles that are not the input's (between the input's unmoved
+/// vertices).
 inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const TriangleSurface& after,
                                      const VertexSources& sources) {
   std::set<std::pair<int, int>> old_edges;
@@ -48,8 +49,8 @@ inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const Triang
   for (const Edge& e : edges_of(after.triangles)) {
     const int a = origin(e.a), b = origin(e.b);
     if (a >= 0 && b >= 0 && old_edges.contains({std::min(a, b), std::max(a, b)})) continue;
-    worst.shortest_edge =
-        std::min(worst.shortest_edge, (after.points.row(e.a) - after.points.row(e.b)).norm() / mean);
+    worst.shortest_edge = std::min(worst.shortest_edge,
+                                   (after.points.row(e.a) - after.points.row(e.b)).norm() / mean);
   }
   for (int t = 0; t < after.triangles.rows(); ++t) {
     std::array<int, 3> c{origin(after.triangles(t, 0)), origin(after.triangles(t, 1)),
@@ -70,7 +71,10 @@ inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const Triang
 /// Largest distance between a vertex and what its source says it is.
 inline double source_error(const TriangleSurface& before, const TriangleSurface& after,
                            const VertexSources& sources) {
-  return (interpolate(sources, Eigen::MatrixXd(before.points)) - after.points).rowwise().norm().maxCoeff();
+  return (interpolate(sources, Eigen::MatrixXd(before.points)) - after.points)
+      .rowwise()
+      .norm()
+      .maxCoeff();
 }
 
 }  // namespace vasorod::testing

@@ -1,8 +1,7 @@
-#include "surgery/cap.h"
-
 #include <gtest/gtest.h>
 
 #include "geometry/noisy_tube.h"
+#include "surgery/cap.h"
 #include "surgery/surface_checks.h"
 
 namespace vasorod {
@@ -18,7 +17,8 @@ TEST(Cap, ClosesARoundHoleWithNearEquilateralTrianglesInItsPlane) {
     ASSERT_TRUE(testing::oriented(capped.surface.triangles));
     EXPECT_EQ(euler_number(capped.surface.triangles), 1);
     EXPECT_EQ(boundary_loops(capped.surface.triangles).size(), 1U);
-    EXPECT_NEAR(total_area(capped.surface) - total_area(tube), area_vector(tube.points, loop).norm(), 1e-10);
+    EXPECT_NEAR(total_area(capped.surface) - total_area(tube),
+                area_vector(tube.points, loop).norm(), 1e-10);
     EXPECT_LT(testing::source_error(tube, capped.surface, capped.sources), 1e-12);
     const auto made = testing::made_by_surgery(tube, capped.surface, capped.sources);
     EXPECT_GT(made.smallest_angle, 25);

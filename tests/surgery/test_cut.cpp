@@ -1,11 +1,10 @@
-#include "surgery/cut.h"
-
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
 #include "geometry/noisy_tube.h"
+#include "surgery/cut.h"
 #include "surgery/surface_checks.h"
 
 namespace vasorod {
@@ -27,8 +26,8 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
     const auto tube = testing::noisy_tube(shape);
     Pose section = testing::tube_frame(shape, 12 + 16 * uniform(random));
     const double tilt = 0.5 * uniform(random), around = 2 * M_PI * uniform(random);
-    section.rotation =
-        section.rotation * Eigen::AngleAxisd(around, Vec3::UnitZ()) * Eigen::AngleAxisd(tilt, Vec3::UnitX());
+    section.rotation = section.rotation * Eigen::AngleAxisd(around, Vec3::UnitZ()) *
+                       Eigen::AngleAxisd(tilt, Vec3::UnitX());
     const bool keep_far = i % 2 == 0;
     const Vec3 keep_near = testing::on_tube(shape, 0, keep_far ? shape.length : 0, 0);
     const auto outcome = cut_vessel(tube, section, section * Vec3(5, 0, 0), keep_near);
@@ -44,12 +43,15 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
     EXPECT_EQ(boundary_loops(outcome.stump.triangles).size(), 1U);
     EXPECT_EQ(std::count(loops.begin(), loops.end(), outcome.mouth), 1);
 
-    // The mouth lies on the plane; everything kept on its own side; positions are what the sources say.
+    // The mouth lies on the plane; everything kept on its own side; positions are what the sources
+    // say.
     const Vec3 normal = section.rotation.col(2);
     for (const int v : outcome.mouth)
-      EXPECT_NEAR((outcome.kept.points.row(v).transpose() - section.position).dot(normal), 0, 1e-12 * 40);
+      EXPECT_NEAR((outcome.kept.points.row(v).transpose() - section.position).dot(normal), 0,
+                  1e-12 * 40);
     EXPECT_NEAR(std::abs(outcome.normal.dot(normal)), 1, 1e-12);
-    EXPECT_LT(((outcome.kept.points.rowwise() - section.position.transpose()) * outcome.normal).maxCoeff(),
+    EXPECT_LT(((outcome.kept.points.rowwise() - section.position.transpose()) * outcome.normal)
+                  .maxCoeff(),
               1e-11);
     EXPECT_LT(testing::source_error(tube, outcome.kept, outcome.kept_sources), 1e-11);
     EXPECT_LT(testing::source_error(tube, outcome.stump, outcome.stump_sources), 1e-11);
@@ -61,9 +63,9 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
       bool flat = true;
       for (int k = 0; k < 3; ++k)
         flat =
-            flat &&
-            std::abs((outcome.stump.points.row(outcome.stump.triangles(t, k)).transpose() - section.position)
-                         .dot(normal)) < 1e-10;
+            flat && std::abs((outcome.stump.points.row(outcome.stump.triangles(t, k)).transpose() -
+                              section.position)
+                                 .dot(normal)) < 1e-10;
       if (flat) cap += areas[t];
     }
     EXPECT_NEAR(cap, area_vector(outcome.kept.points, outcome.mouth).norm(), 1e-9);
@@ -96,10 +98,12 @@ TEST(Cut, ThePlaneCutsOnlyWhereTheSectionIsWhenItMeetsTheVesselTwice) {
   const auto tube = testing::noisy_tube(shape);
   Pose section = testing::tube_frame(shape, 12);
   section.rotation = Mat3::Identity();  // a plane z = const, which passes through the other leg too
-  const auto outcome = cut_vessel(tube, section, section.position, testing::on_tube(shape, 0, 60, 0));
+  const auto outcome =
+      cut_vessel(tube, section, section.position, testing::on_tube(shape, 0, 60, 0));
   EXPECT_EQ(boundary_loops(outcome.kept.triangles).size(), 2U);
   EXPECT_GT(total_area(outcome.kept), 0.7 * total_area(tube));
-  for (size_t v = 0; v < outcome.kept_sources.size(); ++v)  // the other leg is the input's, untouched
+  for (size_t v = 0; v < outcome.kept_sources.size();
+       ++v)  // the other leg is the input's, untouched
     if (outcome.kept.points(static_cast<Eigen::Index>(v), 0) < -25) {
       EXPECT_TRUE(outcome.kept_sources[v].is_original());
     }
@@ -129,11 +133,13 @@ TEST(Cut, MovingTheSceneRigidlyMovesTheOutcome) {
   Pose motion;
   motion.rotation = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
   motion.position = {30, -200, 55};
-  for (int i = 0; i < tube.points.rows(); ++i) tube.points.row(i) = motion * Vec3(tube.points.row(i));
+  for (int i = 0; i < tube.points.rows(); ++i)
+    tube.points.row(i) = motion * Vec3(tube.points.row(i));
   const auto two = cut_vessel(tube, motion * section, (motion * section).position, motion.position);
   ASSERT_EQ(one.kept.triangles, two.kept.triangles);
   for (int i = 0; i < one.kept.points.rows(); ++i)
-    EXPECT_NEAR((motion * Vec3(one.kept.points.row(i)) - Vec3(two.kept.points.row(i))).norm(), 0, 1e-10);
+    EXPECT_NEAR((motion * Vec3(one.kept.points.row(i)) - Vec3(two.kept.points.row(i))).norm(), 0,
+                1e-10);
 }
 
 TEST(Cut, BadCutsAreRefusedWithASentence) {

@@ -1,10 +1,9 @@
-#include "surgery/incision.h"
-
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "geometry/error.h"
+#include <vasorod/error.h>
+
+#include "surgery/incision.h"
 #include "surgery/surface_checks.h"
 #include "surgery/tube_binding.h"
 
@@ -29,8 +28,9 @@ TEST(Incision, HundredsOfSlitsAreCleanParallelToTheAxisAndOfTheLengthAskedFor) {
     const double length = 4 + 12 * uniform(random);
     const Vec3 pick = testing::on_tube(shape, theta, s, 5 + uniform(random));
     SCOPED_TRACE("slit " + std::to_string(i));
-    const auto outcome = open_incision(tube, testing::tube_rod(shape),
-                                       testing::tube_binding(shape, tube.points), {}, pick, length, 5);
+    const auto outcome =
+        open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points), {},
+                      pick, length, 5);
 
     ASSERT_TRUE(testing::oriented(outcome.surface.triangles));
     EXPECT_EQ(euler_number(outcome.surface.triangles), -1);
@@ -64,7 +64,8 @@ TEST(Incision, HundredsOfSlitsAreCleanParallelToTheAxisAndOfTheLengthAskedFor) {
     const auto exact = testing::tube_binding(shape, outcome.surface.points);
     for (int k = 0; k <= n; ++k) {
       const Vec3& x = exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(k)])].local;
-      EXPECT_LT(std::abs(x.y() * std::cos(theta) - x.x() * std::sin(theta)), 0.3 * mean_edge_length(tube));
+      EXPECT_LT(std::abs(x.y() * std::cos(theta) - x.x() * std::sin(theta)),
+                0.3 * mean_edge_length(tube));
       EXPECT_GT(x.x() * std::cos(theta) + x.y() * std::sin(theta), 4);
     }
     const double first = exact[static_cast<size_t>(outcome.rim[0])].s;
@@ -94,13 +95,15 @@ TEST(Incision, OnABentTubeTheSlitIsAsLongOnTheOuterSideAsOnTheInnerOne) {
   const auto rod = testing::tube_rod(shape);
   const auto binding = testing::tube_binding(shape, tube.points);
   for (const double theta : {0.0, M_PI / 2, M_PI}) {
-    const auto outcome = open_incision(tube, rod, binding, {}, testing::on_tube(shape, theta, 20, 5), 10, 5);
+    const auto outcome =
+        open_incision(tube, rod, binding, {}, testing::on_tube(shape, theta, 20, 5), 10, 5);
     EXPECT_NEAR(outcome.length, 10, 1e-9);
-    // In rod arc length: the same slit covers more of the axis on the inner side (theta = 0, towards the
-    // centre).
+    // In rod arc length: the same slit covers more of the axis on the inner side (theta = 0,
+    // towards the centre).
     const auto exact = testing::tube_binding(shape, outcome.surface.points);
-    const double covered = exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(outcome.other_tip)])].s -
-                           exact[static_cast<size_t>(outcome.rim[0])].s;
+    const double covered =
+        exact[static_cast<size_t>(outcome.rim[static_cast<size_t>(outcome.other_tip)])].s -
+        exact[static_cast<size_t>(outcome.rim[0])].s;
     const double arc = shape.length / shape.bend;
     EXPECT_NEAR(covered, 10 * arc / (arc - 5 * std::cos(theta)), 0.02);
   }
@@ -111,8 +114,9 @@ TEST(Incision, TheJumpOfTheAngleIsNoSeam) {
   testing::TubeShape shape;
   shape.jitter = 0.2;
   const auto tube = testing::noisy_tube(shape);
-  const auto outcome = open_incision(tube, testing::tube_rod(shape),
-                                     testing::tube_binding(shape, tube.points), {}, {-5, 0, 20}, 12, 5);
+  const auto outcome =
+      open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points), {},
+                    {-5, 0, 20}, 12, 5);
   EXPECT_NEAR(outcome.length, 12, 1e-9);
   for (const int v : outcome.rim) EXPECT_LT(outcome.surface.points(v, 0), -4.5);
 }
@@ -126,8 +130,8 @@ TEST(Incision, BadIncisionsAreRefusedWithASentence) {
     if (tube.points(v, 2) > 25) branches[static_cast<size_t>(v)] = 1;
   const auto says = [&](const Vec3& pick, double length, const std::string& part) {
     try {
-      open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points), branches, pick,
-                    length, 5);
+      open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points),
+                    branches, pick, length, 5);
       ADD_FAILURE() << "accepted, expected: " << part;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
@@ -142,9 +146,10 @@ TEST(Incision, BadIncisionsAreRefusedWithASentence) {
   while (branches[static_cast<size_t>(tube.triangles(mixed, 0))] ==
          branches[static_cast<size_t>(tube.triangles(mixed, 1))])
     ++mixed;
-  const Vec3 middle = (tube.points.row(tube.triangles(mixed, 0)) + tube.points.row(tube.triangles(mixed, 1)) +
-                       tube.points.row(tube.triangles(mixed, 2))) /
-                      3;
+  const Vec3 middle =
+      (tube.points.row(tube.triangles(mixed, 0)) + tube.points.row(tube.triangles(mixed, 1)) +
+       tube.points.row(tube.triangles(mixed, 2))) /
+      3;
   says(middle, 5, "lies at a fork");
 }
 

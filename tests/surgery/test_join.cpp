@@ -1,11 +1,9 @@
-#include "surgery/join.h"
-
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "surgery/cut.h"
 #include "surgery/incision.h"
+#include "surgery/join.h"
 #include "surgery/pose.h"
 #include "surgery/surface_checks.h"
 #include "surgery/tube_binding.h"
@@ -50,7 +48,8 @@ Operation operate(int i, double phi, std::mt19937& random) {
 
   const Pose rpa_frame = testing::tube_frame(lower, 20);
   const Vec3 outward = outward_normal(rpa, incision.pick, upper.radius);
-  const Pose target = mouth_pose(incision.pick, outward, rpa_frame.director(3), phi) * section.inverse();
+  const Pose target =
+      mouth_pose(incision.pick, outward, rpa_frame.director(3), phi) * section.inverse();
   operation.mouth_start.resize(static_cast<Eigen::Index>(cut.mouth.size()), 3);
   for (size_t k = 0; k < cut.mouth.size(); ++k)
     operation.mouth_start.row(static_cast<Eigen::Index>(k)) =
@@ -77,13 +76,15 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
       on_rim.push_back(b);
     }
     std::reverse(on_mouth.begin(), on_mouth.end());
-    for (const auto& [surface, loop] : {std::pair(&seam.svc, &on_mouth), std::pair(&seam.rpa, &on_rim)}) {
+    for (const auto& [surface, loop] :
+         {std::pair(&seam.svc, &on_mouth), std::pair(&seam.rpa, &on_rim)}) {
       std::rotate(loop->begin(), std::min_element(loop->begin(), loop->end()), loop->end());
       const auto loops = boundary_loops(surface->triangles);
       EXPECT_EQ(std::count(loops.begin(), loops.end(), *loop), 1);
     }
     EXPECT_EQ(seam.pairs.front()[1], op.rim.front());
-    EXPECT_EQ(seam.pairs[static_cast<size_t>(seam.other_tip)][1], op.rim[static_cast<size_t>(op.other_tip)]);
+    EXPECT_EQ(seam.pairs[static_cast<size_t>(seam.other_tip)][1],
+              op.rim[static_cast<size_t>(op.other_tip)]);
 
     // Nothing moves; the surfaces are what they were.
     EXPECT_LT(testing::source_error(op.svc, seam.svc, seam.svc_sources), 1e-11);
@@ -92,8 +93,9 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     EXPECT_EQ(seam.rpa.points.topRows(op.rpa.points.rows()), op.rpa.points);
     EXPECT_NEAR(total_area(seam.svc) / total_area(op.svc), 1, 2e-3);
     EXPECT_NEAR(total_area(seam.rpa) / total_area(op.rpa), 1, 2e-3);
-    for (const auto& [before, after, sources] : {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
-                                                 std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
+    for (const auto& [before, after, sources] :
+         {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
+          std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
       const auto made = testing::made_by_surgery(*before, *after, *sources);
       worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
       worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
@@ -120,7 +122,8 @@ TEST(Join, PairsLieOppositeEachOtherByArcLength) {
     double on_mouth = 0, on_rim = 0, mouth_length = 0, rim_length = 0;
     const size_t n = seam.pairs.size();
     const auto step = [&](const TriangleSurface& s, size_t k, size_t side) {
-      return (s.points.row(seam.pairs[(k + 1) % n][side]) - s.points.row(seam.pairs[k][side])).norm();
+      return (s.points.row(seam.pairs[(k + 1) % n][side]) - s.points.row(seam.pairs[k][side]))
+          .norm();
     };
     for (size_t k = 0; k < n; ++k) {
       mouth_length += step(seam.svc, k, 0);
@@ -134,12 +137,14 @@ TEST(Join, PairsLieOppositeEachOtherByArcLength) {
       on_mouth += step(seam.svc, k, 0);
       on_rim += step(seam.rpa, k, 1);
     }
-    EXPECT_LT(highest - lowest, 2 * 0.5 * std::max(mean_edge_length(op.svc), mean_edge_length(op.rpa)));
+    EXPECT_LT(highest - lowest,
+              2 * 0.5 * std::max(mean_edge_length(op.svc), mean_edge_length(op.rpa)));
   }
 }
 
 TEST(Join, TurningTheMouthTurnsTheMatch) {
-  // The tips go to the mouth's points farthest along the recipient, whichever of its vertices those are.
+  // The tips go to the mouth's points farthest along the recipient, whichever of its vertices those
+  // are.
   for (const double phi : {0.0, 1.0, 2.5, -2.0}) {
     std::mt19937 random(21);
     const auto op = operate(4, phi, random);
@@ -151,11 +156,13 @@ TEST(Join, TurningTheMouthTurnsTheMatch) {
     Vec3 start = Vec3::Zero();
     const auto& source = seam.svc_sources[static_cast<size_t>(seam.pairs.front()[0])];
     for (size_t k = 0; k < source.vertex.size(); ++k) {
-      const auto at = std::find(op.mouth.begin(), op.mouth.end(), source.vertex[k]) - op.mouth.begin();
+      const auto at =
+          std::find(op.mouth.begin(), op.mouth.end(), source.vertex[k]) - op.mouth.begin();
       ASSERT_LT(at, static_cast<std::ptrdiff_t>(op.mouth.size()));
       start += source.weight[k] * op.mouth_start.row(at).transpose();
     }
-    const double least = (op.mouth_start * along).minCoeff(), most = (op.mouth_start * along).maxCoeff();
+    const double least = (op.mouth_start * along).minCoeff(),
+                 most = (op.mouth_start * along).maxCoeff();
     EXPECT_LT(start.dot(along), least + 0.05 * (most - least));
   }
 }

@@ -1,8 +1,7 @@
-#include "surgery/pose.h"
-
 #include <gtest/gtest.h>
 
 #include "geometry/noisy_tube.h"
+#include "surgery/pose.h"
 
 namespace vasorod {
 namespace {
@@ -14,7 +13,8 @@ TEST(Pose, OutwardNormalOfANoisyTubeIsRadialWhateverTheRadius) {
   shape.jitter = 0.25;
   const auto tube = testing::noisy_tube(shape);
   for (const double theta : {0.3, 2.0, 4.4})
-    for (const double radius : {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to round the whole tube
+    for (const double radius :
+         {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to round the whole tube
       const Vec3 exact(std::cos(theta), std::sin(theta), 0);
       const Vec3 normal = outward_normal(tube, 5 * exact + Vec3(0, 0, 20), radius);
       EXPECT_NEAR(normal.norm(), 1, 1e-12);
@@ -38,12 +38,16 @@ TEST(Pose, TheMouthFacesTheSurfaceAndTurnsByPhi) {
 }
 
 TEST(Pose, MinimumOnTheCircleIsFoundAndNeverWorseThanTheBestSample) {
-  const auto smooth = [](double a) { return 2 - std::cos(a - 3.0) - 0.3 * std::cos(2 * (a - 3.0)); };
+  const auto smooth = [](double a) {
+    return 2 - std::cos(a - 3.0) - 0.3 * std::cos(2 * (a - 3.0));
+  };
   const auto found = minimise_on_circle(smooth);
   EXPECT_NEAR(std::remainder(found.angle - 3.0, 2 * M_PI), 0, 1e-4);
   EXPECT_NEAR(found.value, 0.7, 1e-8);
   // A kinked one, as a largest shear is; and one that is nowhere smooth and sometimes not a number.
-  const auto kinked = [](double a) { return std::max(std::abs(std::remainder(a + 1.234, 2 * M_PI)), 0.01); };
+  const auto kinked = [](double a) {
+    return std::max(std::abs(std::remainder(a + 1.234, 2 * M_PI)), 0.01);
+  };
   EXPECT_NEAR(minimise_on_circle(kinked).value, 0.01, 1e-4);
   const auto wild = [](double a) {
     return a > 1 && a < 2 ? std::nan("") : std::sin(40 * a) + 0.1 * std::abs(a);

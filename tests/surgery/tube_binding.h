@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/noisy_tube.h"
-#include "surface/binding.h"
+#include "rod/binding.h"
 
 namespace vasorod::testing {
 

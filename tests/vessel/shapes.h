@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/types.h"
+#include <vasorod/types.h>
 
 namespace vasorod::shapes {
 
-/// A tube about an axis that starts at the origin along +z and, where bent, turns towards +x on a circle.
-/// Staggered rows, radius linear in arc length.
+/// A tube about an axis that starts at the origin along +z and, where bent, turns towards +x on a
+/// circle. Staggered rows, radius linear in arc length.
 struct Tube {
   double length = 100, radius = 10, end_radius = 10, bend = 0;  ///< bend: total angle, radians
   int around = 48, along = 80;
@@ -43,8 +43,8 @@ struct Tube {
     int row = 0;
     for (int j = 0; j < along; ++j)
       for (int i = 0; i < around; ++i) {
-        const int next = (i + 1) % around, a = j * around + i, b = j * around + next, c = a + around,
-                  d = b + around;
+        const int next = (i + 1) % around, a = j * around + i, b = j * around + next,
+                  c = a + around, d = b + around;
         if (j % 2 == 0) {
           tube.triangles.row(row++) << a, b, c;
           tube.triangles.row(row++) << b, d, c;
@@ -75,7 +75,8 @@ inline TriangleSurface noisy(const TriangleSurface& surface, double deviation, u
   TriangleSurface result = surface;
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0, deviation);
-  for (Eigen::Index i = 0; i < result.points.size(); ++i) result.points.data()[i] += normal(generator);
+  for (Eigen::Index i = 0; i < result.points.size(); ++i)
+    result.points.data()[i] += normal(generator);
   return result;
 }
 

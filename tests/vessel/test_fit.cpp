@@ -1,10 +1,10 @@
+#include <array>
 #include <gtest/gtest.h>
 
-#include <array>
+#include <vasorod/error.h>
+#include <vasorod/tube.h>
 
-#include "geometry/error.h"
-#include "geometry/tube.h"
-#include "shapes.h"
+#include "vessel/shapes.h"
 #include "vessel/vessel.h"
 
 namespace vasorod {
@@ -13,7 +13,8 @@ namespace {
 using shapes::Tube;
 
 struct AxisError {
-  double position = 0, tangent = 0, radius = 0, length = 0;  // over the radius, but tangent: radians
+  double position = 0, tangent = 0, radius = 0,
+         length = 0;  // over the radius, but tangent: radians
 };
 
 // Against the tube's own axis, node by node at equal arc length.
@@ -27,7 +28,8 @@ AxisError axis_error(const Vessel& vessel, const Tube& tube) {
     const Vec3 t = tube.tangent(at), d = vessel.rod.rest[k].position - tube.axis(at);
     worst.position = std::max(worst.position, (d - d.dot(t) * t).norm() / tube.radius);
     worst.tangent = std::max(worst.tangent, (vessel.rod.rest[k].director(3) - t).norm());
-    worst.radius = std::max(worst.radius, std::abs(vessel.rod.radius[k] - tube.radius_at(at)) / tube.radius);
+    worst.radius =
+        std::max(worst.radius, std::abs(vessel.rod.radius[k] - tube.radius_at(at)) / tube.radius);
   }
   worst.length = std::abs(total - tube.length) / tube.length;
   return worst;
@@ -175,7 +177,8 @@ TEST(Fit, RefusesWhatIsNoTube) {
   EXPECT_NE(refusal(sharp.surface()).find("centre of curvature"), std::string::npos)
       << refusal(sharp.surface());
 
-  TubeSpec coarse;  // four rows of vertices, three radii apart, around 200: no axis goes through them
+  TubeSpec
+      coarse;  // four rows of vertices, three radii apart, around 200: no axis goes through them
   coarse.length = 100;
   coarse.radius = 10;
   coarse.around = 200;

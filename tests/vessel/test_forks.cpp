@@ -1,17 +1,17 @@
+#include <filesystem>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "real_anatomy.h"
-#include "scene/read_surface.h"
-#include "shapes.h"
-#include "surface/rod_search.h"
+#include "rod/rod_search.h"
+#include "surface_file/read_surface.h"
+#include "vessel/shapes.h"
 #include "vessel/vessel.h"
 
 namespace vasorod {
 namespace {
 
-const std::filesystem::path infant = std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant";
+const std::filesystem::path infant =
+    std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant";
 
 TriangleSurface read(const std::filesystem::path& file, std::optional<double> edge = {}) {
   Scene scene;
@@ -25,7 +25,8 @@ TriangleSurface read(const std::filesystem::path& file, std::optional<double> ed
 // What holds for every fitted vessel, whatever its shape.
 void expect_sound(const Vessel& vessel) {
   const RodTree& tree = vessel.rod;
-  EXPECT_EQ(tree.branches.size(), 2 * vessel.ends.size() - 3);  // a tree whose forks have two branches each
+  EXPECT_EQ(tree.branches.size(),
+            2 * vessel.ends.size() - 3);  // a tree whose forks have two branches each
   const Points carried = carried_points(tree, tree.rest, vessel.binding);
   EXPECT_LT((carried - vessel.surface.points).cwiseAbs().maxCoeff(), 1e-9 * vessel.mean_radius);
   for (const VesselEnd& end : vessel.ends) {
@@ -38,11 +39,13 @@ void expect_sound(const Vessel& vessel) {
     const RodBranch& branch = tree.branches[b];
     EXPECT_LT(branch.parent, static_cast<int>(b));
     if (branch.parent >= 0) {
-      EXPECT_EQ(branch.nodes.front(), tree.branches[static_cast<size_t>(branch.parent)].nodes.back());
+      EXPECT_EQ(branch.nodes.front(),
+                tree.branches[static_cast<size_t>(branch.parent)].nodes.back());
     }
     for (size_t k = 1; k < branch.elements.size(); ++k) {  // the first may turn at its fork
       const RodElement& e = tree.elements[static_cast<size_t>(branch.elements[k])];
-      EXPECT_LT(e.rest_strain.segment<2>(3).norm() * tree.radius[static_cast<size_t>(e.second)], 0.95);
+      EXPECT_LT(e.rest_strain.segment<2>(3).norm() * tree.radius[static_cast<size_t>(e.second)],
+                0.95);
     }
   }
   // Sections pass through their vertices, but beyond ends and at forks.
@@ -58,7 +61,8 @@ TEST(Forks, BundledAortaHasItsThreeArchVessels) {
   expect_sound(vessel);
   // The generator's radii: 5 at the root, 3.6 at the far end, the arch vessels 2.1, 1.5 and 1.6.
   std::vector<double> radii;
-  for (const VesselEnd& end : vessel.ends) radii.push_back(vessel.rod.radius[static_cast<size_t>(end.node)]);
+  for (const VesselEnd& end : vessel.ends)
+    radii.push_back(vessel.rod.radius[static_cast<size_t>(end.node)]);
   const std::vector<double> expected{5.0, 3.6, 2.1, 1.5, 1.6};
   for (size_t k = 0; k < 5; ++k) EXPECT_NEAR(radii[k], expected[k], 0.02 * expected[k]);
   // The arch goes on into the descending aorta: four branches in a row, the wide ones.
@@ -87,7 +91,8 @@ TEST(Forks, ABranchKeepsItsOwnSections) {
 TEST(Forks, MoveWithTheSurface) {
   const TriangleSurface surface = read(infant / "pulmonary_artery.vtp");
   const Pose motion = shapes::some_motion();
-  const Vessel here = fit_vessel("pa", surface), there = fit_vessel("pa", shapes::moved(surface, motion));
+  const Vessel here = fit_vessel("pa", surface),
+               there = fit_vessel("pa", shapes::moved(surface, motion));
   ASSERT_EQ(here.rod.node_count(), there.rod.node_count());
   for (size_t k = 0; k < here.rod.rest.size(); ++k) {
     const Pose expected = motion * here.rod.rest[k];

@@ -1,9 +1,9 @@
-#include "vessel/section_means.h"
-
 #include <gtest/gtest.h>
 
+#include <vasorod/tube.h>
+
 #include "geometry/rigid_motion.h"
-#include "geometry/tube.h"
+#include "vessel/section_means.h"
 
 namespace vasorod {
 namespace {

@@ -1,8 +1,7 @@
-#include "wall/membrane_strain.h"
-
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include "wall/membrane_strain.h"
 
 namespace vasorod {
 namespace {
@@ -13,7 +12,7 @@ TEST(MembraneStrain, BiotIsTheSquareRootLessOne) {
   Eigen::Matrix2d c;
   c << metric[0], metric[2], metric[2], metric[1];
   const Eigen::Matrix2d u = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(c).operatorSqrt();
-  const Vec3 e = membrane_strain(StrainLaw::biot, metric).strain;
+  const Vec3 e = membrane_strain(Law::biot, metric).strain;
   EXPECT_NEAR(e[0], u(0, 0) - 1, 1e-15);
   EXPECT_NEAR(e[1], u(1, 1) - 1, 1e-15);
   EXPECT_NEAR(e[2], 2 * u(0, 1), 1e-15);
@@ -22,7 +21,7 @@ TEST(MembraneStrain, BiotIsTheSquareRootLessOne) {
 TEST(MembraneStrain, DerivativesAgainstDifferences) {
   const double h = 1e-5;
   const Vec3 stress(0.3, -1.1, 0.8);
-  for (const StrainLaw law : {StrainLaw::biot, StrainLaw::svk}) {
+  for (const Law law : {Law::biot, Law::svk}) {
     const MembraneStrain at = membrane_strain(law, metric);
     const Mat3 second = membrane_strain_hessian(law, metric, stress);
     for (int i = 0; i < 3; ++i) {

@@ -1,10 +1,8 @@
-#include "wall/ring_softness.h"
-
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
-#include "wall/wall_material.h"
+#include "wall/plane_stress.h"
+#include "wall/ring_softness.h"
 
 namespace vasorod {
 namespace {
@@ -18,19 +16,19 @@ Eigen::Matrix<double, 2, 3> gradients_of(const Vec2& x1, const Vec2& x2) {
   return gradients;
 }
 
-// Triangles far longer along the axis (length H) than around: the two long edges' slopes s alternate a twist
-// d = 2 delta s / H against a bending lower by delta; with w = 8 (1 - nu) / (H k)^2 the best delta leaves w /
-// (1 + w).
+// Triangles far longer along the axis (length H) than around: the two long edges' slopes s
+// alternate a twist d = 2 delta s / H against a bending lower by delta; with w = 8 (1 - nu) / (H
+// k)^2 the best delta leaves w / (1 + w).
 TEST(RingSoftness, LongTrianglesByHand) {
   const double nu = 0.3, height = 5, base = 0.01, radius = 10;
-  const Mat3 d = plane_stress(WallMaterial::isotropic(1, nu));
+  const Mat3 d = plane_stress(Material::isotropic(1, nu));
   const double k = 2 / radius;
   EXPECT_NEAR(ring_softness(gradients_of({0, base}, {height, base / 2}), d, Vec2(0, 1), 1 / radius),
               height * height * k * k / (8 * (1 - nu)), 1e-4);
 }
 
 TEST(RingSoftness, SecondOrderAndAFrameOfItsOwn) {
-  const Mat3 d = plane_stress(WallMaterial::isotropic(1, 0.3));
+  const Mat3 d = plane_stress(Material::isotropic(1, 0.3));
   const Vec2 x1(1, 0.2), x2(0.3, 0.8), x(0.6, 0.8);
   const double s = ring_softness(gradients_of(x1, x2), d, x, 0.1);
   EXPECT_GT(s, 0);

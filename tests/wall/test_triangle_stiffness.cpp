@@ -1,24 +1,23 @@
-#include "wall/triangle_stiffness.h"
-
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
-#include "walls.h"
+#include "wall/triangle_stiffness.h"
+#include "wall/walls.h"
 
 namespace vasorod {
 namespace {
 
 TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
-  WallSection section{-0.2, 0.3, Vec3::Zero(), plane_stress(WallMaterial::isotropic(2, 0.3)), Vec2(1, 1)};
+  WallSection section{-0.2, 0.3, Vec3::Zero(), plane_stress(Material::isotropic(2, 0.3)),
+                      Vec2(1, 1)};
   const Vec2 x1(2, 0.1), x2(0.5, 1.5);
   Eigen::Matrix2d edges;
   edges << x1, x2;
   Eigen::Matrix<double, 2, 3> gradients;
   gradients.rightCols<2>() = edges.inverse().transpose();
   gradients.col(0) = -gradients.col(1) - gradients.col(2);
-  // A quadratic surface w = 1/2 x.c x (towards the inside): b_k = sum of its slopes; c comes back by b_k g_k
-  // g_k^T.
+  // A quadratic surface w = 1/2 x.c x (towards the inside): b_k = sum of its slopes; c comes back
+  // by b_k g_k g_k^T.
   const Vec6 y = (Vec6() << 0.1, -0.2, 0.3, 0.05, 0.02, -0.04).finished();
   Vec3 c = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
@@ -35,7 +34,7 @@ TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
 // A cylinder stretched along and widened uniformly: the facets' energy against the smooth wall's.
 double relative_error(int around, double along, double wider) {
   const double r = 1, l = 2, t = 0.2, small = 1e-4;
-  const WallMaterial m = WallMaterial::isotropic(1, 0.3);
+  const Material m = Material::isotropic(1, 0.3);
   const WallEnergy wall(tube_wall(tube(l, r, around, around / 2), t, m, false));
   Eigen::VectorXd q = wall.rest();
   for (int i = 0; i < wall.vertices(); ++i) {
@@ -53,7 +52,8 @@ double relative_error(int around, double along, double wider) {
 }
 
 TEST(TriangleStiffness, FacetsStandForTheSmoothCylinder) {
-  for (const auto& [along, wider] : {std::pair{1.0, 0.0}, std::pair{0.0, 1.0}, std::pair{1.0, -0.3}}) {
+  for (const auto& [along, wider] :
+       {std::pair{1.0, 0.0}, std::pair{0.0, 1.0}, std::pair{1.0, -0.3}}) {
     const double coarse = relative_error(16, along, wider), fine = relative_error(32, along, wider);
     EXPECT_LT(std::abs(fine), 1e-3) << along << " " << wider;
     EXPECT_LT(std::abs(fine), 0.3 * std::abs(coarse) + 1e-4) << along << " " << wider;
@@ -61,7 +61,7 @@ TEST(TriangleStiffness, FacetsStandForTheSmoothCylinder) {
 }
 
 TEST(TriangleStiffness, SliverAcrossTheCurvatureStaysBounded) {
-  WallSection section{-0.1, 0.1, Vec3(0, 1, 0), plane_stress(WallMaterial::isotropic(1, 0.3)),
+  WallSection section{-0.1, 0.1, Vec3(0, 1, 0), plane_stress(Material::isotropic(1, 0.3)),
                       Vec2(0.4, 0.4)};
   Eigen::Matrix2d edges;  // 0.5 along the hoop, a hundredth of that across
   edges << 0, 0.005, 0.5, 0.25;

@@ -1,11 +1,10 @@
 // Tubes between rigid ends, against closed forms: the wall's accuracy, not only its consistency.
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "geometry/rigid_motion.h"
-#include "surface/cholesky.h"
-#include "walls.h"
+#include "numerics/cholesky.h"
+#include "wall/walls.h"
 
 namespace vasorod {
 namespace {
@@ -45,7 +44,8 @@ void minimise(WallEnergy& wall, const std::vector<char>& held, const Eigen::Vect
   }
 }
 
-// A tube whose end is stretched by `stretch` and turned by `turn` about the axis: its state and reaction.
+// A tube whose end is stretched by `stretch` and turned by `turn` about the axis: its state and
+// reaction.
 struct Pulled {
   WallInput input;
   Eigen::VectorXd q, reaction;
@@ -55,9 +55,10 @@ struct Pulled {
 Pulled pull(double length, double thickness, double poisson, double stretch, double turn) {
   Pulled p;
   const int around = 32;
-  const int along = 2 * static_cast<int>(std::lround(length / (2 * M_PI * radius / around * 0.866) / 2));
-  p.input =
-      tube_wall(tube(length, radius, around, along), thickness, WallMaterial::isotropic(1, poisson), true);
+  const int along =
+      2 * static_cast<int>(std::lround(length / (2 * M_PI * radius / around * 0.866) / 2));
+  p.input = tube_wall(tube(length, radius, around, along), thickness,
+                      Material::isotropic(1, poisson), true);
   WallEnergy wall(p.input);
   std::vector<char> held(static_cast<size_t>(wall.unknowns()), 0);
   p.q = wall.rest();
@@ -65,12 +66,14 @@ Pulled pull(double length, double thickness, double poisson, double stretch, dou
     const double s = p.q[3 * i + 2] / length;
     p.q.segment<3>(3 * i) = exp_rotation(Vec3(0, 0, turn * s)) * p.q.segment<3>(3 * i);
     p.q[3 * i + 2] *= 1 + stretch;
-    for (int k = 0; k < 3; ++k) held[static_cast<size_t>(3 * i + k)] = p.input.glued[static_cast<size_t>(i)];
+    for (int k = 0; k < 3; ++k)
+      held[static_cast<size_t>(3 * i + k)] = p.input.glued[static_cast<size_t>(i)];
   }
   for (const WallEdge& e : wall.edges()) {
     if (!e.glued) continue;
     const bool end = wall.rest()[3 * e.a + 2] > length / 2;
-    p.q.segment<3>(e.unknown) = exp_rotation(Vec3(0, 0, end ? turn : 0)) * wall.rest().segment<3>(e.unknown);
+    p.q.segment<3>(e.unknown) =
+        exp_rotation(Vec3(0, 0, end ? turn : 0)) * wall.rest().segment<3>(e.unknown);
     for (int k = 0; k < 3; ++k) held[static_cast<size_t>(e.unknown + k)] = 1;
   }
   minimise(wall, held, Eigen::VectorXd::Zero(wall.unknowns()), p.q, 4);

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/tube.h"
+#include <vasorod/tube.h>
+
 #include "wall/wall_energy.h"
 
 namespace vasorod {
 
 /// A generated tube as a wall of thickness t; its axis is the fibre.
-inline WallInput tube_wall(const TubeSpec& tube, double t, const WallMaterial& material, bool glued_ends) {
+inline WallInput tube_wall(const TubeSpec& tube, double t, const Material& material,
+                           bool glued_ends) {
   WallInput in;
   in.rest = tube_surface(tube);
   in.thickness = tube_thickness(tube, t);
@@ -24,7 +26,8 @@ inline WallInput tube_wall(const TubeSpec& tube, double t, const WallMaterial& m
   if (glued_ends) {
     in.glued.assign(static_cast<size_t>(s.size()), 0);
     for (int i = 0; i < s.size(); ++i)
-      in.glued[static_cast<size_t>(i)] = s[i] < 1e-9 * tube.length || s[i] > (1 - 1e-9) * tube.length;
+      in.glued[static_cast<size_t>(i)] =
+          s[i] < 1e-9 * tube.length || s[i] > (1 - 1e-9) * tube.length;
   }
   return in;
 }

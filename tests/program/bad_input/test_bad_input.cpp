@@ -1,16 +1,16 @@
-// Bad input as a user meets it: the built program ends with exit code 2, says one line, and leaves no result
-// behind.
-#include <gtest/gtest.h>
-
+// Bad input as a user meets it: the built program ends with exit code 2, says one line, and leaves
+// no result behind.
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <limits>
 
-#include "geometry/tube.h"
+#include <vasorod/tube.h>
+
 #include "program/run_program.h"
 #include "program/small_glenn.h"
-#include "scene/sample_surfaces.h"
+#include "surface_file/sample_surfaces.h"
 
 namespace vasorod::testing {
 namespace {
@@ -44,8 +44,8 @@ class BadInput : public ::testing::Test {
  protected:
   ProgramRun solve(const std::string& scene) const {
     write(scratch / "scene.yaml", scene);
-    return run_program(
-        vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + (scratch / "out").string() + "'"));
+    return run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                               (scratch / "out").string() + "'"));
   }
   static void expect_one_line(const ProgramRun& run, int exit_code, const std::string& words) {
     EXPECT_EQ(run.exit_code, exit_code) << run.err;
@@ -135,15 +135,16 @@ TEST_F(BadInput, SelfIntersection) {
   expect_surface_refused(crossing, "crosses itself");
 }
 
-// A surface of `around` x `rows` points wound round an axis, triangles counter-clockwise seen from outside
-// where `at` (angle, share of the length) winds as (cos, sin) does about the way it goes.
+// A surface of `around` x `rows` points wound round an axis, triangles counter-clockwise seen from
+// outside where `at` (angle, share of the length) winds as (cos, sin) does about the way it goes.
 TriangleSurface wound(int around, int rows, const std::function<Vec3(double, double)>& at) {
   TriangleSurface surface;
   surface.points.resize(around * (rows + 1), 3);
   surface.triangles.resize(2 * around * rows, 3);
   for (int row = 0; row <= rows; ++row)
     for (int i = 0; i < around; ++i)
-      surface.points.row(row * around + i) = at(2 * M_PI * i / around, static_cast<double>(row) / rows);
+      surface.points.row(row * around + i) =
+          at(2 * M_PI * i / around, static_cast<double>(row) / rows);
   for (int row = 0; row < rows; ++row)
     for (int i = 0; i < around; ++i) {
       const int a = row * around + i, b = row * around + (i + 1) % around, t = 2 * a;
@@ -156,14 +157,16 @@ TriangleSurface wound(int around, int rows, const std::function<Vec3(double, dou
 TEST_F(BadInput, SurfacesThatAreNotTubular) {
   expect_surface_refused(wound(48, 12,
                                [](double a, double v) {
-                                 return Vec3((5 + 20 * v) * std::cos(a), (5 + 20 * v) * std::sin(a), 0);
+                                 return Vec3((5 + 20 * v) * std::cos(a), (5 + 20 * v) * std::sin(a),
+                                             0);
                                }),
                          "a flat surface that encloses nothing");
   // A shallow ring round a hole.
   expect_surface_refused(wound(48, 12,
                                [](double a, double v) {
                                  const double r = 11 - 6 * v;
-                                 return Vec3(r * std::cos(a), r * std::sin(a), 0.5 * std::sin(M_PI * v));
+                                 return Vec3(r * std::cos(a), r * std::sin(a),
+                                             0.5 * std::sin(M_PI * v));
                                }),
                          "expected a tubular vessel");
   expect_surface_refused(closed_tube({0}, 12), "one open end");
@@ -173,7 +176,8 @@ TEST_F(BadInput, SurfacesThatAreNotTubular) {
 TEST_F(BadInput, ARodThatLeavesItsSurface) {
   expect_surface_refused(wound(96, 60,
                                [](double a, double v) {
-                                 const double turn = 0.75 * M_PI * std::cos(a), r = 12 - 2 * std::sin(a);
+                                 const double turn = 0.75 * M_PI * std::cos(a),
+                                              r = 12 - 2 * std::sin(a);
                                  return Vec3(r * std::cos(turn), r * std::sin(turn), 100 * v);
                                }),
                          "outside the surface, expected a tubular vessel");
@@ -200,21 +204,26 @@ TEST_F(BadInput, WallsThickerThanTheRadius) {
   tube.radius = 10;
   tube.end_radius = 4;
   write_vtp(scratch / "tube.vtp", tube_surface(tube));
-  expect_refused(changed(vessel, "thickness: 1.0", "thickness: 6.0"), "thick where the mid-wall radius is");
+  expect_refused(changed(vessel, "thickness: 1.0", "thickness: 6.0"),
+                 "thick where the mid-wall radius is");
 }
 
 TEST_F(BadInput, CoefficientsAndModuliOutOfRange) {
   const std::string wall = "    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}\n";
   for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
-           {"    coefficients: {binding: 0, bending: 1, stretching: 1}\n", "coefficients.binding: found 0"},
-           {"    coefficients: {binding: 1, bending: -1, stretching: 1}\n", "coefficients.bending: found -1"},
-           {"    coefficients: {binding: 1, bending: 1, stretching: .inf}\n", "coefficients.stretching"}})
+           {"    coefficients: {binding: 0, bending: 1, stretching: 1}\n",
+            "coefficients.binding: found 0"},
+           {"    coefficients: {binding: 1, bending: -1, stretching: 1}\n",
+            "coefficients.bending: found -1"},
+           {"    coefficients: {binding: 1, bending: 1, stretching: .inf}\n",
+            "coefficients.stretching"}})
     expect_refused(changed(glenn, wall, wall + to), words);
   for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
            {"{thickness: 0.4, young: 1e31, poisson: 0.45}", "wall.young: found 1e+31"},
            {"{thickness: 0.4, young: 0.5, poisson: -1}", "wall.poisson: found -1"},
            {"{thickness: 0.4, young: 0.5, shear: 0, poisson: 0.3}", "wall.shear: found 0"},
-           {"{thickness: 0.4, young: 0.5, shear: 0.2, transverse: {young: 5, poisson: 0.3, coupling: 0.3}}",
+           {"{thickness: 0.4, young: 0.5, shear: 0.2, transverse: {young: 5, poisson: 0.3, "
+            "coupling: 0.3}}",
             "or the wall has no positive energy"}})
     expect_refused(changed(glenn, wall, "    wall: " + to + "\n"), words);
 }
@@ -237,15 +246,19 @@ TEST_F(BadInput, PicksOffTheirVessels) {
 }
 
 TEST_F(BadInput, ACutThatLeavesNothing) {
-  expect_refused(changed(glenn, "cut: [3.3, 0, 10]", "cut: [3.3, 0, 44.9]"), "open end of the vessel");
+  expect_refused(changed(glenn, "cut: [3.3, 0, 10]", "cut: [3.3, 0, 44.9]"),
+                 "open end of the vessel");
 }
 
 TEST_F(BadInput, AnIncisionLongerThanTheVessel) {
-  // The slit is half the mouth's perimeter, 10.4 mm; the vessel is 9 mm long, or ends 2 mm beside the pick.
-  expect_refused(changed(glenn, "length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0]",
-                         "length: 9, radius: 4, around: 28, along: 12, position: [-4.5, 0, 0]"),
-                 "incision");
-  expect_refused(changed(glenn, "incision: [0, 0, 4]", "incision: [-23, 0, 4]"), "open end of the vessel");
+  // The slit is half the mouth's perimeter, 10.4 mm; the vessel is 9 mm long, or ends 2 mm beside
+  // the pick.
+  expect_refused(
+      changed(glenn, "length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0]",
+              "length: 9, radius: 4, around: 28, along: 12, position: [-4.5, 0, 0]"),
+      "incision");
+  expect_refused(changed(glenn, "incision: [0, 0, 4]", "incision: [-23, 0, 4]"),
+                 "open end of the vessel");
 }
 
 TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
@@ -283,14 +296,16 @@ TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {
 TEST_F(BadInput, TwoConditionsForOneEndUnderTwoNames) {
   write_vtp(scratch / "tube.vtp", sample_tube());
   for (const std::string second : {"move: [0, 0, 1]", "force: [0, 0, 1]", "fix: [x]"})
-    expect_refused(changed(vessel, "end: end, move: [0, 0, 1]", "end: {near: [0, 0, -1]}, " + second),
-                   ":9: end: found near(0, 0, -1) of tube, the end that line 8 calls start");
+    expect_refused(
+        changed(vessel, "end: end, move: [0, 0, 1]", "end: {near: [0, 0, -1]}, " + second),
+        ":9: end: found near(0, 0, -1) of tube, the end that line 8 calls start");
 }
 
 TEST_F(BadInput, WhatTheRodRefusesHasFileLineAndVessel) {
   write_vtp(scratch / "tube.vtp", sample_tube());
-  for (const auto& [to, words] : std::vector<std::array<std::string, 2>>{
-           {"rotate_deg: [1e300, 0, 0]", "turn one element"}, {"force: [0, 0, 1]", "rigid motion"}}) {
+  for (const auto& [to, words] :
+       std::vector<std::array<std::string, 2>>{{"rotate_deg: [1e300, 0, 0]", "turn one element"},
+                                               {"force: [0, 0, 1]", "rigid motion"}}) {
     const std::string held = words == "rigid motion" ? "fix: [x]" : "hold: true";
     expect_refused(changed(changed(vessel, "move: [0, 0, 1]", to), "hold: true", held), words);
     EXPECT_NE(solve(changed(changed(vessel, "move: [0, 0, 1]", to), "hold: true", held))
@@ -299,7 +314,8 @@ TEST_F(BadInput, WhatTheRodRefusesHasFileLineAndVessel) {
   }
 }
 
-// A folder that holds something else is the file system's no: exit code 3, and nothing in it is touched.
+// A folder that holds something else is the file system's no: exit code 3, and nothing in it is
+// touched.
 TEST_F(BadInput, AResultFolderThatIsNotOurs) {
   std::filesystem::create_directory(scratch / "out");
   write(scratch / "out" / "thesis.tex", "years of work");

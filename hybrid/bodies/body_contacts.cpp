@@ -1,0 +1,163 @@
+#include "bodies/body_contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "bodies/held_overlap.h"
+#include "bodies/seam_band.h"
+
+namespace vasorod {
+namespace {
+
+// Vertices with a gap below this many mean edges take part in a minimisation, pressed or not.
+constexpr double reach = 1.0;
+
+// Where rigid ends are held inside each other the walls may stay so over this many depths beside
+// them.
+constexpr double held_band = 2;
+
+// The slave is the body that can move; of two that can, the one with the finer mesh: its pressures
+// resolve the patch.
+bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
+  if (a.obstacle != b.obstacle) return b.obstacle;
+  return a.mean_edge <= b.mean_edge;
+}
+
+}  // namespace
+
+BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scaled, double stiffness)
+    : problem_(problem), stiffness_(stiffness) {
+  for (const auto& [a, b] : problem.contacts) {
+    const bool a_first = first_is_slave(scaled.bodies[static_cast<size_t>(a)],
+                                        scaled.bodies[static_cast<size_t>(b)]);
+    Pair pair;
+    pair.slave = a_first ? a : b;
+    pair.master = a_first ? b : a;
+    pairs_.push_back(std::move(pair));
+  }
+}
+
+void BodyContacts::create(Pair& pair, const ScaledBodies& scaled) {
+  std::vector<int> slave_seam, master_seam;
+  for (const SeamPair& seam : problem_.seams)
+    for (const auto& [body_a, vertex_a, body_b, vertex_b] :
+         {SeamPair{seam.body_a, seam.vertex_a, seam.body_b, seam.vertex_b},
+          SeamPair{seam.body_b, seam.vertex_b, seam.body_a, seam.vertex_a}})
+      if (body_a == pair.slave && body_b == pair.master) {
+        slave_seam.push_back(vertex_a);
+        master_seam.push_back(vertex_b);
+      }
+  const auto held = [&](int index) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    return HeldBody{body.rest, body.carried, body.fixed, body.offset};
+  };
+  const HeldOverlap overlap = held_overlap(held(pair.slave), held(pair.master));
+  pair.held_depth = overlap.depth;
+  const auto side = [&](int index, const std::vector<int>& seam,
+                        const std::vector<int>& overlapping) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    std::vector<char> out;
+    if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
+    if (!overlapping.empty()) {
+      const std::vector<char> beside =
+          seam_band(body.rest, overlapping,
+                    held_band * overlap.depth - 2 * body.mean_edge);  // it adds two edges
+      out.resize(beside.size(), 0);
+      for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
+    }
+    return ContactSide{body.rest, body.offset, std::move(out)};
+  };
+  double k = std::numeric_limits<double>::infinity();
+  for (const int index : {pair.slave, pair.master}) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    if (!body.obstacle)
+      k = std::min(k, stiffness_ * (body.k.bending + body.k.stretching) / body.mean_area);
+  }
+  pair.contact.emplace(side(pair.slave, slave_seam, overlap.in_a),
+                       side(pair.master, master_seam, overlap.in_b), k);
+}
+
+ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
+  ContactState state;
+  double change = 0, sum = 0;
+  for (Pair& pair : pairs_) {
+    const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
+                     &master = scaled.bodies[static_cast<size_t>(pair.master)];
+    const bool live = slave.modelled || master.modelled;
+    const double margin = reach + slave.offset + master.offset;
+    if (!pair.contact && live &&
+        vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
+      create(pair, scaled);
+    if (!pair.contact) continue;
+    pair.in_reach = true;
+    const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
+    change += pair_change;
+    sum += pair_sum;
+    pair.contact->refresh(slave.now, master.now, reach);
+    std::vector<int> pressed;
+    for (const ContactPoint& c : pair.contact->contacts()) {
+      const double gap = pair.contact->gap(c, slave.now, master.now);
+      state.penetration = std::max(state.penetration, -gap);
+      if (c.multiplier - c.stiffness * gap > 0) pressed.push_back(c.slave);
+    }
+    if (pressed != pair.pressed) state.pressed_changed = true;
+    pair.pressed = std::move(pressed);
+    if (!pair.pressed.empty()) {
+      if (!slave.modelled && !slave.obstacle) state.touched.push_back(pair.slave);
+      if (!master.modelled && !master.obstacle) state.touched.push_back(pair.master);
+    }
+  }
+  state.force_change = change > 0 ? change / std::max(sum, 1e-300) : 0;
+  return state;
+}
+
+StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
+                                      const std::vector<int>& first) const {
+  StackedContacts all;
+  for (size_t p = 0; p < pairs_.size(); ++p) {
+    const Pair& pair = pairs_[p];
+    const int slave = first[static_cast<size_t>(pair.slave)],
+              master = first[static_cast<size_t>(pair.master)];
+    if (!pair.contact || slave < 0) continue;
+    const Points& still = scaled.bodies[static_cast<size_t>(pair.master)].now;
+    for (ContactPoint c : pair.contact->contacts()) {
+      all.pair.push_back(static_cast<int>(p));
+      all.slave.push_back(c.slave);
+      all.master.push_back(c.master);
+      c.slave += slave;
+      if (master >= 0) {
+        for (int& m : c.master) m += master;
+      } else {
+        for (size_t k = 0; k < 3; ++k)
+          c.slack += c.weight[static_cast<int>(k)] * c.normal.dot(still.row(c.master[k]));
+        c.master = {-1, -1, -1};
+      }
+      all.points.push_back(c);
+    }
+  }
+  return all;
+}
+
+bool BodyContacts::pressing() const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [](const Pair& pair) { return !pair.pressed.empty(); });
+}
+
+int BodyContacts::swallowed(int pair) const {
+  const auto& contact = pairs_[static_cast<size_t>(pair)].contact;
+  return contact ? contact->swallowed() : 0;
+}
+
+double BodyContacts::smallest_gap(int index, const ScaledBodies& scaled) {
+  Pair& pair = pairs_[static_cast<size_t>(index)];
+  double smallest = std::numeric_limits<double>::infinity();
+  if (!pair.contact) return smallest;
+  const Points &slave = scaled.bodies[static_cast<size_t>(pair.slave)].now,
+               &master = scaled.bodies[static_cast<size_t>(pair.master)].now;
+  if (pair.contact->contacts().empty()) pair.contact->refresh(slave, master, smallest);
+  for (const ContactPoint& c : pair.contact->contacts())
+    smallest = std::min(smallest, pair.contact->gap(c, slave, master));
+  return smallest;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,100 @@
+#include "bodies/contact_energy.h"
+
+#include <algorithm>
+
+namespace vasorod {
+namespace {
+
+// The vertices a contact acts on and their share of the normal force: (slave, 1), (master_k,
+// -weight_k).
+struct Stencil {
+  int count = 1;
+  std::array<int, 4> vertex{};
+  std::array<double, 4> share{};
+};
+
+Stencil stencil_of(const ContactPoint& contact) {
+  Stencil s;
+  s.vertex[0] = contact.slave;
+  s.share[0] = 1;
+  if (contact.master[0] < 0) return s;
+  for (size_t k = 0; k < 3; ++k) {
+    s.vertex[k + 1] = contact.master[k];
+    s.share[k + 1] = -contact.weight[static_cast<int>(k)];
+  }
+  s.count = 4;
+  return s;
+}
+
+}  // namespace
+
+double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
+  double gap = contact.normal.dot(p.row(contact.slave)) - contact.slack;
+  if (contact.master[0] >= 0)
+    for (size_t k = 0; k < 3; ++k)
+      gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(p.row(contact.master[k]));
+  return gap;
+}
+
+double contact_pressure(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
+  return std::max(0.0, contact.multiplier - contact.stiffness * contact_gap(contact, p));
+}
+
+double contact_energy(const std::vector<ContactPoint>& contacts,
+                      const Eigen::Ref<const Points>& p) {
+  double sum = 0;
+  for (const ContactPoint& c : contacts) {
+    const double pressure = contact_pressure(c, p);
+    sum += c.area / (2 * c.stiffness) * (pressure * pressure - c.multiplier * c.multiplier);
+  }
+  return sum;
+}
+
+double contact_energy_gradient(const std::vector<ContactPoint>& contacts,
+                               const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient) {
+  double sum = 0;
+  for (const ContactPoint& c : contacts) {
+    const double pressure = contact_pressure(c, p);
+    sum += c.area / (2 * c.stiffness) * (pressure * pressure - c.multiplier * c.multiplier);
+    if (pressure == 0) continue;
+    const Stencil s = stencil_of(c);
+    for (size_t k = 0; k < static_cast<size_t>(s.count); ++k)
+      gradient.row(s.vertex[k]) -= c.area * pressure * s.share[k] * c.normal.transpose();
+  }
+  return sum;
+}
+
+void contact_energy_hessian(const std::vector<ContactPoint>& contacts,
+                            const Eigen::Ref<const Points>& p,
+                            std::vector<Eigen::Triplet<double>>& entries) {
+  for (const ContactPoint& c : contacts) {
+    if (contact_pressure(c, p) == 0) continue;
+    const Stencil s = stencil_of(c);
+    for (size_t a = 0; a < static_cast<size_t>(s.count); ++a)
+      for (size_t b = 0; b < static_cast<size_t>(s.count); ++b) {
+        const double factor = c.area * c.stiffness * s.share[a] * s.share[b];
+        for (int row = 0; row < 3; ++row)
+          for (int column = 0; column < 3; ++column)
+            entries.emplace_back(3 * s.vertex[a] + row, 3 * s.vertex[b] + column,
+                                 factor * c.normal[row] * c.normal[column]);
+      }
+  }
+}
+
+Eigen::SparseMatrix<double> contact_energy_bound(const std::vector<ContactPoint>& contacts,
+                                                 const Eigen::Ref<const Points>& p) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const ContactPoint& c : contacts) {
+    if (contact_pressure(c, p) == 0) continue;
+    const Stencil s = stencil_of(c);
+    for (size_t a = 0; a < static_cast<size_t>(s.count); ++a)
+      for (size_t b = 0; b < static_cast<size_t>(s.count); ++b)
+        entries.emplace_back(s.vertex[a], s.vertex[b],
+                             c.area * c.stiffness * s.share[a] * s.share[b]);
+  }
+  Eigen::SparseMatrix<double> bound(p.rows(), p.rows());
+  bound.setFromTriplets(entries.begin(), entries.end());
+  return bound;
+}
+
+}  // namespace vasorod

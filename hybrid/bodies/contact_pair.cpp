@@ -1,0 +1,141 @@
+#include "bodies/contact_pair.h"
+
+#include <cmath>
+#include <limits>
+
+#include "bodies/normal_foot.h"
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+// Walls touch with their outer faces: normals this much alike are those of a far wall, not of a
+// touching one.
+constexpr double facing_same_way = 0.2;
+
+struct Feature {
+  bool valid = false;
+  bool swallowed = false;  // inside, facing the same way
+  std::array<int, 3> vertex{};
+  Vec3 weight, normal;
+  double distance = 0;  // along the interpolated normal
+};
+
+Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
+                       const Points& normals, const std::vector<char>& excluded, const Vec3& point,
+                       const Vec3& point_normal) {
+  Feature feature;
+  const ClosestPoint::Hit hit = finder.query(point);
+  if (hit.on_boundary) return feature;
+  const NormalFoot foot = normal_foot(finder, surface, normals, point, hit);
+  feature.weight = foot.weight;
+  for (int k = 0; k < 3; ++k) {
+    const int v = surface.triangles(foot.triangle, k);
+    if (!excluded.empty() && excluded[static_cast<size_t>(v)]) return feature;
+    feature.vertex[static_cast<size_t>(k)] = v;
+  }
+  if (foot.normal.norm() < 0.1) return feature;  // a fold: no outside
+  feature.normal = foot.normal.normalized();
+  feature.distance = foot.height;
+  if (feature.normal.dot(point_normal) > facing_same_way) {
+    feature.swallowed = hit.signed_distance < 0;
+    return feature;
+  }
+  feature.valid = true;
+  return feature;
+}
+
+}  // namespace
+
+ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness)
+    : slave_(std::move(slave)),
+      master_(std::move(master)),
+      stiffness_(stiffness),
+      area_(vertex_areas(slave_.rest)),
+      multiplier_(Eigen::VectorXd::Zero(slave_.rest.points.rows())),
+      slave_rest_normals_(vertex_normals(slave_.rest)),
+      master_rest_normals_(vertex_normals(master_.rest)),
+      allowance_(static_cast<size_t>(slave_.rest.points.rows()),
+                 std::numeric_limits<double>::quiet_NaN()) {}
+
+double ContactPair::allowance(int vertex) {
+  double& value = allowance_[static_cast<size_t>(vertex)];
+  if (std::isnan(value)) {
+    if (!rest_) rest_.emplace(master_.rest);
+    const Feature feature =
+        facing_feature(*rest_, master_.rest, master_rest_normals_, master_.excluded,
+                       slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
+    const double gap = feature.valid ? feature.distance - slave_.offset - master_.offset : 0;
+    // Walls that touch at rest must not press by rounding: a slack far below any length that
+    // matters.
+    value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
+  }
+  return value;
+}
+
+bool ContactPair::inside_at_rest(int vertex) {
+  if (!rest_) rest_.emplace(master_.rest);
+  const ClosestPoint::Hit hit = rest_->query(slave_.rest.points.row(vertex));
+  return !hit.on_boundary && hit.signed_distance < 0;
+}
+
+void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
+  contacts_.clear();
+  swallowed_ = 0;
+  const double offsets = slave_.offset + master_.offset;
+  // Overlaps at rest only lower the slack, so nothing farther than this can have a gap below
+  // `reach`... from outside; from inside everything counts.
+  const Box box = box_of(master);
+  const double margin = reach + offsets;
+  std::vector<int> near;
+  for (int i = 0; i < slave.rows(); ++i)
+    if (slave_.excluded.empty() || !slave_.excluded[static_cast<size_t>(i)])
+      if (box.exteriorDistance(Vec3(slave.row(i))) <= margin && area_[i] > 0) near.push_back(i);
+  if (near.empty()) {
+    multiplier_.setZero();
+    return;
+  }
+  const TriangleSurface now{master, master_.rest.triangles};
+  if (!current_)
+    current_.emplace(now);
+  else
+    current_->refit(master);
+  const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
+  const Points master_normals = vertex_normals(now);
+  Eigen::VectorXd kept = Eigen::VectorXd::Zero(multiplier_.size());
+  for (const int i : near) {
+    const Feature feature = facing_feature(*current_, now, master_normals, master_.excluded,
+                                           slave.row(i), slave_normals.row(i));
+    const double noise = 0.1 * std::sqrt(area_[i]);
+    if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
+    if (!feature.valid || feature.distance - offsets > reach) continue;
+    const double rest = allowance(i);
+    if (feature.distance - offsets - rest > reach) continue;
+    kept[i] = multiplier_[i];
+    contacts_.push_back({i, feature.vertex, feature.weight, feature.normal, offsets + rest,
+                         area_[i], stiffness_, multiplier_[i]});
+  }
+  multiplier_ = kept;
+}
+
+double ContactPair::gap(const ContactPoint& contact, const Points& slave,
+                        const Points& master) const {
+  double gap = contact.normal.dot(slave.row(contact.slave)) - contact.slack;
+  for (size_t k = 0; k < 3; ++k)
+    gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(master.row(contact.master[k]));
+  return gap;
+}
+
+std::pair<double, double> ContactPair::update_multipliers(const Points& slave,
+                                                          const Points& master) {
+  double change = 0, sum = 0;
+  for (ContactPoint& c : contacts_) {
+    const double pressure = std::max(0.0, c.multiplier - c.stiffness * gap(c, slave, master));
+    change += c.area * std::abs(pressure - c.multiplier);
+    sum += c.area * pressure;
+    multiplier_[c.slave] = c.multiplier = pressure;
+  }
+  return {change, sum};
+}
+
+}  // namespace vasorod

@@ -1,0 +1,93 @@
+#include "bodies/held_overlap.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "geometry/closest_point.h"
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+// One body's wall in one configuration, asked how far a point is from it.
+class Wall {
+ public:
+  Wall(const Triangles& triangles, const Points& points, const std::vector<char>& fixed)
+      : triangles_(triangles),
+        points_(points),
+        normals_(vertex_normals({points, triangles})),
+        closest_(TriangleSurface{points, triangles}) {
+    for (const Edge& e : edges_of(triangles))
+      if (e.boundary() && fixed[static_cast<size_t>(e.a)] && fixed[static_cast<size_t>(e.b)])
+        held_.emplace_back(e.a, e.b);
+  }
+
+  struct Place {
+    double height = 0;  // over the wall
+    Vec3 normal = Vec3::Zero();
+    double along = 0;  // to the nearest held edge, along the wall
+    int vertex = -1;   // of that edge
+  };
+  Place of(const Vec3& p) const {
+    const ClosestPoint::Hit hit = closest_.query(p);
+    Place place;
+    for (int k = 0; k < 3; ++k)
+      place.normal += hit.barycentric[k] * normals_.row(triangles_(hit.triangle, k)).transpose();
+    place.normal.normalize();
+    place.height = place.normal.dot(p - hit.point);
+    place.along = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : held_) {
+      const Vec3 start = points_.row(a), edge = points_.row(b).transpose() - start;
+      const double share = std::clamp(edge.dot(hit.point - start) / edge.squaredNorm(), 0.0, 1.0);
+      const double far = (hit.point - start - share * edge).norm();
+      if (far < place.along) {
+        place.along = far;
+        place.vertex = share < 0.5 ? a : b;
+      }
+    }
+    place.along += (p - hit.point - place.height * place.normal).norm();
+    return place;
+  }
+
+ private:
+  const Triangles& triangles_;
+  const Points& points_;
+  Points normals_;
+  ClosestPoint closest_;
+  std::vector<std::pair<int, int>> held_;
+};
+
+}  // namespace
+
+HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
+  HeldOverlap overlap;
+  const auto search = [&](const HeldBody& from, const HeldBody& to, std::vector<int>& mine,
+                          std::vector<int>& other) {
+    const auto held = [](const HeldBody& body) {
+      return std::find(body.fixed.begin(), body.fixed.end(), 1) != body.fixed.end();
+    };
+    if (!held(from) || !held(to)) return;
+    const Wall now(to.rest.triangles, to.carried, to.fixed),
+        rest(to.rest.triangles, to.rest.points, to.fixed);
+    const Points normals = vertex_normals({from.carried, from.rest.triangles});
+    const double offsets = from.offset + to.offset;
+    for (size_t i = 0; i < from.fixed.size(); ++i) {
+      if (!from.fixed[i]) continue;
+      const auto row = static_cast<Eigen::Index>(i);
+      const Wall::Place at = now.of(from.carried.row(row));
+      const double before = std::min(0.0, rest.of(from.rest.points.row(row)).height - offsets);
+      const double depth = before - (at.height - offsets);
+      // Walls that face the same way do not meet: the end of a vessel within a wider one's.
+      if (depth <= at.along || at.normal.dot(normals.row(row)) > 0) continue;
+      mine.push_back(static_cast<int>(i));
+      other.push_back(at.vertex);
+      overlap.depth = std::max(overlap.depth, depth);
+    }
+  };
+  search(a, b, overlap.in_a, overlap.in_b);
+  search(b, a, overlap.in_b, overlap.in_a);
+  return overlap;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,34 @@
+// Joining springs of a seam with augmented Lagrangian multipliers: E = sum over pairs k_j |d|^2 +
+// m.d, d = x_a - x_b. After each minimum m += 2 k_j d, so that the gap d closes at a finite k_j.
+// k_j in force / length, m in force.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include <vasorod/types.h>
+
+namespace vasorod {
+
+/// Two vertices that are to meet, and the force multiplier of their pair.
+struct Join {
+  int a = 0, b = 0;
+  Vec3 multiplier = Vec3::Zero();
+};
+
+double joining_energy(double k_j, const std::vector<Join>& joins,
+                      const Eigen::Ref<const Points>& p);
+
+/// gradient += dE/dp; returns the energy.
+double joining_energy_gradient(double k_j, const std::vector<Join>& joins,
+                               const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient);
+
+/// The constant Hessian, the same for x, y and z: n x n.
+Eigen::SparseMatrix<double> joining_energy_hessian(double k_j, const std::vector<Join>& joins,
+                                                   int vertex_count);
+
+/// m += 2 k_j d for every pair.
+void update_join_multipliers(double k_j, std::vector<Join>& joins,
+                             const Eigen::Ref<const Points>& p);
+
+}  // namespace vasorod

@@ -1,0 +1,38 @@
+// The bodies of a BodyProblem in the solver's own units: lengths in mean edges about the bodies'
+// centre, stiffnesses in the largest coefficient. So mm or m, Pa or MPa give the same numbers to
+// the last digits.
+#pragma once
+
+#include "bodies/body_problem.h"
+
+namespace vasorod {
+
+struct ScaledBody {
+  TriangleSurface rest;
+  Points carried, now;
+  std::vector<Mat3> rotations;
+  std::vector<char> fixed;
+  Coefficients k;
+  double thickness = 0, offset = 0;
+  double mean_edge = 0, mean_area = 0;  ///< mean_area: per vertex
+  bool obstacle = false;
+  bool moved = false;     ///< its rod is not at rest
+  bool modelled = false;  ///< among the unknowns
+};
+
+struct ScaledBodies {
+  double length = 1;     ///< of one scaled unit, problem's length unit
+  double stiffness = 1;  ///< force / length
+  Vec3 origin = Vec3::Zero();
+  std::vector<ScaledBody> bodies;
+  double force() const { return stiffness * length; }
+  double pressure() const { return stiffness / length; }
+  double energy() const { return stiffness * length * length; }
+  Points unscaled(const Points& p) const { return (p * length).rowwise() + origin.transpose(); }
+};
+
+/// Throws InputError (one sentence with the body's name) where sizes do not fit or numbers are out
+/// of range.
+ScaledBodies scale_bodies(const BodyProblem& problem);
+
+}  // namespace vasorod

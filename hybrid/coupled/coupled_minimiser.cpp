@@ -1,0 +1,248 @@
+#include "coupled/coupled_minimiser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+
+constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e4;
+// A factorisation made this near the minimum speaks for the minimum.
+constexpr double near_enough = 1e-4;
+constexpr double worn_order = 1.3;
+// After so many points of negative curvature the branch that short steps were to keep to is lost.
+constexpr int patience_on_branch = 3;
+constexpr int inverse_iterations = 12;
+// Negative curvature below this share of the rest Hessian's along the same direction is rounding.
+constexpr double neutral_curvature = 1e-6;
+// Forces this small against stiffness times coordinates are what cancellation leaves, unless they
+// are more than this share of the load.
+constexpr double rounding = 1e-14, share_of_load = 1e-2;
+
+}  // namespace
+
+CoupledMinimiser::CoupledMinimiser(CoupledSystem& system) : system_(system) {
+  renew_rest();
+  turns_.first = system.groups();
+  turns_.unknowns = system.unknowns();
+  turns_.turn.resize(turns_.first.size());
+}
+
+void CoupledMinimiser::renew_rest() {
+  rest_ = system_.rest_hessian();
+  double sum = 0;
+  int count = 0;
+  for (const CoupledWall& wall : system_.walls())
+    for (int i = 0; i < 3 * wall.energy->vertices(); ++i)
+      if (const int u = wall.unknown[static_cast<size_t>(i)]; u >= 0) {
+        sum += rest_.coeff(u, u);
+        ++count;
+      }
+  mean_stiffness_ = count > 0 ? sum / count : 1;
+}
+
+void CoupledMinimiser::set_turns(GroupTurns turns) {
+  turns_ = std::move(turns);
+}
+
+// Contacts come and go: the order found once serves until it costs too much fill.
+void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix) {
+  if (!order_.empty()) {
+    factor.analyse(matrix, order_);
+    if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
+  }
+  order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection);
+  factor.analyse(matrix, order_);
+  order_nonzeros_ = factor.factor_nonzeros();
+}
+
+void CoupledMinimiser::factorise_rest() {
+  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_);
+  Matrix shifted = rest_;
+  double shift = 0;
+  // Mechanisms that only a motion or a load would excite leave K0 singular to rounding.
+  while (!rest_factor_.factorise(shifted)) {
+    shift = shift == 0 ? 1e-10 : 10 * shift;
+    shifted = rest_;
+    for (int i = 0; i < shifted.cols(); ++i) shifted.coeffRef(i, i) += shift * mean_stiffness_;
+  }
+}
+
+double CoupledMinimiser::rounding_of_forces(const VectorXd& z) const {
+  const double forces = rounding * mean_stiffness_ * z.norm(), load = system_.largest_load();
+  return load > 0 ? std::min(forces, share_of_load * load) : forces;
+}
+
+bool CoupledMinimiser::load_is_hidden(const VectorXd& z) const {
+  const double load = system_.largest_load();
+  return load > 0 && load <= rounding * mean_stiffness_ * z.norm();
+}
+
+double CoupledMinimiser::evaluate(const VectorXd& z, VectorXd& g, double& residual) const {
+  const CoupledTerms terms = system_.gradient(z, g);
+  const double force = std::sqrt(2 * mean_stiffness_ * std::max(0.0, terms.wall));
+  const double size = g.norm();
+  if (size <= rounding_of_forces(z))
+    residual = 0;
+  else
+    residual = force > 0 ? size / force : 1;
+  return terms.total();
+}
+
+double CoupledMinimiser::residual(const VectorXd& z) {
+  VectorXd g;
+  double r = 0;
+  evaluate(z, g, r);
+  return r;
+}
+
+void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
+  work_ = g;
+  apply(turns_, true, work_);
+  rest_factor_.precondition(work_.data(), direction.data(), 1);
+  apply(turns_, false, direction);
+}
+
+// H, or where Cholesky refuses it H + shift D K0 D^T with the smallest shift of a ladder that it
+// accepts.
+bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most) {
+  hessian_ = system_.hessian(z);
+  const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
+      inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
+  if (!std::equal(outer.begin(), outer.end(), analysed_outer_.begin(), analysed_outer_.end()) ||
+      !std::equal(inner.begin(), inner.end(), analysed_inner_.begin(), analysed_inner_.end())) {
+    analyse(factor_, hessian_);
+    analysed_outer_.assign(outer.begin(), outer.end());
+    analysed_inner_.assign(inner.begin(), inner.end());
+  }
+  metric_.resize(0, 0);
+  for (;;) {
+    ++factorisations;
+    if (shift == 0) {
+      if (factor_.factorise(hessian_)) return true;
+    } else {
+      if (metric_.size() == 0) {
+        metric_ = rest_;
+        turn_matrix(turns_, metric_);
+        for (int i = 0; i < metric_.cols(); ++i) metric_.coeffRef(i, i) += 1e-6 * mean_stiffness_;
+      }
+      // hessian_'s pattern contains the metric's.
+      if (factor_.factorise(hessian_ + shift * metric_)) return true;
+    }
+    shift = shift == 0 ? first_shift : shift_growth * shift;
+    if (shift > largest_shift || factorisations >= most) return false;
+  }
+}
+
+// From an equilibrium whose Hessian H is not positive definite: inverse iteration with the shifted
+// factor finds the direction where v.H v is most negative against v.K0 v; down it goes as far as
+// the energy falls.
+CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
+  VectorXd v(z.size()), next(z.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i)
+    v[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i % 7919));
+  for (int k = 0; k < inverse_iterations; ++k) {
+    next = metric_.selfadjointView<Eigen::Lower>() * v;
+    factor_.solve(next.data(), v.data(), 1);
+    v.normalize();
+  }
+  v.normalize();
+  const VectorXd hv = hessian_.selfadjointView<Eigen::Lower>() * v;
+  const double stiffness = v.dot(metric_.selfadjointView<Eigen::Lower>() * v);
+  if (v.dot(hv) > -neutral_curvature * stiffness) return Saddle::neutral;
+  VectorXd g;
+  double ignored = 0;
+  const double energy = evaluate(z, g, ignored);
+  if (g.dot(v) > 0) v = -v;
+  double best = energy, best_step = 0;
+  // In mean edges: from a step too small to see to one that turns a section's shape.
+  for (double step = 1e-3 / v.cwiseAbs().maxCoeff(); step < 3 / v.cwiseAbs().maxCoeff();
+       step *= 2) {
+    const double at = evaluate(z + step * v, g, ignored);
+    if (!(at < best)) break;
+    best = at;
+    best_step = step;
+  }
+  z += best_step * v;
+  return best_step > 0 ? Saddle::left : Saddle::kept;
+}
+
+CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
+                                                   const CoupledMinimiserOptions& options) {
+  CoupledMinimiserSummary summary;
+  const Evaluation evaluation = [this](const VectorXd& at, VectorXd& g, double& r) {
+    return evaluate(at, g, r);
+  };
+  LbfgsOptions inner;
+  inner.largest_step = options.largest_step;
+  inner.stop = summary.counting(options.stop);
+  const Preconditioner rest = [this](const VectorXd& g, VectorXd& d) { by_rest(g, d); };
+  const Preconditioner hessian = [this](const VectorXd& g, VectorXd& d) {
+    factor_.solve(g.data(), d.data(), 1);
+  };
+  const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
+  if (options.use_rest) {
+    if (!rest_factor_.factorised()) factorise_rest();
+    inner.tolerance = std::max(options.rough, options.tolerance);
+    inner.patience = options.rest_patience;
+    inner.max_iterations = options.max_iterations;
+    summary.add(lbfgs(evaluation, rest, z, inner));
+    summary.rest_iterations = summary.iterations;
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance))
+      return summary;
+  }
+  inner.patience = 0;
+  inner.tolerance = options.tolerance;
+  double shift = 0, factored_at = 1;
+  int stalls = 0, indefinite = 0;
+  bool fresh = false;  // factor_ belongs to a point near z, unshifted
+  if (options.reuse_hessian && factor_.factorised()) {
+    inner.max_iterations = options.per_hessian;
+    summary.add(lbfgs(evaluation, hessian, z, inner));
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance))
+      return summary;
+  }
+  while (summary.factorisations < options.max_factorisations &&
+         summary.iterations < options.max_iterations) {
+    factored_at = residual(z);
+    if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) break;
+    fresh = shift == 0;
+    if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
+    const bool at_rest =
+        factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
+    if (at_rest && !fresh) {
+      const Saddle saddle = leave_saddle(z);
+      if (saddle != Saddle::left) {
+        summary.neutral = saddle == Saddle::neutral;
+        summary.residual = factored_at;
+        return summary;
+      }
+      summary.left_saddle = true;
+      stalls = 0;
+      continue;
+    }
+    inner.max_iterations =
+        std::min(options.per_hessian, options.max_iterations - summary.iterations);
+    summary.add(lbfgs(evaluation, hessian, z, inner));
+    if (interrupted()) return summary;
+    if (summary.status == LbfgsStatus::converged ||
+        (summary.status == LbfgsStatus::stalled && at_rest)) {
+      if (fresh && (factored_at <= near_enough || !options.certify)) {
+        summary.positive = true;
+        return summary;
+      }
+      if (!options.certify) return summary;
+    }
+    stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
+    if (stalls > 2) return summary;
+    shift = shift <= first_shift ? 0 : shift / (shift_growth * shift_growth);
+  }
+  if (summary.status != LbfgsStatus::converged && summary.status != LbfgsStatus::stalled)
+    summary.status = LbfgsStatus::iteration_limit;
+  return summary;
+}
+
+}  // namespace vasorod

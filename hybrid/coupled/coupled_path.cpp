@@ -1,0 +1,130 @@
+#include "coupled/coupled_path.h"
+
+#include "data/index.h"
+
+namespace vasorod {
+void CoupledPath::restart() {
+  carried_ = {};
+  last_.reset();
+}
+
+CoupledPath::Carried CoupledPath::carried_at(double t) const {
+  Carried all;
+  const ScaledBodies& scaled = stack_.scaled;
+  const std::vector<CarriedBody> given = stack_.problem.carried(t);
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
+    const CarriedBody& mine = given[b];
+    const Points& rest = scaled.bodies[b].rest.points;
+    all.points.push_back(mine.points.rows() > 0 ? stack_.scaled_points(mine.points) : rest);
+    all.rotations.push_back(!mine.rotations.empty()
+                                ? mine.rotations
+                                : std::vector<Mat3>(index(rest.rows()), Mat3::Identity()));
+    std::vector<Pose> poses = mine.sections;
+    if (poses.empty() && stack_.problem.vessels[b])
+      for (const HeldSection& section : stack_.problem.vessels[b]->sections)
+        poses.push_back({Mat3::Identity(), section.rest.position});
+    for (Pose& pose : poses) pose.position = (pose.position - scaled.origin) / scaled.length;
+    all.sections.push_back(std::move(poses));
+  }
+  return all;
+}
+
+CoupledPath::Local CoupledPath::local_state() const {
+  Local local;
+  local.time = time_;
+  local.z = stack_.z;
+  const CoupledState state = stack_.system->state(stack_.z);
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
+    local.deviation.emplace_back();
+    local.sections.emplace_back();
+    if (stack_.first_wall[b] < 0) continue;
+    Points& d = local.deviation.back();
+    d = stack_.scaled.bodies[b].now - carried_.points[b];
+    for (Eigen::Index i = 0; i < d.rows(); ++i)
+      d.row(i) = (d.row(i) * carried_.rotations[b][index(i)]).eval();
+    for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
+      const Pose& rod = carried_.sections[b][k];
+      const SectionPlacement& at = state.placements[index(stack_.first_wall[b])][k];
+      local.sections.back().push_back({rod.rotation.transpose() * at.rotation,
+                                       rod.rotation.transpose() * (at.position - rod.position)});
+    }
+  }
+  return local;
+}
+
+// K0 in the rods' frames.
+void CoupledPath::turn_minimiser() {
+  std::vector<Mat3> frames(index(stack_.system->vertex_count()));
+  std::vector<std::vector<Mat3>> section_frames;
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
+    if (stack_.first_wall[b] < 0) continue;
+    std::copy(carried_.rotations[b].begin(), carried_.rotations[b].end(),
+              frames.begin() + stack_.first[b]);
+    section_frames.emplace_back();
+    for (const Pose& pose : carried_.sections[b]) section_frames.back().push_back(pose.rotation);
+  }
+  stack_.minimiser->set_turns(stack_.system->turns(frames, section_frames));
+}
+
+bool CoupledPath::advance(double t) {
+  CoupledSystem& system = *stack_.system;
+  const bool first = carried_.points.empty();
+  const std::optional<Local> before = std::move(last_);
+  if (first)
+    last_.reset();
+  else
+    last_ = local_state();
+  const bool line =
+      before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
+  const double along = line ? (t - last_->time) / (last_->time - before->time) : 0;
+  time_ = t;
+  carried_ = carried_at(t);
+  system.set_time(t);
+  if (line) stack_.z = last_->z + along * (last_->z - before->z);
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
+    const int w = stack_.first_wall[b];
+    if (w < 0) continue;
+    Points x = carried_.points[b];
+    for (Eigen::Index i = 0; !first && i < x.rows(); ++i) {
+      Vec3 deviation = last_->deviation[b].row(i);
+      if (line)
+        deviation += along * (last_->deviation[b].row(i) - before->deviation[b].row(i)).transpose();
+      x.row(i) += (carried_.rotations[b][index(i)] * deviation).transpose();
+    }
+    system.put(w, x, !first, stack_.z);
+    for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
+      Pose pose = carried_.sections[b][k];
+      if (t < 1) system.set_target(w, static_cast<int>(k), pose);
+      if (!first) pose = pose * last_->sections[b][k];
+      system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
+    }
+  }
+  turn_minimiser();
+  stack_.unstack();
+  return !first;
+}
+
+void CoupledPath::rebuild() {
+  const std::vector<int> old_wall = stack_.first_wall;
+  const CoupledState before = stack_.system->state(stack_.z);
+  stack_.build();
+  CoupledSystem& system = *stack_.system;
+  system.set_time(time_);
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
+    const int w = stack_.first_wall[b];
+    if (w < 0) continue;
+    const int old = old_wall[b];
+    system.put(w, stack_.scaled.bodies[b].now, false, stack_.z);
+    if (old >= 0) system.put_edges(w, before.q[index(old)], stack_.z);
+    for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
+      Pose pose = carried_.sections[b][k];
+      if (old >= 0)
+        pose = {before.placements[index(old)][k].rotation,
+                before.placements[index(old)][k].position};
+      system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
+    }
+  }
+  turn_minimiser();
+}
+
+}  // namespace vasorod

@@ -1,0 +1,164 @@
+#include "coupled/coupled_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "bodies/surface_report.h"
+#include "data/index.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+// What each section of a wall does to it, scaled: the gradient it must balance.
+std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
+                                            const CoupledState& s, const CoupledForces& f) {
+  const CoupledWall& wall = system.walls()[index(w)];
+  const VectorXd total = system.total_force(index(w), f);
+  std::vector<SectionSolution> sections(wall.sections.size());
+  for (size_t k = 0; k < sections.size(); ++k) {
+    SectionSolution& mine = sections[k];
+    const SectionPlacement& at = s.placements[index(w)][k];
+    mine.label = wall.sections[k].section().label;
+    mine.center = at.position;
+    mine.rotation = at.rotation;
+    mine.load = wall.sections[k].time() * wall.sections[k].section().force;
+    if (wall.ties[k])
+      wall.ties[k]->reaction(at, s.positions.middleRows(wall.first_vertex, wall.energy->vertices()),
+                             mine.force, mine.moment);
+  }
+  for (const CoupledWall::Carried& c : wall.carried) {
+    SectionSolution& mine = sections[index(c.section)];
+    const Vec3 force = total.segment<3>(c.entry);
+    mine.moment += (mine.rotation * c.arm).cross(force);
+    if (!c.normal) mine.force += force;
+  }
+  return sections;
+}
+
+// Where a wall folds sharper than a right angle over one edge its mesh cannot follow it
+// (degeneracy_barriers.h).
+void name_fold(const std::string& name, const WallEnergy& wall, const WallReport& now,
+               const ScaledBodies& scaled, CoupledSolution& solution) {
+  constexpr double right_angle = std::numbers::pi / 2;
+  if (now.sharpest_fold < right_angle || wall.report(wall.rest()).sharpest_fold > right_angle)
+    return;
+  const Vec3 place = now.fold_place * scaled.length + scaled.origin;
+  std::ostringstream note;
+  note.precision(4);
+  note << "the wall of " << name << " is folded by "
+       << std::lround(now.sharpest_fold * 180 / std::numbers::pi) << " degrees over one edge at ("
+       << place.x() << ", " << place.y() << ", " << place.z()
+       << "): its mesh is too coarse for what happens there";
+  solution.notes.push_back(note.str());
+}
+
+struct Sums {
+  Vec3 support = Vec3::Zero(), load = Vec3::Zero(), joining = Vec3::Zero(), contact = Vec3::Zero();
+  double residual = 0;
+};
+
+Sums sums_of(const CoupledSystem& system, int w, const std::vector<SectionSolution>& sections,
+             const CoupledForces& f) {
+  const CoupledWall& wall = system.walls()[index(w)];
+  const int vertices = wall.energy->vertices();
+  Sums sums;
+  for (const SectionSolution& section : sections) {
+    sums.load += section.load;
+    sums.support += section.force - section.load;
+  }
+  sums.joining = -f.joining.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
+  sums.contact = -f.contact.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
+  // Forces at a rigid ring from seam or contact reach its section as part of what it must hold:
+  // they are in both sums with opposite signs, and the wall's own forces add up to nothing.
+  const double net = (sums.support + sums.load + sums.joining + sums.contact).norm();
+  const double largest =
+      std::max({sums.support.norm(), sums.load.norm(), sums.joining.norm(), sums.contact.norm()});
+  const double rounding =
+      1e-12 *
+          Eigen::Map<const Points>(f.wall[index(w)].data(), vertices, 3).rowwise().norm().sum() +
+      1e-14 * vertices;
+  sums.residual = net <= rounding ? 0 : net / largest;
+  return sums;
+}
+
+}  // namespace
+
+double worst_coupled_balance(const ScaledBodies& scaled, const CoupledSystem& system,
+                             const std::vector<int>& first_wall, const VectorXd& z) {
+  VectorXd g;
+  CoupledForces f;
+  system.gradient(z, g, &f);
+  const CoupledState s = system.state(z);
+  double worst = 0;
+  for (size_t b = 0; b < scaled.bodies.size(); ++b)
+    if (const int w = first_wall[b]; w >= 0)
+      worst = std::max(worst, sums_of(system, w, section_forces(system, w, s, f), f).residual);
+  return worst;
+}
+
+void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
+                    const CoupledSystem* system, const std::vector<int>& first,
+                    const std::vector<int>& first_wall, const VectorXd& z,
+                    const StackedContacts& stacked, BodyContacts& contacts,
+                    CoupledSolution& solution) {
+  SurfaceSolution& surface = solution.surface;
+  surface.bodies.resize(scaled.bodies.size());
+  solution.sections.resize(scaled.bodies.size());
+  CoupledForces f;
+  CoupledState s;
+  if (system) {
+    VectorXd g;
+    const CoupledTerms terms = system->gradient(z, g, &f);
+    s = system->state(z);
+    surface.joining_energy = terms.joining * scaled.energy();
+    surface.contact_energy = terms.contact * scaled.energy();
+  }
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
+    BodySolution& mine = surface.bodies[b];
+    const Points& rest = problem.surfaces.bodies[b].rest.points;
+    mine.pressure = VectorXd::Zero(rest.rows());
+    mine.support_force = mine.binding_force = Points::Zero(rest.rows(), 3);
+    const int w = system ? first_wall[b] : -1;
+    if (w < 0) {
+      mine.positions = rest;
+      if (problem.vessels[b])
+        for (const HeldSection& section : problem.vessels[b]->sections) {
+          solution.sections[b].emplace_back();
+          solution.sections[b].back().label = section.label;
+          solution.sections[b].back().center = section.rest.position;
+        }
+      continue;
+    }
+    mine.modelled = true;
+    mine.positions = scaled.unscaled(s.positions.middleRows(first[b], rest.rows()));
+    solution.sections[b] = section_forces(*system, w, s, f);
+    const Sums sums = sums_of(*system, w, solution.sections[b], f);
+    mine.support = (sums.support + sums.load) * scaled.force();
+    mine.joining = sums.joining * scaled.force();
+    mine.contact = sums.contact * scaled.force();
+    mine.residual = sums.residual;
+    for (SectionSolution& section : solution.sections[b]) {
+      section.force *= scaled.force();
+      section.load *= scaled.force();
+      section.moment *= scaled.force() * scaled.length;
+      section.center = section.center * scaled.length + scaled.origin;
+    }
+    const WallReport energies = system->walls()[index(w)].energy->report(s.q[index(w)]);
+    solution.membrane_energy += energies.membrane * scaled.energy();
+    solution.bending_energy += (energies.bending + energies.coupling) * scaled.energy();
+    name_fold(problem.surfaces.bodies[b].name, *system->walls()[index(w)].energy, energies, scaled,
+              solution);
+  }
+  surface.stretching_energy = solution.membrane_energy;
+  surface.bending_energy = solution.bending_energy;
+  const std::vector<ContactPoint> none;
+  report_contacts(problem.surfaces, scaled, system ? system->contacts : none, s.positions, stacked,
+                  contacts, surface);
+  if (system) report_seam(scaled, system->joins, s.positions, surface);
+}
+
+}  // namespace vasorod

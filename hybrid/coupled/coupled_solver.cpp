@@ -1,0 +1,287 @@
+// The outer loop of `coupled`: follow the path of motions and loads; at each time minimise, update
+// the multipliers of seams, soft sections and contacts, find the closest features anew, until gaps
+// are closed, nothing penetrates and forces balance. Bodies enter the unknowns when they are moved,
+// joined or touched.
+#include <algorithm>
+
+#include <vasorod/error.h>
+
+#include "coupled/coupled_path.h"
+#include "coupled/coupled_report.h"
+#include "coupled/free_motions.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
+constexpr double tolerance_step = 1e-2;
+constexpr double finest_tolerance = 1e-13;
+// After so many updates a contact that still opens and closes is accepted at ten times its
+// tolerance, and named.
+constexpr int patience_with_contact = 40;
+constexpr double slack_contact = 10;
+// Where no step lowers the energy any more rounding has stopped the minimiser, if so little is
+// left.
+constexpr double rounding_residual = 1e-6;
+// So many minimisations in a row without a minimum end the solve.
+constexpr int most_failures = 3;
+// A step of the path moves the wall against its rod by a few percent of the radius; a kink by much
+// more.
+constexpr double jump = 0.2;
+// On the path Newton's steps are bounded by this share of the radius: a soft direction would else
+// carry over the low ridge between a smooth minimum and a kinked one.
+constexpr double path_step = 0.02;
+// Where a seam opens a slit, steps of part of an edge keep triangles from turning over, which the
+// energy would not undo.
+constexpr double seam_step = 0.3;
+
+}  // namespace
+
+class CoupledSolver::Data {
+ public:
+  Data(CoupledProblem problem, const CoupledOptions& options)
+      : stack_(checked(std::move(problem), options), options), path_(stack_) {}
+
+  CoupledStack& stack() { return stack_; }
+
+  CoupledSolution solve() {
+    stop_.emplace(stack_.options);
+    solution_ = {};
+    if (stack_.any_modelled()) {
+      follow_path();
+    } else {
+      solution_.status = Status::converged;
+      solution_.smallest_curvature_positive = true;
+      solution_.reached = 1;
+    }
+    report_coupled(stack_.problem, stack_.scaled, stack_.system.get(), stack_.first,
+                   stack_.first_wall, stack_.z, stack_.stacked, *stack_.contacts, solution_);
+    solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
+    return std::move(solution_);
+  }
+
+ private:
+  static CoupledProblem checked(CoupledProblem problem, const CoupledOptions& options) {
+    if (const auto fault = options.is_invalid()) throw InputError("options of coupled: " + *fault);
+    check_contacts(problem.surfaces);
+    return problem;
+  }
+
+  bool stop(int iteration, double residual) const {
+    return (*stop_)(
+        {solution_.surface.outer_iterations, solution_.surface.iterations + iteration, residual});
+  }
+
+  Points positions() const { return stack_.system->state(stack_.z).positions; }
+
+  void follow_path() {
+    if (!stack_.system) stack_.build();
+    path_.restart();
+    bool buckled = false;
+    for (const double t : stack_.options.times) {
+      const bool stepped = path_.advance(t);
+      const Points predicted = positions();
+      solution_.status = settle(stepped);
+      buckled |= left_saddle_;
+      if (stepped && predicted.rows() == stack_.system->vertex_count())
+        buckled |=
+            (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
+      if (solution_.status != Status::converged && solution_.status != Status::equilibrium_only &&
+          solution_.status != Status::not_unique)
+        return;
+      solution_.reached = t;
+    }
+    if (solution_.status == Status::not_unique)
+      solution_.notes.push_back(
+          "a direction is left that costs nothing, as when wrinkles may turn about the axis: the "
+          "result is "
+          "one of many");
+    if (buckled) {
+      solution_.status = Status::buckled;
+      solution_.notes.push_back(
+          "the smooth branch from rest lost its stability on the way; the result is the minimum "
+          "below it");
+    }
+  }
+
+  // `stepped`: from a start extrapolated along the path; the true Hessian keeps to its branch where
+  // K0's longer steps may leave it.
+  CoupledMinimiserOptions inner_options(bool stepped) {
+    CoupledMinimiserOptions inner;
+    inner.max_iterations = stack_.options.max_iterations;
+    inner.max_factorisations = stack_.options.max_factorisations;
+    inner.stop = [this](int iteration, double, double residual) {
+      return stop(iteration, residual);
+    };
+    if (stepped) {
+      inner.per_hessian = 3;
+      inner.largest_step = path_step * stack_.ring_radius();
+      inner.release_step = true;
+    } else if (!stack_.problem.surfaces.seams.empty()) {
+      inner.largest_step = seam_step;
+    }
+    return inner;
+  }
+
+  void count(const CoupledMinimiserSummary& summary) {
+    solution_.surface.iterations += summary.iterations;
+    solution_.rest_iterations += summary.rest_iterations;
+    solution_.surface.factorisations += summary.factorisations;
+    solution_.surface.residual = summary.residual;
+    solution_.smallest_curvature_positive = summary.positive;
+    left_saddle_ |= summary.left_saddle;
+  }
+
+  // A state that outlives a change of the references its rotation vectors count from.
+  struct Kept {
+    VectorXd z;
+    std::vector<std::vector<SectionPlacement>> placements;  // per wall and section
+  };
+
+  void restore(const Kept& kept) {
+    stack_.z = kept.z;
+    for (size_t w = 0; w < kept.placements.size(); ++w)
+      for (size_t k = 0; k < kept.placements[w].size(); ++k)
+        stack_.system->put_pose(static_cast<int>(w), static_cast<int>(k),
+                                kept.placements[w][k].rotation, kept.placements[w][k].position,
+                                stack_.z);
+  }
+
+  // The minimum at the present time.
+  Status settle(bool stepped) {
+    left_saddle_ = false;
+    const CoupledOptions& options = stack_.options;
+    const BodyProblem& surfaces = stack_.problem.surfaces;
+    CoupledMinimiserOptions inner = inner_options(stepped);
+    const bool alone = surfaces.seams.empty() && !stack_.system->has_ties();
+    const bool updates = !alone || !surfaces.contacts.empty();  // multipliers between minimisations
+    double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
+    int failures = 0;
+    Kept best;  // the last minimum found
+    for (int outer = 1;; ++outer) {
+      ++solution_.surface.outer_iterations;
+      inner.tolerance = tolerance;
+      inner.use_rest = !stepped && alone && outer == 1 && stack_.system->contacts.empty();
+      inner.reuse_hessian = outer > 1 && !stack_.contacts->pressing();
+      inner.certify = options.certify && tolerance <= options.tolerance;
+      const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, inner);
+      count(summary);
+      const bool minimum = summary.status == LbfgsStatus::converged;
+      const bool stalled =
+          summary.status == LbfgsStatus::stalled && summary.residual <= rounding_residual;
+      failures = minimum ? 0 : failures + 1;
+      if (minimum || best.z.size() != stack_.z.size())
+        best = {stack_.z, stack_.system->state(stack_.z).placements};
+      if (failures > most_failures) restore(best);
+      stack_.unstack();
+      if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
+      const double moment_change = stack_.system->recentre(stack_.z);
+      const bool seam_closed =
+          stack_.largest_seam_gap() <= options.seam_tolerance * stack_.seam_radius;
+      const bool tied = stack_.system->worst_tie(stack_.z) <= options.tie_tolerance;
+      const bool turned =
+          moment_change <= options.moment_tolerance * stack_.system->largest_moment();
+      const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+      const double slackness = outer > patience_with_contact ? slack_contact : 1;
+      const bool pressed_right = contact.touched.empty() &&
+                                 contact.penetration <= slackness * options.contact_tolerance &&
+                                 contact.force_change <= slackness * options.pressure_tolerance;
+      const bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
+                        turned && pressed_right;
+      if (good && (tolerance <= finest_tolerance || stalled ||
+                   worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall,
+                                         stack_.z) <= options.balance_tolerance)) {
+        if (options.certify && !summary.positive) {
+          if (tolerance <= options.tolerance)
+            return summary.neutral ? Status::not_unique : Status::unstable;
+          tolerance = options.tolerance;
+          continue;
+        }
+        if (contact.penetration > options.contact_tolerance ||
+            contact.force_change > options.pressure_tolerance)
+          solution_.notes.push_back(
+              "contacts that still open and close were accepted at ten times their tolerance");
+        return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
+      }
+      if (outer >= options.max_outer || failures > most_failures ||
+          (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
+           !updates)) {
+        if (stack_.minimiser->load_is_hidden(stack_.z))
+          solution_.notes.push_back(
+              "the loads are smaller than what rounding leaves of the walls' forces: the result is "
+              "not "
+              "theirs");
+        return Status::iteration_limit;
+      }
+      if (!seam_closed) stack_.update_seams();
+      if (!tied) stack_.system->update_ties(stack_.z);
+      const double least = good ? finest_tolerance : options.tolerance;
+      if (summary.residual <= tolerance) tolerance = std::max(least, tolerance * tolerance_step);
+      if (contact.touched.empty()) {
+        stack_.stack_contacts();
+        continue;
+      }
+      for (const int b : contact.touched)
+        stack_.scaled.bodies[static_cast<size_t>(b)].modelled = true;
+      check_free_motions(stack_.problem, stack_.scaled);
+      path_.rebuild();
+    }
+  }
+
+  CoupledStack stack_;
+  CoupledPath path_;
+  std::optional<StopCheck> stop_;  // of the present solve
+  bool left_saddle_ = false;
+  CoupledSolution solution_;
+};
+
+CoupledOptions::CoupledOptions() {
+  tolerance = 1e-9;           // Newton's last step is quadratic: a digit more costs nothing
+  seam_tolerance = 1e-4;      // one multiplier update reaches it
+  pressure_tolerance = 1e-4;  // each update gains a factor of the penalty over the wall's stiffness
+  contact_stiffness = 10;
+  max_factorisations = 60;
+  certify = true;  // the true Hessian is factorised anyway
+}
+
+std::optional<std::string> CoupledOptions::is_invalid() const {
+  if (const auto fault = SurfaceOptions::is_invalid()) return fault;
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  const bool rising = !times.empty() && times.front() > 0 && times.back() == 1 &&
+                      std::is_sorted(times.begin(), times.end());
+  return first_fault({
+      {positive(tie_tolerance), "tie_tolerance: expected a number above 0"},
+      {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
+      {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
+      {rising, "times: expected rising numbers above 0, the last of them 1"},
+  });
+}
+
+std::string CoupledSolution::brief_report() const {
+  SurfaceSolution whole = surface;
+  whole.status = status;
+  return whole.brief_report();
+}
+
+CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& options)
+    : data_(std::make_unique<Data>(std::move(problem), options)) {}
+CoupledSolver::~CoupledSolver() = default;
+CoupledSolution CoupledSolver::solve() {
+  return data_->solve();
+}
+void CoupledSolver::set_sections(int body, const std::vector<HeldSection>& sections) {
+  data_->stack().set_sections(body, sections);
+}
+void CoupledSolver::set_carried(std::function<std::vector<CarriedBody>(double)> carried) {
+  data_->stack().problem.carried = std::move(carried);
+}
+void CoupledSolver::set_material(int body, const Material& material) {
+  data_->stack().set_material(body, material);
+}
+CoupledOptions& CoupledSolver::options() {
+  return data_->stack().options;
+}
+
+}  // namespace vasorod

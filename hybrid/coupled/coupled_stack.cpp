@@ -1,0 +1,159 @@
+#include "coupled/coupled_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <vasorod/error.h>
+
+#include "bodies/seam.h"
+#include "coupled/free_motions.h"
+#include "data/index.h"
+
+namespace vasorod {
+namespace {
+
+bool acts(const HeldSection& section) {
+  return section.force != Vec3::Zero() || section.moment != Vec3::Zero() ||
+         section.body_moment != Vec3::Zero() || section.motion.move != Vec3::Zero() ||
+         section.motion.rotate != Vec3::Zero();
+}
+
+}  // namespace
+
+CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
+    : problem(std::move(given)), options(chosen) {
+  if (problem.vessels.size() != problem.surfaces.bodies.size())
+    throw InputError("found " + std::to_string(problem.vessels.size()) + " walls for " +
+                     std::to_string(problem.surfaces.bodies.size()) + " bodies, expected one each");
+  // p' and rotations of the end of the path, as scale_bodies wants them
+  const std::vector<CarriedBody> carried = problem.carried(1);
+  for (size_t b = 0; b < carried.size(); ++b) {
+    problem.surfaces.bodies[b].carried = carried[b].points;
+    problem.surfaces.bodies[b].rotations = carried[b].rotations;
+  }
+  scaled = scale_bodies(problem.surfaces);
+  check_seams(problem.surfaces.seams, scaled);
+  contacts = std::make_unique<BodyContacts>(problem.surfaces, scaled, options.contact_stiffness);
+  energies_.resize(problem.vessels.size());
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
+    ScaledBody& body = scaled.bodies[b];
+    body.modelled = body.moved;
+    if (problem.vessels[b])
+      for (const HeldSection& section : problem.vessels[b]->sections)
+        body.modelled |= acts(section);
+  }
+  for (const SeamPair& seam : problem.surfaces.seams)
+    for (const int b : {seam.body_a, seam.body_b})
+      scaled.bodies[index(b)].modelled = !scaled.bodies[index(b)].obstacle;
+  seam_multipliers_.assign(problem.surfaces.seams.size(), Vec3::Zero());
+  seam_radius = mouth_radius(problem.surfaces.seams, scaled);
+  check_free_motions(problem, scaled);
+}
+
+HeldSection CoupledStack::scale(const HeldSection& section) const {
+  return vasorod::scaled(section, scaled.length, scaled.force(), scaled.origin);
+}
+
+std::vector<HeldSection> CoupledStack::scaled_sections(size_t body) const {
+  std::vector<HeldSection> sections;
+  for (const HeldSection& section : problem.vessels[body]->sections)
+    sections.push_back(scale(section));
+  return sections;
+}
+
+void CoupledStack::set_sections(int b, const std::vector<HeldSection>& sections) {
+  problem.vessels[index(b)]->sections = sections;
+  if (system && first_wall[index(b)] >= 0)
+    system->set_sections(first_wall[index(b)], scaled_sections(index(b)));
+}
+
+void CoupledStack::set_material(int b, const Material& material) {
+  problem.vessels[index(b)]->wall.material = material;
+  energies_[index(b)].reset();
+  if (!system || first_wall[index(b)] < 0) return;
+  system->set_energy(first_wall[index(b)], energy_of(index(b)));
+  minimiser->renew_rest();
+}
+
+WallEnergy& CoupledStack::energy_of(size_t b) {
+  if (energies_[b]) return *energies_[b];
+  WallInput wall = problem.vessels[b]->wall;
+  wall.rest = scaled.bodies[b].rest;
+  wall.thickness /= scaled.length;
+  wall.mid_offset /= scaled.length;
+  for (double* modulus :
+       {&wall.material.young_axial, &wall.material.young_transverse, &wall.material.shear_axial})
+    *modulus /= scaled.pressure();
+  wall.name = "vessel " + problem.surfaces.bodies[b].name;
+  wall.glued.assign(index(wall.rest.points.rows()), 0);
+  for (const HeldSection& section : problem.vessels[b]->sections)
+    if (section.rigid)
+      for (const int v : section.ring) wall.glued[index(v)] = 1;
+  energies_[b] = std::make_unique<WallEnergy>(wall);
+  return *energies_[b];
+}
+
+void CoupledStack::build() {
+  system = std::make_unique<CoupledSystem>();
+  first.assign(scaled.bodies.size(), -1);
+  first_wall.assign(scaled.bodies.size(), -1);
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
+    const ScaledBody& body = scaled.bodies[b];
+    if (!body.modelled) continue;
+    first[b] = system->vertex_count();
+    first_wall[b] = system->add_wall(energy_of(b), body.rest.points, scaled_sections(b),
+                                     options.tie_stiffness * body.k.stretching);
+  }
+  system->finish();
+  const std::vector<SeamPair>& seams = problem.surfaces.seams;
+  system->k_j = joining_stiffness(seams, scaled, options.seam_stiffness);
+  system->joins = stacked_joins(seams, first, seam_multipliers_);
+  stack_contacts();
+  minimiser = std::make_unique<CoupledMinimiser>(*system);
+  z.setZero(system->unknowns());
+}
+
+void CoupledStack::stack_contacts() {
+  stacked = contacts->stacked(scaled, first);
+  system->contacts = stacked.points;
+}
+
+void CoupledStack::unstack() {
+  const Points positions = system->state(z).positions;
+  for (size_t b = 0; b < scaled.bodies.size(); ++b)
+    if (first[b] >= 0)
+      scaled.bodies[b].now = positions.middleRows(first[b], scaled.bodies[b].now.rows());
+}
+
+void CoupledStack::update_seams() {
+  update_join_multipliers(system->k_j, system->joins, system->state(z).positions);
+  for (size_t i = 0; i < system->joins.size(); ++i)
+    seam_multipliers_[i] = system->joins[i].multiplier;
+}
+
+bool CoupledStack::any_modelled() const {
+  return std::any_of(scaled.bodies.begin(), scaled.bodies.end(),
+                     [](const ScaledBody& body) { return body.modelled; });
+}
+
+double CoupledStack::largest_seam_gap() const {
+  return system->joins.empty() ? 0 : largest_gap(system->joins, system->state(z).positions);
+}
+
+double CoupledStack::ring_radius() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const CoupledWall& wall : system->walls())
+    for (const SectionPose& pose : wall.sections) {
+      const std::vector<int>& ring = pose.section().ring;
+      Points points(static_cast<Eigen::Index>(ring.size()), 3);
+      for (size_t i = 0; i < ring.size(); ++i)
+        points.row(static_cast<Eigen::Index>(i)) = wall.rest.row(ring[i]);
+      smallest = std::min(
+          smallest,
+          std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean()));
+    }
+  return smallest;
+}
+
+}  // namespace vasorod

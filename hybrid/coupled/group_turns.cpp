@@ -1,0 +1,59 @@
+#include "coupled/group_turns.h"
+
+#include <algorithm>
+
+namespace vasorod {
+
+void apply(const GroupTurns& d, bool transposed, Eigen::VectorXd& z) {
+  for (size_t g = 0; g < d.first.size(); ++g) {
+    const Turn& turn = d.turn[g];
+    if (turn.size() == 0) continue;
+    auto part = z.segment(d.first[g], turn.rows());
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> before = part;
+    if (transposed)
+      part.noalias() = turn.transpose() * before;
+    else
+      part.noalias() = turn * before;
+  }
+}
+
+void turn_matrix(const GroupTurns& d, Eigen::SparseMatrix<double>& k) {
+  std::vector<size_t> group_of(static_cast<size_t>(d.unknowns));
+  for (size_t g = 0; g < d.first.size(); ++g)
+    std::fill_n(group_of.begin() + d.first[g], d.width(g), g);
+  const int* outer = k.outerIndexPtr();
+  const int* rows = k.innerIndexPtr();
+  double* values = k.valuePtr();
+  for (size_t g = 0; g < d.first.size(); ++g) {
+    const int first = d.first[g], width = d.width(g), count = outer[first + 1] - outer[first];
+    // The columns of a group share their rows below the diagonal: p counts those of the first
+    // column.
+    const auto at = [&](int p, int c) -> double& { return values[outer[first + c] + p - c]; };
+    const Turn& right = d.turn[g];
+    if (right.size() > 0) {
+      Turn block(width, width);
+      for (int c = 0; c < width; ++c)
+        for (int p = c; p < width; ++p) block(p, c) = block(c, p) = at(p, c);
+      block = (right * block * right.transpose()).eval();
+      for (int c = 0; c < width; ++c)
+        for (int p = c; p < width; ++p) at(p, c) = block(p, c);
+    }
+    for (int p = width; p < count;) {
+      const size_t below = group_of[static_cast<size_t>(rows[outer[first] + p])];
+      const int height = d.width(below);
+      const Turn& left = d.turn[below];
+      if (left.size() > 0 || right.size() > 0) {
+        Turn block(height, width);
+        for (int c = 0; c < width; ++c)
+          for (int r = 0; r < height; ++r) block(r, c) = at(p + r, c);
+        if (left.size() > 0) block = (left * block).eval();
+        if (right.size() > 0) block = (block * right.transpose()).eval();
+        for (int c = 0; c < width; ++c)
+          for (int r = 0; r < height; ++r) at(p + r, c) = block(r, c);
+      }
+      p += height;
+    }
+  }
+}
+
+}  // namespace vasorod

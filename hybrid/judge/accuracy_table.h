@@ -1,0 +1,36 @@
+// How far each fidelity is from finite elements, as the comparison measured it on single tubes
+// (docs/comparison.md).
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace vasorod {
+
+/// What a vessel's rod does, as the measure of how hard the scene is.
+///   stretch  largest |v3 - v3^0|
+///   twist    largest ratio to the wrinkling limit (Validity::twist_ratio)
+///   bend     largest ratio to the local wrinkling curvature 0.605 t / R^2
+///   (Validity::wrinkling_ratio)
+enum class LoadKind { stretch, twist, bend };
+
+/// Up to `demand`, on meshes whose mean edge over R is at most `edge`, material points were within
+/// `error` (RMS over R) of the reference on every case measured, its own error counted in and a
+/// margin of 1.5.
+struct AccuracyRow {
+  std::string_view fidelity;
+  LoadKind kind;
+  double edge, demand, error;
+};
+
+/// Sorted by fidelity from cheap to dear, kind, edge and demand.
+std::span<const AccuracyRow> accuracy_table();
+
+/// The tubes it was measured on: lowest and highest t/R and L/R.
+struct AccuracyScope {
+  std::array<double, 2> thickness, length;
+};
+AccuracyScope accuracy_scope();
+
+}  // namespace vasorod

@@ -1,0 +1,112 @@
+#include "judge/validity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/sentence.h"
+#include "rod/conditions.h"
+#include "rod/strain_change.h"
+#include "wall/plane_stress.h"
+
+namespace vasorod {
+namespace {
+
+// The largest value of a ratio along a vessel and where it occurs.
+struct Extreme {
+  double value = 0;
+  Vec3 where = Vec3::Zero();
+  void see(double candidate, const Vec3& place) {
+    if (candidate <= value) return;
+    value = candidate;
+    where = place;
+  }
+};
+
+std::string sentence(const std::string& vessel, const Extreme& extreme, const std::string& near,
+                     const std::string& past, double limit) {
+  return "vessel " + vessel + " at " + place_text(extreme.where, 3) + ": " +
+         (extreme.value < limit ? near : past) + " (ratio " + number_text(extreme.value, 3) + ")";
+}
+
+void judge(const std::string& vessel, const Extreme& extreme, const std::string& near,
+           const std::string& past, Validity& validity) {
+  if (extreme.value >= 0.7) validity.warnings.push_back(sentence(vessel, extreme, near, past, 0.9));
+  if (extreme.value >= 0.9) validity.in_range = false;
+}
+
+// What a fibre does to the isotropic wall's limits (validity.h); 1 for that wall.
+struct FibreFactors {
+  double bending;    ///< of Brazier's curvature
+  double wrinkling;  ///< of the axial buckling strain
+  double twist;      ///< of the torsional buckling stress over E_L
+};
+
+FibreFactors fibre_factors(const VesselSpec& spec) {
+  const Material& m = spec.wall->material;
+  const double across = m.young_transverse / m.young_axial, bending = std::sqrt(across);
+  return {bending, bending * std::sqrt(std::min(1.0, m.shear_axial / ordinary_shear(m))),
+          std::pow(across, 0.625)};
+}
+
+}  // namespace
+
+void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
+                  const std::vector<int>& rigid_nodes, Validity& validity) {
+  const RodTree& rod = vessel.vessel.rod;
+  const Material& material = vessel.spec.wall->material;
+  const FibreFactors fibre = fibre_factors(vessel.spec);
+  const double t = vessel.spec.wall->thickness,
+               root = std::sqrt(1 - material.poisson_tt * material.poisson_tt),
+               length = length_scale(rod);
+  Extreme brazier, wrinkling, twist, strain, softening;
+  for (const ElementChange& element : element_changes(rod, poses)) {
+    const double r = element.radius;
+    const bool at_rigid_end = std::any_of(rigid_nodes.begin(), rigid_nodes.end(), [&](int node) {
+      return (rod.rest[static_cast<size_t>(node)].position - element.rest_middle).norm() < r;
+    });
+    if (at_rigid_end) continue;
+    const bool is_long = length / r * std::sqrt(t / r) >= 7;
+    if (is_long)
+      brazier.see(element.bending() * r * r * root / (0.471 * t * fibre.bending), element.middle);
+    wrinkling.see(element.bending() * r * r / (0.605 * t * fibre.wrinkling), element.middle);
+    const double critical_shear =
+        0.747 * material.young_axial * fibre.twist * std::pow(t / r, 1.25) * std::sqrt(r / length);
+    twist.see(material.shear_axial * r * std::abs(element.twist()) / critical_shear,
+              element.middle);
+    const double outer = r + t / 2;
+    strain.see(std::abs(element.change[2]) + element.bending() * outer, element.middle);
+    strain.see(std::abs(element.twist()) * outer + element.change.head<2>().norm(), element.middle);
+    const double rest_curvature = (element.strain - element.change).segment<2>(3).norm();
+    if (element.bending() > 0.1 * rest_curvature && rest_curvature * r > 1e-3) {
+      const double l = t * fibre.bending / (rest_curvature * r * r * root);
+      softening.see((12 * l * l + 10) / (12 * l * l + 1), element.middle);
+    }
+  }
+  const std::string& name = vessel.spec.name;
+  validity.brazier_ratio = std::max(validity.brazier_ratio, brazier.value);
+  validity.wrinkling_ratio = std::max(validity.wrinkling_ratio, wrinkling.value);
+  validity.twist_ratio = std::max(validity.twist_ratio, twist.value);
+  validity.largest_strain = std::max(validity.largest_strain, strain.value);
+  judge(name, brazier, "its bending comes near the Brazier limit, the section flattens",
+        "its section would kink there: bent past 0.9 of the Brazier limit", validity);
+  judge(name, wrinkling, "its inner side comes near wrinkling",
+        "its inner side would wrinkle there", validity);
+  judge(name, twist, "its twist comes near the wrinkling limit",
+        "it would wrinkle there under its twist", validity);
+  if (strain.value > 0.2) {
+    validity.in_range = false;
+    validity.warnings.push_back(
+        sentence(name, strain, "",
+                 "strained past 0.2, where the choice of material law alone changes "
+                 "the answer by 13 to 32 %",
+                 0.2));
+  }
+  if (softening.value > 1.25)
+    validity.warnings.push_back(
+        sentence(name, softening, "",
+                 "curved at rest: it bends softer than its round section by von "
+                 "Karman's factor, which rod, skin and paper leave out",
+                 1.25));
+}
+
+}  // namespace vasorod

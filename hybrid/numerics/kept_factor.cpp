@@ -1,0 +1,38 @@
+#include "numerics/kept_factor.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace vasorod {
+namespace {
+
+// From so many unknowns on nested dissection pays for itself in one solve.
+constexpr int large = 200000;
+
+bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+}  // namespace
+
+bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
+  const bool analysed = cholesky_.analysed() && same_pattern(matrix, matrix_);
+  if (analysed && cholesky_.factorised() &&
+      std::equal(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), matrix_.valuePtr()))
+    return true;
+  if (!analysed && matrix.cols() > large) {
+    std::vector<int> each(static_cast<size_t>(matrix.cols()));
+    std::iota(each.begin(), each.end(), 0);
+    cholesky_.analyse(matrix, elimination_order(matrix, each, Ordering::nested_dissection));
+  } else if (!analysed) {
+    cholesky_.analyse(matrix);
+  }
+  matrix_ = matrix;
+  ++factorisations_;
+  return cholesky_.factorise(matrix_);
+}
+
+}  // namespace vasorod

@@ -1,0 +1,210 @@
+#include "numerics/lbfgs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "data/sentence.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double armijo = 1e-4;
+constexpr int most_backtracks = 30;
+// Share of the energy below which a step's decrease may be lost: in the sum's last digits always,
+// and where large forces cancel in a small energy in many more; there the residual decides, by
+// half.
+constexpr double last_digits = 1e-14, cancelled = 1e-8;
+
+// The last steps s and changes of gradient y, and the two-loop recursion over them. Its products
+// s_i . y_j are kept, so that each of its four sweeps over the pairs is one product with a matrix:
+// at 10 pairs of 75,000 unknowns the recursion waits for memory, and this reads less than half of
+// it.
+class Pairs {
+ public:
+  Pairs(Eigen::Index unknowns, int memory)
+      : steps_(unknowns, memory), changes_(unknowns, memory), products_(memory, memory) {}
+
+  bool empty() const { return order_.empty(); }
+  void clear() {
+    order_.clear();
+    pending_ = false;
+  }
+
+  /// The step just taken along `direction` changed the gradient that descend() was last called with
+  /// to `now`.
+  void add(double step, const VectorXd& direction, const VectorXd& before, const VectorXd& now) {
+    if (steps_.cols() == 0) return;
+    const double product = step * direction.dot(now - before);
+    if (!(product > 1e-12 * step * direction.norm() * (now - before).norm())) return;
+    const bool full = static_cast<Eigen::Index>(order_.size()) == steps_.cols();
+    const Eigen::Index slot = full ? order_.front() : static_cast<Eigen::Index>(order_.size());
+    if (full) order_.pop_front();
+    steps_.col(slot) = step * direction;
+    changes_.col(slot) = now - before;
+    products_(slot, slot) = product;
+    order_.push_back(slot);
+    pending_ = true;
+  }
+
+  /// direction = -H gradient.
+  void descend(const Preconditioner& precondition, const VectorXd& gradient, VectorXd& work,
+               VectorXd& direction) {
+    const auto used = static_cast<Eigen::Index>(order_.size());
+    if (used == 0) {
+      precondition(gradient, direction);
+      direction = -direction;
+      return;
+    }
+    const VectorXd before = along_;
+    along_.noalias() = steps_.leftCols(used).transpose() * gradient;
+    // y of the newest pair is this gradient minus the one before.
+    for (size_t k = 0; pending_ && k + 1 < order_.size(); ++k)
+      products_(order_[k], order_.back()) = along_[order_[k]] - before[order_[k]];
+    pending_ = false;
+    VectorXd alpha = along_;
+    for (size_t k = order_.size(); k-- > 0;) {
+      for (size_t j = k + 1; j < order_.size(); ++j)
+        alpha[order_[k]] -= alpha[order_[j]] * products_(order_[k], order_[j]);
+      alpha[order_[k]] /= products_(order_[k], order_[k]);
+    }
+    work = gradient;
+    work.noalias() -= changes_.leftCols(used) * alpha;
+    precondition(work, direction);
+    VectorXd share = changes_.leftCols(used).transpose() * direction;
+    for (size_t k = 0; k < order_.size(); ++k) {
+      for (size_t j = 0; j < k; ++j)
+        share[order_[k]] += share[order_[j]] * products_(order_[j], order_[k]);
+      share[order_[k]] = alpha[order_[k]] - share[order_[k]] / products_(order_[k], order_[k]);
+    }
+    direction.noalias() += steps_.leftCols(used) * share;
+    direction = -direction;
+  }
+
+ private:
+  Eigen::MatrixXd steps_, changes_;  // a column per pair
+  Eigen::MatrixXd products_;         // (i, j): s_i . y_j for i not younger than j
+  VectorXd along_;                   // s_i . the last gradient
+  std::deque<Eigen::Index> order_;   // columns in use, the oldest first
+  bool pending_ = false;             // the newest pair's products are still to be found
+};
+
+}  // namespace
+
+std::string to_string(LbfgsStatus status) {
+  switch (status) {
+    case LbfgsStatus::converged:
+      return "converged";
+    case LbfgsStatus::iteration_limit:
+      return "iteration_limit";
+    case LbfgsStatus::slow:
+      return "slow";
+    case LbfgsStatus::stalled:
+      return "stalled";
+    case LbfgsStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& precondition, VectorXd& x,
+                   const LbfgsOptions& options) {
+  LbfgsSummary summary;
+  VectorXd gradient(x.size()), new_gradient(x.size()), new_x(x.size()), direction(x.size()),
+      work(x.size());
+  Pairs pairs(x.size(), options.memory);
+  double energy = evaluate(x, gradient, summary.residual);
+  summary.evaluations = 1;
+  std::vector<double> residuals{summary.residual};
+  const auto finish = [&](LbfgsStatus status) {
+    summary.status = status;
+    summary.energy = energy;
+    return summary;
+  };
+  while (true) {
+    if (summary.residual <= options.tolerance) return finish(LbfgsStatus::converged);
+    if (summary.iterations >= options.max_iterations) return finish(LbfgsStatus::iteration_limit);
+    if (options.stop && options.stop(summary.iterations, energy, summary.residual))
+      return finish(LbfgsStatus::interrupted);
+    if (options.patience > 0 && summary.iterations >= options.patience &&
+        summary.residual >
+            0.1 * residuals[residuals.size() - 1 - static_cast<size_t>(options.patience)])
+      return finish(LbfgsStatus::slow);
+
+    pairs.descend(precondition, gradient, work, direction);
+    double slope = gradient.dot(direction);
+    if (!(slope < 0) && !pairs.empty()) {
+      pairs.clear();
+      pairs.descend(precondition, gradient, work, direction);
+      slope = gradient.dot(direction);
+    }
+    if (!(slope < 0)) return finish(LbfgsStatus::stalled);
+
+    if (const double longest = direction.cwiseAbs().maxCoeff();
+        options.largest_step > 0 && longest > options.largest_step) {
+      direction *= options.largest_step / longest;
+      slope *= options.largest_step / longest;
+    }
+    double step = 1, new_energy = 0, new_residual = 0;
+    bool accepted = false;
+    for (int k = 0; k < most_backtracks && !accepted; ++k) {
+      new_x = x + step * direction;
+      new_energy = evaluate(new_x, new_gradient, new_residual);
+      ++summary.evaluations;
+      accepted = std::isfinite(new_energy) && std::isfinite(new_residual) &&
+                 (new_energy < energy + armijo * step * slope ||
+                  (new_energy <= energy + last_digits * std::abs(energy) &&
+                   new_residual < summary.residual) ||
+                  (std::max(new_energy - energy, -step * slope) <= cancelled * std::abs(energy) &&
+                   new_residual < 0.5 * summary.residual));
+      if (accepted) break;
+      const double curvature = 2 * (new_energy - energy - step * slope) / (step * step);
+      const double minimum = std::isfinite(curvature) && curvature > 0 ? -slope / curvature : 0;
+      step = std::clamp(minimum, 0.1 * step, 0.5 * step);
+    }
+    if (!accepted) {
+      if (pairs.empty()) return finish(LbfgsStatus::stalled);
+      pairs.clear();
+      continue;
+    }
+
+    pairs.add(step, direction, gradient, new_gradient);
+    std::swap(x, new_x);
+    std::swap(gradient, new_gradient);
+    energy = new_energy;
+    summary.residual = new_residual;
+    residuals.push_back(new_residual);
+    ++summary.iterations;
+  }
+}
+
+void StagedSummary::add(const LbfgsSummary& stage) {
+  status = stage.status;
+  iterations += stage.iterations;
+  energy = stage.energy;
+  residual = stage.residual;
+}
+
+std::function<bool(int, double, double)> StagedSummary::counting(
+    const std::function<bool(int, double, double)>& stop) const {
+  if (!stop) return {};
+  return [this, stop](int iteration, double at, double left) {
+    return stop(iterations + iteration, at, left);
+  };
+}
+
+std::string LbfgsSummary::brief_report() const {
+  return to_string(status) + ": residual " + number_text(residual) + " after " +
+         std::to_string(iterations) + " iterations, " + std::to_string(evaluations) +
+         " evaluations";
+}
+
+std::string StagedSummary::brief_report() const {
+  return to_string(status) + ": residual " + number_text(residual) + " after " +
+         std::to_string(iterations) + " iterations";
+}
+
+}  // namespace vasorod

@@ -1,0 +1,126 @@
+#include "paper/joined_skin.h"
+
+#include <numeric>
+
+#include <vasorod/error.h>
+
+#include "geometry/triangle_surface.h"
+#include "numerics/cholesky.h"
+#include "paper/bending_energy.h"
+#include "paper/umbrella.h"
+
+namespace vasorod {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// Vertices of the joined bodies under one numbering; a seam's pairs share a representative.
+struct Numbering {
+  std::vector<int> offset;  // per body; -1: not joined
+  std::vector<int> representative;
+
+  explicit Numbering(const BodyProblem& problem) : offset(problem.bodies.size(), -1) {
+    for (const SeamPair& pair : problem.seams)
+      for (const int body : {pair.body_a, pair.body_b}) offset[static_cast<size_t>(body)] = 0;
+    int count = 0;
+    for (size_t b = 0; b < offset.size(); ++b)
+      if (offset[b] == 0) {
+        offset[b] = count;
+        count += static_cast<int>(problem.bodies[b].rest.points.rows());
+      }
+    representative.resize(static_cast<size_t>(count));
+    std::iota(representative.begin(), representative.end(), 0);
+    for (const SeamPair& pair : problem.seams) {
+      const int a = find(offset[static_cast<size_t>(pair.body_a)] + pair.vertex_a);
+      const int b = find(offset[static_cast<size_t>(pair.body_b)] + pair.vertex_b);
+      representative[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  int find(int i) const {
+    while (representative[static_cast<size_t>(i)] != i) i = representative[static_cast<size_t>(i)];
+    return i;
+  }
+};
+
+}  // namespace
+
+std::vector<Points> joined_skin(const BodyProblem& problem) {
+  std::vector<Points> positions;
+  for (const SurfaceBody& body : problem.bodies)
+    positions.push_back(body.carried.rows() > 0 ? body.carried : body.rest.points);
+  if (problem.seams.empty()) return positions;
+
+  const Numbering numbering(problem);
+  const auto count = static_cast<Eigen::Index>(numbering.representative.size());
+  Triplets entries;
+  Points force = Points::Zero(count, 3);  // the constant part of the energies' gradient, halved
+  std::vector<char> fixed(static_cast<size_t>(count), 0);
+  Points known = Points::Zero(count, 3);
+  for (size_t b = 0; b < problem.bodies.size(); ++b) {
+    const int offset = numbering.offset[b];
+    if (offset < 0) continue;
+    const SurfaceBody& body = problem.bodies[b];
+    const auto n = static_cast<int>(body.rest.points.rows());
+    if (!(body.k.binding > 0 && body.k.bending > 0))
+      throw InputError("vessel " + body.name +
+                       ": coefficients: found a binding or bending that is not positive, expected "
+                       "both positive to close a seam");
+    const Umbrella umbrella(edges_of(body.rest.triangles), n);
+    const std::vector<Mat3> rotations =
+        body.rotations.empty() ? std::vector<Mat3>(static_cast<size_t>(n), Mat3::Identity())
+                               : body.rotations;
+    const Points carried_l = carried_laplacian(umbrella, body.rest.points, rotations);
+    const Sparse hessian = 0.5 * bending_energy_hessian(body.k.bending, umbrella);
+    for (int column = 0; column < hessian.outerSize(); ++column)
+      for (Sparse::InnerIterator it(hessian, column); it; ++it)
+        entries.emplace_back(offset + it.row(), offset + it.col(), it.value());
+    Points bending_force = Points::Zero(n, 3);
+    umbrella.add_transpose(carried_l, body.k.bending, bending_force);
+    force.middleRows(offset, n) += bending_force + body.k.binding * positions[b];
+    for (int i = 0; i < n; ++i) {
+      entries.emplace_back(offset + i, offset + i, body.k.binding);
+      if (!body.fixed.empty() && body.fixed[static_cast<size_t>(i)]) {
+        const auto r = static_cast<size_t>(numbering.find(offset + i));
+        fixed[r] = 1;
+        known.row(static_cast<Eigen::Index>(r)) = positions[b].row(i);
+      }
+    }
+  }
+  Sparse full(count, count);
+  full.setFromTriplets(entries.begin(), entries.end());
+
+  // x = select * y + known, y the free representatives.
+  std::vector<int> column(static_cast<size_t>(count), -1);
+  int free_count = 0;
+  for (int i = 0; i < count; ++i)
+    if (numbering.find(i) == i && !fixed[static_cast<size_t>(i)])
+      column[static_cast<size_t>(i)] = free_count++;
+  Triplets picks;
+  Points at_known = Points::Zero(count, 3);
+  for (int i = 0; i < count; ++i) {
+    const int r = numbering.find(i);
+    if (column[static_cast<size_t>(r)] >= 0)
+      picks.emplace_back(i, column[static_cast<size_t>(r)], 1.0);
+    else
+      at_known.row(i) = known.row(r);
+  }
+  Sparse select(count, free_count);
+  select.setFromTriplets(picks.begin(), picks.end());
+  const Sparse reduced = select.transpose() * full * select;
+  const Eigen::MatrixXd right = select.transpose() * (force - full * at_known);
+
+  Cholesky cholesky;
+  cholesky.analyse(reduced);
+  if (!cholesky.factorise(reduced))
+    throw InputError("the seam cannot be closed: its energies are not positive definite");
+  Eigen::MatrixXd y(free_count, 3);
+  cholesky.solve(right.data(), y.data(), 3);
+  const Points x = select * y + at_known;
+  for (size_t b = 0; b < problem.bodies.size(); ++b)
+    if (numbering.offset[b] >= 0)
+      positions[b] = x.middleRows(numbering.offset[b], problem.bodies[b].rest.points.rows());
+  return positions;
+}
+
+}  // namespace vasorod

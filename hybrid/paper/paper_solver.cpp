@@ -1,0 +1,204 @@
+// The outer loop of the `paper` surface solve: minimise, update the multipliers of seams and
+// contacts, find the closest features anew, until gaps are closed, nothing penetrates and forces
+// balance. Bodies enter the unknowns when they are moved, joined or touched.
+#include "paper/paper_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <vasorod/error.h>
+
+#include "bodies/body_contacts.h"
+#include "bodies/scaled_bodies.h"
+#include "bodies/seam.h"
+#include "paper/paper_minimiser.h"
+#include "paper/paper_report.h"
+
+namespace vasorod {
+namespace {
+
+constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
+constexpr double tolerance_step = 0.1;
+constexpr int settling_iterations = 15, most_settling = 25;
+constexpr double finest_tolerance = 1e-12;
+
+class PaperRun {
+ public:
+  PaperRun(const BodyProblem& problem, const PaperOptions& options, KeptFactor& bound)
+      : problem_(problem),
+        options_(options),
+        bound_(bound),
+        stop_(options),
+        scaled_(scale_bodies(problem)),
+        contacts_(problem, scaled_, options.contact_stiffness) {
+    check_seams(problem.seams, scaled_);
+    check_contacts(problem);
+    seam_multipliers_.assign(problem.seams.size(), Vec3::Zero());
+    for (ScaledBody& body : scaled_.bodies) body.modelled = body.moved;
+    for (const SeamPair& seam : problem.seams)
+      for (const int b : {seam.body_a, seam.body_b})
+        this->body(b).modelled = !this->body(b).obstacle;
+    seam_radius_ = mouth_radius(problem.seams, scaled_);
+  }
+
+  SurfaceSolution run() {
+    if (std::any_of(scaled_.bodies.begin(), scaled_.bodies.end(),
+                    [](const ScaledBody& b) { return b.modelled; })) {
+      iterate();
+    } else {
+      solution_.status = Status::converged;
+    }
+    report_paper(problem_, scaled_, system_, first_, positions_, stacked_, contacts_, solution_);
+    solution_.seam_radius = seam_radius_ * scaled_.length;
+    return std::move(solution_);
+  }
+
+ private:
+  ScaledBody& body(int index) { return scaled_.bodies[static_cast<size_t>(index)]; }
+
+  void build() {
+    system_ = {};
+    first_.assign(scaled_.bodies.size(), -1);
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b) {
+      const ScaledBody& mine = scaled_.bodies[b];
+      if (!mine.modelled) continue;
+      first_[b] = system_.vertex_count();
+      append_body(system_, mine.rest, mine.carried, mine.rotations, mine.k, mine.fixed);
+    }
+    system_.k_j = joining_stiffness(problem_.seams, scaled_, options_.seam_stiffness);
+    system_.joins = stacked_joins(problem_.seams, first_, seam_multipliers_);
+    stack_contacts();
+    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_);
+    positions_.resize(system_.vertex_count(), 3);
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b)
+      if (first_[b] >= 0)
+        positions_.middleRows(first_[b], scaled_.bodies[b].now.rows()) = scaled_.bodies[b].now;
+  }
+
+  void stack_contacts() {
+    stacked_ = contacts_.stacked(scaled_, first_);
+    system_.contacts = stacked_.points;
+  }
+
+  void unstack() {
+    for (size_t b = 0; b < scaled_.bodies.size(); ++b)
+      if (first_[b] >= 0)
+        scaled_.bodies[b].now = positions_.middleRows(first_[b], scaled_.bodies[b].now.rows());
+  }
+
+  bool stop(int iteration, double residual) const {
+    return stop_({solution_.outer_iterations, solution_.iterations + iteration, residual});
+  }
+
+  void iterate() {
+    build();
+    minimiser_->factorise(positions_);
+    PaperMinimiserOptions inner;
+    inner.max_iterations = options_.max_iterations;
+    inner.max_factorisations = options_.max_factorisations;
+    inner.stop = [this](int iteration, double, double residual) {
+      return stop(iteration, residual);
+    };
+    const bool constrained = !problem_.seams.empty() || !problem_.contacts.empty();
+    double tolerance =
+        constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
+    int settling_outers = 0;
+    for (solution_.outer_iterations = 1;; ++solution_.outer_iterations) {
+      inner.tolerance = tolerance;
+      // While contacts still open and close, the matrix that knows them is renewed before the
+      // minimum is refined; what has not settled after that is given to the true Hessian.
+      const bool pressing = contacts_.pressing(),
+                 settling = pressing && settling_outers < most_settling;
+      settling_outers += settling ? 1 : 0;
+      inner.max_iterations = settling ? settling_iterations : options_.max_iterations;
+      inner.reuse_hessian = !pressing;
+      inner.patience = pressing && !settling ? 1 : options_.patience;
+      const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
+      solution_.iterations += summary.iterations;
+      solution_.factorisations += summary.factorisations;
+      solution_.residual = summary.residual;
+      unstack();
+      if (summary.status == LbfgsStatus::interrupted) {
+        solution_.status = Status::interrupted;
+        return;
+      }
+      const bool at_rest = summary.residual <= options_.tolerance;
+      const bool seam_closed =
+          largest_gap(system_.joins, positions_) <= options_.seam_tolerance * seam_radius_;
+      const ContactState contact = contacts_.refresh(scaled_);
+      const bool pressed_right = contact.touched.empty() &&
+                                 contact.penetration <= options_.contact_tolerance &&
+                                 contact.force_change <= options_.pressure_tolerance;
+      const bool balanced = worst_balance(sum_forces(scaled_, system_, first_, positions_)) <=
+                            options_.balance_tolerance;
+      if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
+        const bool asked = options_.certify;
+        solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_);
+        solution_.status =
+            asked && !solution_.smallest_curvature_positive ? Status::unstable : Status::converged;
+        return;
+      }
+      if (solution_.outer_iterations >= options_.max_outer) {
+        solution_.status = Status::iteration_limit;
+        return;
+      }
+      if (!seam_closed) {
+        update_join_multipliers(system_.k_j, system_.joins, positions_);
+        for (size_t i = 0; i < system_.joins.size(); ++i)
+          seam_multipliers_[i] = system_.joins[i].multiplier;
+      }
+      // Rough minima while features and multipliers still move much, then step by step to the
+      // tolerance asked for.
+      const double least =
+          seam_closed && pressed_right && at_rest ? finest_tolerance : options_.tolerance;
+      if (summary.residual <= tolerance) tolerance = std::max(least, tolerance * tolerance_step);
+      if (!contact.touched.empty()) {
+        for (const int b : contact.touched) body(b).modelled = true;
+        build();
+        minimiser_->factorise(positions_);
+      } else {
+        stack_contacts();
+        if (contact.pressed_changed) minimiser_->factorise(positions_);
+      }
+    }
+  }
+
+  const BodyProblem& problem_;
+  const PaperOptions& options_;
+  KeptFactor& bound_;
+  StopCheck stop_;
+  ScaledBodies scaled_;
+  BodyContacts contacts_;
+  std::vector<Vec3> seam_multipliers_;
+  double seam_radius_ = 0;
+  PaperSystem system_;
+  std::unique_ptr<PaperMinimiser> minimiser_;
+  StackedContacts stacked_;
+  std::vector<int> first_;  // of each body in the stack, -1: not among the unknowns
+  Points positions_;        // the stack
+  SurfaceSolution solution_;
+};
+
+}  // namespace
+
+std::optional<std::string> PaperOptions::is_invalid() const {
+  if (const auto fault = SurfaceOptions::is_invalid()) return fault;
+  return first_fault({{patience >= 1, "patience: expected at least 1"}});
+}
+
+PaperSolver::PaperSolver(PaperOptions options)
+    : options_(std::move(options)), bound_(std::make_unique<KeptFactor>()) {
+  if (const auto fault = options_.is_invalid()) throw InputError("options of paper: " + *fault);
+}
+PaperSolver::~PaperSolver() = default;
+
+SurfaceSolution PaperSolver::solve(const BodyProblem& problem) {
+  return PaperRun(problem, options_, *bound_).run();
+}
+
+SurfaceSolution solve_paper(const BodyProblem& problem, const PaperOptions& options) {
+  return PaperSolver(options).solve(problem);
+}
+
+}  // namespace vasorod

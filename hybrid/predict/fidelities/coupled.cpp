@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "coupled/coupled_problem.h"
+#include "data/index.h"
+#include "paper/joined_skin.h"
+#include "predict/fidelities/fidelities.h"
+#include "predict/path_rule.h"
+#include "predict/surface_bodies.h"
+#include "predict/vessel_wall.h"
+#include "rod/binding.h"
+#include "vessel/section_means.h"
+
+namespace vasorod {
+namespace {
+
+CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
+                       const VesselSections& sections) {
+  const Vessel& v = vessel.prepared.vessel;
+  CarriedBody body;
+  body.points = carried_points(v.rod, poses, v.binding);
+  body.rotations = carried_rotations(v.rod, poses, v.binding);
+  for (const int node : sections.nodes)
+    body.sections.push_back(
+        {poses[index(node)].rotation * v.rod.rest[index(node)].rotation.transpose(),
+         poses[index(node)].position});
+  return body;
+}
+
+CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& sections) {
+  CoupledProblem problem;
+  problem.surfaces = body_problem(prediction);
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    sections.emplace_back();
+    problem.vessels.emplace_back();
+    if (vessel.prepared.obstacle()) continue;
+    sections.back() =
+        sections_of(vessel.prepared.vessel, vessel.conditions, mouth_of(prediction, vessel));
+    problem.vessels.back() = std::make_unique<CoupledVessel>(
+        CoupledVessel{wall_of(vessel.prepared), sections.back().sections});
+  }
+  // A seam starts closed: sections carried rigidly give way as little as the paper's quadratic
+  // energies ask.
+  std::vector<Points> joined;
+  if (prediction.glenn) joined = joined_skin(problem.surfaces);
+  problem.carried = [&prediction, &sections, joined](double t) {
+    std::vector<CarriedBody> bodies;
+    for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+      const PredictedVessel& vessel = prediction.vessels[v];
+      bodies.emplace_back();
+      if (!vessel.rod_solved) {
+        if (!joined.empty() && !vessel.prepared.obstacle()) bodies.back().points = joined[v];
+        continue;
+      }
+      const RodPoses poses = t == 1
+                                 ? vessel.rod.poses
+                                 : share_of_strain(vessel.prepared.vessel.rod, vessel.rod.poses, t);
+      bodies.back() = carried_by(vessel, poses, sections[v]);
+      if (!joined.empty()) bodies.back().points = joined[v];
+    }
+    return bodies;
+  };
+  return problem;
+}
+
+// Nodes within a radius of a mouth: its section is a seam's, no tube's.
+std::vector<char> nodes_beside(const RodTree& rod, int mouth) {
+  std::vector<char> beside(rod.rest.size(), 0);
+  if (mouth < 0) return beside;
+  for (size_t n = 0; n < beside.size(); ++n)
+    beside[n] =
+        (rod.rest[n].position - rod.rest[index(mouth)].position).norm() <= rod.radius[index(mouth)];
+  return beside;
+}
+
+// What is reported of a vessel along its axis is its wall's: the mean poses of its sections.
+void give_rods_the_walls_means(Prediction& prediction, const std::vector<VesselSections>& sections,
+                               const std::vector<std::vector<SectionSolution>>& solutions) {
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    PredictedVessel& vessel = prediction.vessels[v];
+    if (!prediction.surfaces->solution.bodies[v].modelled) continue;
+    const Vessel& mine = vessel.prepared.vessel;
+    std::vector<std::optional<Pose>> known(mine.rod.rest.size());
+    for (size_t k = 0; k < sections[v].nodes.size(); ++k) {
+      const SectionSolution& solved = solutions[v][k];
+      const auto node = index(sections[v].nodes[k]);
+      known[node] = Pose{solved.rotation * mine.rod.rest[node].rotation, solved.center};
+    }
+    vessel.rod.poses = section_means(mine, vessel.positions, vessel.rod.poses, known,
+                                     nodes_beside(mine.rod, mouth_of(prediction, vessel)));
+  }
+}
+
+}  // namespace
+
+void solve_coupled(Prediction& prediction, const SolveOptions& options) {
+  std::vector<VesselSections> sections;
+  CoupledOptions coupled;
+  coupled.times = path_times(prediction);
+  coupled.stop = options.stop;
+  coupled.progress = iteration_progress("walls", 10, options);
+  CoupledSolver solver(problem_of(prediction, sections), coupled);
+  CoupledSolution solution = solver.solve();
+
+  SolvedSurfaces surfaces;
+  surfaces.solution = std::move(solution.surface);
+  surfaces.solution.status = solution.status;
+  surfaces.smallest_curvature_positive = solution.smallest_curvature_positive;
+  surfaces.notes = solution.notes;
+  surfaces.terms = {"bending", "stretching"};
+  surfaces.carry_everything = true;
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    Vec3& load = surfaces.load.emplace_back(Vec3::Zero());
+    for (const SectionSolution& section : solution.sections[v]) {
+      load += section.load;
+      if (!section.label.empty())
+        surfaces.ends.push_back({prediction.vessels[v].prepared.spec.name, section.label,
+                                 section.force, section.moment, section.center});
+    }
+  }
+  take_surfaces(std::move(surfaces), "wall", prediction);
+  prediction.left_out["energy of the rods"] =
+      "fidelity coupled: the walls carry all of it; the rods are start, frames and report";
+  give_rods_the_walls_means(prediction, sections, solution.sections);
+}
+
+}  // namespace vasorod

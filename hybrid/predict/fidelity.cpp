@@ -1,0 +1,45 @@
+#include "predict/fidelity.h"
+
+#include <algorithm>
+
+#include "predict/fidelities/fidelities.h"
+
+namespace vasorod {
+namespace {
+
+std::vector<Fidelity>& registry() {
+  static std::vector<Fidelity> all = {
+      {"rod", "the rods alone, no surface", false, false, solve_rod_only},
+      {"skin", "the rods, sections carried rigidly", true, true, solve_skin},
+      {"paper", "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
+       true, solve_paper_surfaces},
+      {"coupled", "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
+       true, solve_coupled},
+  };
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Fidelity>& fidelities() {
+  return registry();
+}
+
+const Fidelity* find_fidelity(const std::string& name) {
+  const auto& all = registry();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Fidelity& fidelity) { return fidelity.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+void register_fidelity(Fidelity fidelity) {
+  registry().push_back(std::move(fidelity));
+}
+
+std::vector<std::string> fidelity_names() {
+  std::vector<std::string> names;
+  for (const Fidelity& fidelity : registry()) names.push_back(fidelity.name);
+  return names;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,199 @@
+#include <algorithm>
+
+#include <vasorod/error.h>
+#include <vasorod/predict.h>
+
+#include "data/sentence.h"
+#include "judge/choose_fidelity.h"
+#include "numerics/blas.h"
+#include "predict/fidelity.h"
+#include "predict/prediction.h"
+#include "predict/result_of_prediction.h"
+#include "predict/result_parts.h"
+#include "predict/rod_scene.h"
+#include "predict/stopwatch.h"
+
+namespace vasorod {
+namespace {
+
+std::string line_of(const Scene& scene, const VesselSpec& vessel) {
+  return scene.file.string() + ":" + std::to_string(vessel.line) + ": ";
+}
+
+std::string place(const Scene& scene, const VesselSpec& vessel) {
+  return line_of(scene, vessel) + "vessel " + vessel.name + ": ";
+}
+
+// What a part that knows no scene file says of its input, with the place it belongs to.
+template <class Work>
+auto placed(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(where + error.what());
+  }
+}
+
+bool has_bare_rods(const Scene& scene) {
+  return std::any_of(scene.vessels.begin(), scene.vessels.end(),
+                     [](const VesselSpec& vessel) { return vessel.rod.has_value(); });
+}
+
+const Fidelity& named(const std::string& name, const std::string& where) {
+  if (const Fidelity* fidelity = find_fidelity(name)) return *fidelity;
+  const std::vector<std::string> names = fidelity_names();
+  const auto meant = nearest_word(name, names);
+  throw InputError(where + "fidelity: found " + in_quotes(name) + ", expected " +
+                   (meant ? in_quotes(*meant) : listed(names)));
+}
+
+// The most expensive that `accuracy:` may fall back to.
+const Fidelity& dearest() {
+  const auto& all = fidelities();
+  return *std::find_if(all.rbegin(), all.rend(), [](const Fidelity& f) { return f.choosable; });
+}
+
+// As asked for; with `accuracy:` alone the most expensive the vessels allow, until the rods say
+// what will do.
+const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options) {
+  const std::string line =
+      scene.file.string() +
+      (scene.fidelity_line > 0 ? ":" + std::to_string(scene.fidelity_line) : "") + ": ";
+  const Fidelity& fidelity = options.fidelity       ? named(*options.fidelity, "")
+                             : scene.fidelity       ? named(*scene.fidelity, line)
+                             : has_bare_rods(scene) ? named("rod", "")
+                                                    : dearest();
+  for (const VesselSpec& vessel : scene.vessels) {
+    if (vessel.pressure)
+      throw InputError(
+          place(scene, vessel) +
+          "found a pressure, expected none: only the finite-element reference takes it");
+    if (vessel.rod && fidelity.surfaces)
+      throw InputError(place(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
+                       ", expected fidelity rod");
+  }
+  return fidelity;
+}
+
+void solve_rods(Prediction& prediction, const SolveOptions& options) {
+  RodOptions rod_options;
+  rod_options.stop = options.stop;
+  for (PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle() || vessel.rod_solved) continue;
+    vessel.rod.poses = vessel.prepared.vessel.rod.rest;
+    if (!vessel.conditions.acts) {
+      prediction.left_out["rod of " + vessel.prepared.spec.name] =
+          "nothing moves or loads it: it stays as it is";
+      continue;
+    }
+    options.progress("rod of " + vessel.prepared.spec.name);
+    vessel.rod = placed(place(*prediction.scene, vessel.prepared.spec), [&] {
+      return solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
+    });
+    vessel.rod_solved = true;
+  }
+}
+
+void read_vessels(const Fidelity& fidelity, const SolveOptions& options, Prediction& prediction) {
+  for (const VesselSpec& spec : prediction.scene->vessels) {
+    if (spec.role == Role::obstacle && !fidelity.surfaces) {
+      prediction.left_out["obstacle " + spec.name] =
+          "fidelity " + fidelity.name + ": no surface, nothing to touch";
+      continue;
+    }
+    options.progress("vessel " + spec.name);
+    PredictedVessel vessel;
+    vessel.prepared = read_vessel(spec, *prediction.scene);
+    prediction.vessels.push_back(std::move(vessel));
+  }
+}
+
+Stage rest_stage(const Prediction& prediction) {
+  Stage rest{"rest", {}, {}};
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    rest.surfaces.push_back(vessel.prepared.vessel.surface);
+    rest.names.push_back(vessel.prepared.spec.name);
+  }
+  return rest;
+}
+
+// Cut, incision and pose; the vein's rod is solved on the way.
+void operate_on(Prediction& prediction, const SolveOptions& options) {
+  const Scene& scene = *prediction.scene;
+  PredictedVessel& svc = prediction.vessels[vessel_named(prediction, scene.glenn->svc)];
+  PredictedVessel& rpa = prediction.vessels[vessel_named(prediction, scene.glenn->rpa)];
+  GlennOptions glenn;
+  glenn.rod.stop = options.stop;
+  glenn.progress = options.progress;
+  prediction.glenn =
+      operate(scene, *scene.glenn, svc.prepared, rpa.prepared, svc.conditions, glenn);
+  svc.rod = prediction.glenn->vein;
+  svc.rod_solved = true;
+  for (Stage& stage : prediction.glenn->stages) prediction.stages.push_back(std::move(stage));
+}
+
+// The rods are solved: which fidelity does `accuracy:` need?
+FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
+  std::vector<RodOfVessel> rods;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle()) continue;
+    rods.push_back({&vessel.prepared, &vessel.rod.poses, rigid_nodes(prediction, vessel)});
+  }
+  return choose_fidelity(scene, rods, dearest().name);
+}
+
+}  // namespace
+
+std::optional<std::string> SolveOptions::is_invalid() const {
+  if (threads < 1) return "threads: found " + std::to_string(threads) + ", expected at least 1";
+  return std::nullopt;
+}
+
+Result predict(const Scene& scene, const SolveOptions& given) {
+  if (const auto fault = given.is_invalid()) throw InputError(*fault);
+  SolveOptions options = given;
+  if (!options.stop) options.stop = [] { return false; };
+  if (!options.progress) options.progress = [](const std::string&) {};
+  const Fidelity* fidelity = &checked_fidelity(scene, options);
+  set_blas_threads(options.threads);
+  if (has_bare_rods(scene)) {
+    Result result = solve_rod_scene(scene, options);
+    add_input_hashes(scene, result);
+    return result;
+  }
+
+  Stopwatch watch;
+  Prediction prediction;
+  prediction.scene = &scene;
+  read_vessels(*fidelity, options, prediction);
+  watch.lap("read");
+  for (PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle()) continue;
+    placed(line_of(scene, vessel.prepared.spec), [&] { fit(vessel.prepared); });
+    vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
+  }
+  watch.lap("fit");
+  prediction.stages.push_back(rest_stage(prediction));
+  if (scene.glenn) operate_on(prediction, options);
+  watch.lap("surgery");
+
+  solve_rods(prediction, options);
+  if (!options.fidelity && !scene.fidelity) {
+    const FidelityChoice choice = choose(scene, prediction);
+    fidelity = find_fidelity(choice.fidelity);
+    prediction.notes.push_back(choice.sentence());
+  }
+  prediction.fidelity = fidelity->name;
+  watch.lap("rod");
+  placed(scene.file.string() + ": ", [&] { fidelity->solve(prediction, options); });
+  if (prediction.surfaces) options.progress(prediction.surfaces->solution.brief_report());
+  watch.lap("solve");
+
+  Result result = result_of(prediction, options.threads);
+  watch.lap("collect");
+  result.seconds = watch.seconds();
+  add_input_hashes(scene, result);
+  return result;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,26 @@
+#include "predict/prediction.h"
+
+#include <vasorod/error.h>
+
+namespace vasorod {
+
+size_t vessel_named(const Prediction& prediction, const std::string& name) {
+  for (size_t v = 0; v < prediction.vessels.size(); ++v)
+    if (prediction.vessels[v].prepared.spec.name == name) return v;
+  throw InputError("no vessel " + name);
+}
+
+int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {
+  const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
+  return joined ? prediction.glenn->mouth_node : -1;
+}
+
+std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel) {
+  const int mouth = mouth_of(prediction, vessel);
+  std::vector<int> nodes;
+  for (const RodSupport& support : vessel.conditions.rod.supports)
+    if (support.node != mouth) nodes.push_back(support.node);
+  return nodes;
+}
+
+}  // namespace vasorod

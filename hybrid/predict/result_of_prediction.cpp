@@ -1,0 +1,196 @@
+#include "predict/result_of_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "data/index.h"
+#include "data/sentence.h"
+#include "geometry/triangle_surface.h"
+#include "predict/result_of_vessel.h"
+#include "predict/result_parts.h"
+#include "rod/conditions.h"
+
+namespace vasorod {
+namespace {
+
+void add_rods(const Prediction& prediction, Result& result) {
+  const bool start_only = prediction.surfaces && prediction.surfaces->carry_everything;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (!vessel.rod_solved) continue;
+    if (start_only) {
+      result.iterations["rod"] += vessel.rod.summary.iterations;
+      continue;
+    }
+    const std::string& name = vessel.prepared.spec.name;
+    add_rod(name, vessel.rod.summary, !prediction.surfaces, result);
+    for (const ConditionedEnd& end : vessel.conditions.ends) {
+      const int node = vessel.prepared.vessel.ends[index(end.end)].node;
+      for (const RodReaction& reaction : vessel.rod.reactions)
+        if (reaction.node == node)
+          result.ends.push_back(
+              {name, end.label, reaction.force, reaction.moment, reaction.center});
+    }
+  }
+}
+
+void add_surfaces(const SolvedSurfaces& surfaces, Result& result) {
+  const SurfaceSolution& solution = surfaces.solution;
+  result.status = worse(result.status, solution.status);
+  result.certificate.relative_residual =
+      std::max(result.certificate.relative_residual, solution.residual);
+  if (surfaces.smallest_curvature_positive)
+    result.certificate.smallest_curvature_positive = surfaces.smallest_curvature_positive;
+  for (const std::string& note : surfaces.notes) result.certificate.notes.push_back(note);
+  result.energy.binding = solution.binding_energy;
+  result.energy.bending = solution.bending_energy;
+  result.energy.stretching = solution.stretching_energy;
+  result.energy.joining = solution.joining_energy;
+  result.energy.contact = solution.contact_energy;
+  result.iterations["surface"] = solution.iterations;
+  result.ends.insert(result.ends.end(), surfaces.ends.begin(), surfaces.ends.end());
+}
+
+// support + load + join + contact = 0 up to `residual`.
+Balance wall_balance(const Prediction& prediction, size_t v) {
+  const BodySolution& body = prediction.surfaces->solution.bodies[v];
+  Balance balance;
+  balance.vessel = prediction.vessels[v].prepared.spec.name;
+  balance.load = prediction.surfaces->load[v];
+  balance.support = body.support - balance.load;
+  balance.join = body.joining;
+  balance.contact = body.contact;
+  balance.residual = body.residual;
+  return balance;
+}
+
+// support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does
+// not feel what it does to the surface: that part is named, not hidden.
+Balance balance_of(const Prediction& prediction, size_t v) {
+  const PredictedVessel& vessel = prediction.vessels[v];
+  Balance balance;
+  balance.vessel = vessel.prepared.spec.name;
+  double largest = 0;
+  const int mouth = mouth_of(prediction, vessel);
+  Vec3 rod_gap = Vec3::Zero();
+  for (const RodReaction& reaction : vessel.rod.reactions) {
+    // What keeps the vein's mouth in its pose is the join, not a support.
+    (reaction.node == mouth ? balance.join : balance.support) += reaction.force;
+    rod_gap += reaction.force;
+    largest = std::max(largest, reaction.force.norm());
+  }
+  for (const RodLoad& load : vessel.conditions.rod.loads) {
+    balance.load += load.force;
+    largest = std::max(largest, load.force.norm());
+  }
+  rod_gap += balance.load;
+  const double rod_residual = largest > 0 ? rod_gap.norm() / largest : 0;
+  if (!prediction.surfaces) {
+    balance.residual = rod_residual;
+    return balance;
+  }
+  const BodySolution& body = prediction.surfaces->solution.bodies[v];
+  balance.support += body.support;
+  balance.join += body.joining;
+  balance.contact = body.contact;
+  balance.binding = body.binding;
+  balance.rod_unbalanced = -body.binding;
+  balance.residual = std::max(rod_residual, body.residual);
+  return balance;
+}
+
+// The seam as the solved surfaces have it.
+void measure_seam(const Prediction& prediction, GlennReport& report) {
+  const auto& glenn = *prediction.glenn;
+  const auto of = [&](const std::string& name) -> const Points& {
+    return prediction.vessels[vessel_named(prediction, name)].positions;
+  };
+  const Points& svc = of(glenn.report.svc);
+  const Points& rpa = of(glenn.report.rpa);
+  report.join.pairs = static_cast<int>(glenn.pairs.size());
+  if (svc.rows() == 0 || rpa.rows() == 0) {  // fidelity rod: nothing was joined
+    report.join.largest_gap = report.join.rms_gap = std::numeric_limits<double>::quiet_NaN();
+    report.incision.opened_area = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  double sum = 0;
+  std::vector<int> rim;
+  for (const auto& [a, b] : glenn.pairs) {
+    rim.push_back(b);
+    const double gap = (svc.row(a) - rpa.row(b)).norm();
+    report.join.largest_gap = std::max(report.join.largest_gap, gap);
+    sum += gap * gap;
+  }
+  report.join.rms_gap = std::sqrt(sum / static_cast<double>(glenn.pairs.size()));
+  report.incision.opened_area = area_vector(rpa, rim).norm();
+}
+
+void add_contact(const Prediction& prediction, Result& result) {
+  for (const ContactSolution& pair : prediction.surfaces->solution.contacts) {
+    if (!pair.within_reach) continue;
+    const auto name = [&](int body) {
+      return prediction.vessels[static_cast<size_t>(body)].prepared.spec.name;
+    };
+    if (pair.held_depth > 0)
+      result.certificate.notes.push_back(
+          "contact of " + name(pair.a) + " and " + name(pair.b) + ": their rigid ends are held " +
+          number_text(pair.held_depth) +
+          " inside each other, where no wall can yield; contact beside them is left out");
+    if (pair.swallowed > 0)
+      result.certificate.notes.push_back(
+          "contact of " + name(pair.a) + " and " + name(pair.b) + ": " +
+          std::to_string(pair.swallowed) +
+          " points were carried past the other vessel's middle; their pressure is left out");
+    result.contact.push_back({name(pair.a), name(pair.b), pair.force, pair.area,
+                              pair.largest_pressure, pair.smallest_gap});
+  }
+}
+
+void describe_model(const Prediction& prediction, Result& result) {
+  ModelReport& model = result.model;
+  model.left_out = prediction.left_out;
+  std::set<std::string> terms;
+  const bool start_only = prediction.surfaces && prediction.surfaces->carry_everything;
+  bool has_surfaces = false;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    model.rod_nodes += vessel.prepared.vessel.rod.node_count();
+    model.vertices += static_cast<int>(vessel.positions.rows());
+    if (vessel.positions.rows() > 0)
+      model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
+    model.cleaning[vessel.prepared.spec.name] = vessel.prepared.loaded.report.text();
+    if (vessel.rod_solved && !start_only) terms.insert("rod");
+    has_surfaces |= vessel.positions.rows() > 0;
+  }
+  if (prediction.surfaces)
+    terms.insert(prediction.surfaces->terms.begin(), prediction.surfaces->terms.end());
+  if (prediction.glenn && has_surfaces) terms.insert("joining");
+  if (!result.contact.empty()) terms.insert("contact");
+  model.terms.assign(terms.begin(), terms.end());
+}
+
+}  // namespace
+
+Result result_of(const Prediction& prediction, int threads) {
+  Result result =
+      begin_result(prediction.scene->name, prediction.fidelity, prediction.scene->units, threads);
+  add_rods(prediction, result);
+  if (prediction.surfaces) {
+    add_surfaces(*prediction.surfaces, result);
+    add_contact(prediction, result);
+  }
+  const bool walls = prediction.surfaces && prediction.surfaces->carry_everything;
+  for (size_t v = 0; v < prediction.vessels.size(); ++v)
+    if (!prediction.vessels[v].prepared.obstacle())
+      result.balance.push_back(walls ? wall_balance(prediction, v) : balance_of(prediction, v));
+  if (prediction.glenn) {
+    result.glenn = prediction.glenn->report;
+    measure_seam(prediction, *result.glenn);
+  }
+  describe_model(prediction, result);
+  add_vessels(prediction, result);
+  for (const std::string& note : prediction.notes) result.certificate.notes.push_back(note);
+  return result;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,91 @@
+#include "predict/result_of_vessel.h"
+
+#include "judge/metrics.h"
+#include "judge/validity.h"
+#include "rod/strain_change.h"
+
+namespace vasorod {
+
+CenterlineResult centerline_of(const RodTree& rod, const RodPoses& poses) {
+  const auto n = static_cast<size_t>(rod.node_count());
+  CenterlineResult line;
+  line.rest.resize(rod.node_count(), 3);
+  line.current.resize(rod.node_count(), 3);
+  line.abscissa.assign(n, 0);
+  line.radius = rod.radius;
+  for (const RodBranch& branch : rod.branches) {
+    line.lines.push_back(branch.nodes);
+    for (const int e : branch.elements) {
+      const RodElement& element = rod.elements[static_cast<size_t>(e)];
+      line.abscissa[static_cast<size_t>(element.second)] =
+          line.abscissa[static_cast<size_t>(element.first)] + element.length;
+    }
+  }
+  const auto changes = node_changes(rod, element_changes(rod, poses));
+  for (size_t i = 0; i < n; ++i) {
+    line.rest.row(static_cast<Eigen::Index>(i)) = rod.rest[i].position;
+    line.current.row(static_cast<Eigen::Index>(i)) = poses[i].position;
+    line.directors.push_back(poses[i].rotation);
+    const Vec6 rest = changes[i].strain - changes[i].change;
+    line.v.emplace_back(changes[i].strain.head<3>());
+    line.u.emplace_back(changes[i].strain.tail<3>());
+    line.v0.emplace_back(rest.head<3>());
+    line.u0.emplace_back(rest.tail<3>());
+  }
+  return line;
+}
+
+namespace {
+
+VesselResult written(const Prediction& prediction, const PredictedVessel& vessel) {
+  const PreparedVessel& prepared = vessel.prepared;
+  VesselResult out;
+  out.name = prepared.spec.name;
+  out.obstacle = prepared.obstacle();
+  if (vessel.positions.rows() > 0) {
+    out.rest = prepared.vessel.surface.points;
+    out.current = vessel.positions;
+    out.triangles = prepared.vessel.surface.triangles;
+    out.contact_pressure = vessel.pressure;
+    out.point_arrays = prepared.loaded.point_arrays;
+    out.cell_arrays = prepared.loaded.cell_arrays;
+    if (prediction.glenn && prediction.glenn->report.svc == out.name)
+      out.stump = prediction.glenn->stump;
+  }
+  if (!out.obstacle) out.centerline = centerline_of(prepared.vessel.rod, vessel.rod.poses);
+  return out;
+}
+
+// A deformable vessel's fields, extremes and place in the model's range.
+void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& result) {
+  const PreparedVessel& prepared = vessel.prepared;
+  VertexFields fields = vertex_fields(prepared, vessel.rod.poses);
+  const bool moved = vessel.rod_solved || (vessel.positions.rows() > 0 &&
+                                           vessel.positions != prepared.vessel.surface.points);
+  const Points current =
+      vessel.positions.rows() > 0
+          ? vessel.positions
+          : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
+  result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
+                                          vessel.pressure, moved && vessel.positions.rows() > 0));
+  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity);
+  result.vessels.back().axial_stretch = std::move(fields.axial_stretch);
+  result.vessels.back().twist_shear = std::move(fields.twist_shear);
+}
+
+}  // namespace
+
+void add_vessels(const Prediction& prediction, Result& result) {
+  Stage deformed{"result", {}, {}};
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    result.vessels.push_back(written(prediction, vessel));
+    if (!vessel.prepared.obstacle()) judge(prediction, vessel, result);
+    if (vessel.positions.rows() == 0) continue;
+    deformed.surfaces.push_back({vessel.positions, vessel.prepared.vessel.surface.triangles});
+    deformed.names.push_back(vessel.prepared.spec.name);
+  }
+  result.stages = prediction.stages;
+  if (!deformed.surfaces.empty()) result.stages.push_back(std::move(deformed));
+}
+
+}  // namespace vasorod

@@ -1,0 +1,60 @@
+// The legend of a picture.
+#include <algorithm>
+#include <sstream>
+
+#include "report/lettering.h"
+#include "report/picture.h"
+
+namespace vasorod {
+
+namespace {
+
+// Lines of whole words, none wider than `width` where its words allow it.
+std::vector<std::string> wrapped(const std::string& text, double width, double size) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    std::string& line = lines.back();
+    if (!line.empty() && text_width(line + " " + word, size) > width)
+      lines.push_back(word);
+    else
+      line += (line.empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
+}  // namespace
+
+void draw_colour_bar(Picture& picture, const ColourScale& scale) {
+  constexpr Colour ink{0.48F, 0.48F, 0.50F};  // read on white and on black
+  const double size = picture.height / 22.0;
+  const int top = static_cast<int>(0.2 * picture.height),
+            bottom = static_cast<int>(0.9 * picture.height);
+  const std::vector<double> ticks = scale.ticks();
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : scale.high - scale.low;
+  double widest = 0;
+  for (const double tick : ticks)
+    widest = std::max(widest, text_width(tick_text(tick, step), size));
+  const int bar = static_cast<int>(size),
+            right = static_cast<int>(picture.width - 0.8 * size - widest - 0.5 * size);
+  const int left = right - bar;
+  const auto row_of = [&](double value) {
+    return bottom - (value - scale.low) / (scale.high - scale.low) * (bottom - top);
+  };
+  for (int row = top; row < bottom; ++row)
+    draw_box(picture, left, row, right, row + 1,
+             scale(scale.low + (bottom - row - 0.5) / (bottom - top) * (scale.high - scale.low)));
+  for (const double tick : ticks) {
+    const double row = row_of(tick);
+    draw_box(picture, right, static_cast<int>(row - 0.5), right + static_cast<int>(0.3 * size),
+             static_cast<int>(row - 0.5) + 1, ink);
+    draw_text(picture, right + 0.5 * size, row + 0.36 * size, tick_text(tick, step), size, ink);
+  }
+  const std::vector<std::string> lines = wrapped(scale.title, 0.26 * picture.width, size);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    draw_text(picture, picture.width - 0.8 * size - text_width(lines[k], size),
+              top - (0.9 + 1.2 * static_cast<double>(lines.size() - 1 - k)) * size, lines[k], size,
+              ink);
+}
+
+}  // namespace vasorod

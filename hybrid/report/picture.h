@@ -1,0 +1,45 @@
+// Pictures of triangle surfaces, drawn on the processor: no window system, no graphics card, the
+// same bytes on every machine that rounds alike.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <vasorod/types.h>
+
+#include "report/camera.h"
+#include "report/colour_scale.h"
+
+namespace vasorod {
+
+/// Straight (not premultiplied) RGBA, 8 bits each, row by row from the top left.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// One body of a picture. Vectors are referred to, not copied: they must outlive the call.
+struct DrawnSurface {
+  const Points* points = nullptr;  ///< length unit
+  const Triangles* triangles =
+      nullptr;  ///< counter-clockwise seen from outside; inner faces are drawn darker
+  Colour colour{0.8F, 0.8F, 0.8F};  ///< of the whole body, where `values` is null
+  float opacity = 1;                ///< below 1: seen through, more so face-on than at its outline
+  const Eigen::VectorXd* values = nullptr;  ///< per vertex, coloured by `scale`
+  const ColourScale* scale = nullptr;
+};
+
+/// Smooth shading by a light beside the viewer, a thin line where the depth jumps and along the
+/// borders of solid bodies (so that a slit that is still closed shows), 2 x 2 samples per pixel,
+/// nothing behind the bodies.
+Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
+               int height);
+
+/// A legend at the right edge: the scale's colours, ticks and title.
+void draw_colour_bar(Picture& picture, const ColourScale& scale);
+
+/// The picture as the bytes of a PNG file.
+std::string png_bytes(const Picture& picture);
+
+}  // namespace vasorod

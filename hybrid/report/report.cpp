@@ -1,0 +1,144 @@
+#include "report/report.h"
+
+#include <algorithm>
+
+#include "report/base64.h"
+#include "report/page_assets.h"
+#include "report/report_parts.h"
+
+namespace vasorod {
+
+namespace {
+
+std::string status_sentence(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::equilibrium_only:
+      return "in equilibrium, minimum not certified";
+    case Status::unstable:
+      return "unstable: an equilibrium that does not last";
+    case Status::buckled:
+      return "buckled";
+    case Status::not_unique:
+      return "the minimum is not unique";
+    case Status::iteration_limit:
+      return "stopped at the iteration limit";
+    case Status::interrupted:
+      return "interrupted: the best state so far";
+  }
+  return to_string(status);
+}
+
+std::string badge(const std::string& kind, const std::string& text) {
+  return "<span class=\"badge " + kind + "\">" + html_text(text) + "</span>\n";
+}
+
+std::string badges(const Result& result) {
+  std::string html = "<div class=\"badges\">\n";
+  html += badge(result.status == Status::converged          ? "good"
+                : result.status == Status::equilibrium_only ? "warn"
+                                                            : "bad",
+                "Status: " + status_sentence(result.status));
+  html += result.validity.in_range ? badge("good", "Validity: within the model's range")
+                                   : badge("bad", "Validity: outside the model's range");
+  html += badge("plain", "fidelity " + result.fidelity);
+  return html + "</div>\n";
+}
+
+std::string validity_notice(const Validity& validity) {
+  std::string html;
+  if (!validity.warnings.empty()) {
+    html += std::string("<div class=\"notice ") + (validity.in_range ? "warn" : "bad") +
+            "\"><strong>" +
+            (validity.in_range ? "Close to the model's limits"
+                               : "Do not rely on this result as it stands") +
+            "</strong><ul>\n";
+    for (const std::string& warning : validity.warnings)
+      html += "<li>" + html_text(warning) + "</li>\n";
+    html += "</ul></div>\n";
+  }
+  return html + "<p class=\"soft small\">Brazier ratio " + cell_text(validity.brazier_ratio) +
+         ", wrinkling ratio " + cell_text(validity.wrinkling_ratio) + ", twist ratio " +
+         cell_text(validity.twist_ratio) + ", largest strain " +
+         cell_text(validity.largest_strain) + ".</p>\n";
+}
+
+std::string fact(const std::string& name, const std::string& value, const std::string& unit) {
+  return "<div><dt>" + html_text(name) + "</dt><dd>" + html_text(value) +
+         (unit.empty() ? "" : " <small>" + html_text(unit) + "</small>") + "</dd></div>\n";
+}
+
+std::string facts(const Result& result) {
+  double twist = 0, lumen = 1, pressure = 0;
+  for (const VesselMetrics& m : result.metrics) {
+    twist = std::max(twist, m.largest_twist_shear);
+    lumen = std::min(lumen, m.smallest_lumen_ratio);
+    pressure = std::max(pressure, m.largest_pressure);
+  }
+  for (const ContactReport& c : result.contact) pressure = std::max(pressure, c.largest_pressure);
+  std::string html = "<dl class=\"facts\">\n";
+  if (!result.metrics.empty()) {
+    html += fact("Largest twist shear", cell_text(twist), "");
+    html += fact("Smallest lumen over rest", cell_text(lumen), "");
+    html += fact("Largest contact pressure", cell_text(pressure), result.stress_unit);
+  }
+  if (result.glenn)
+    html += fact("Largest gap in the seam", cell_text(result.glenn->join.largest_gap),
+                 result.length_unit);
+  if (const auto total = result.seconds.find("total"); total != result.seconds.end())
+    html += fact("Computed in", cell_text(total->second), "s");
+  return html + "</dl>\n";
+}
+
+std::string figures(const std::vector<NamedPicture>& pictures, bool fields) {
+  std::string html = std::string("<div class=\"pictures") + (fields ? " fields" : "") + "\">\n";
+  for (const NamedPicture& picture : pictures)
+    if (picture.field == fields)
+      html += "<figure><img width=\"" + std::to_string(picture.width) + "\" height=\"" +
+              std::to_string(picture.height) + "\" alt=\"" + html_text(picture.title) +
+              "\" src=\"data:image/png;base64," + base64(picture.png) + "\"><figcaption>" +
+              html_text(picture.title) + "</figcaption></figure>\n";
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string report_html(const Result& result, const std::vector<NamedPicture>& pictures) {
+  const std::string title = html_text(result.scene);
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>" +
+                     title +
+                     "</title>\n<meta name=\"viewport\" content=\"width=device-width, "
+                     "initial-scale=1\">\n<style>\n";
+  html += report_css;
+  html += "</style></head>\n<body><main>\n<header><h1>" + title +
+          "</h1>\n<p class=\"soft\">Predicted by " + html_text(result.program) +
+          ". Research software, not for clinical use.</p>\n";
+  html += badges(result) + validity_notice(result.validity) + facts(result) + "</header>\n";
+  html +=
+      "<h2 id=\"view-title\">The result</h2>\n<div id=\"view\"><div id=\"stage\"><canvas "
+      "tabindex=\"0\" "
+      "aria-label=\"The "
+      "vessels in three dimensions\"></canvas><div id=\"legend\"></div></div><div "
+      "id=\"controls\"></div></div>\n"
+      "<p class=\"soft small\" id=\"view-help\">Drag to turn, wheel or pinch to zoom, shift-drag "
+      "or two "
+      "fingers to "
+      "move, double click to start again.</p>\n";
+  html += "<h2>Stages</h2>\n" + figures(pictures, false);
+  html += "<h2>Twist, stretch and contact</h2>\n" + figures(pictures, true);
+  html += report_tables(result);
+  html += "<footer>Lengths in " + html_text(result.length_unit) + ", stresses in " +
+          html_text(result.stress_unit) +
+          ". Twist shear is (u3 − u3 at rest) times the distance to the axis; the lumen is the "
+          "mid-wall "
+          "section moved in by "
+          "half the wall. Every number is in result.json. Research software, not for clinical "
+          "use.</footer>\n</main>\n";
+  html += "<script type=\"application/json\" id=\"scene\">" + view_scene(result) +
+          "</script>\n<script>\n";
+  html += view_js;
+  return html + "</script>\n</body></html>\n";
+}
+
+}  // namespace vasorod

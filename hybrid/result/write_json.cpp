@@ -1,0 +1,161 @@
+#include <vasorod/result.h>
+
+#include "result/json_text.h"
+
+namespace vasorod {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json row(const Vec3& value) {
+  return {value.x(), value.y(), value.z()};
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class Value>
+Json object(const std::map<std::string, Value>& entries) {
+  Json value = Json::object();
+  for (const auto& [key, entry] : entries) value[key] = entry;
+  return value;
+}
+
+template <class Entry, class Function>
+Json array(const std::vector<Entry>& entries, Function&& to_value) {
+  Json value = Json::array();
+  for (const Entry& entry : entries) value.push_back(to_value(entry));
+  return value;
+}
+
+Json certificate(const Certificate& c) {
+  return {{"relative_residual", c.relative_residual},
+          {"smallest_curvature_positive", or_null(c.smallest_curvature_positive)},
+          {"notes", Json(c.notes)}};
+}
+
+Json validity(const Validity& v) {
+  return {{"in_range", v.in_range},
+          {"brazier_ratio", v.brazier_ratio},
+          {"wrinkling_ratio", v.wrinkling_ratio},
+          {"twist_ratio", v.twist_ratio},
+          {"largest_strain", v.largest_strain},
+          {"warnings", Json(v.warnings)}};
+}
+
+Json energies(const Energies& e) {
+  Json value = {{"rod", e.rod},         {"binding", e.binding},
+                {"bending", e.bending}, {"stretching", e.stretching},
+                {"joining", e.joining}, {"contact", e.contact}};
+  if (e.strain != 0) value["strain"] = e.strain;
+  value["total"] = e.total();
+  return value;
+}
+
+Json end_reaction(const EndReaction& e) {
+  return {{"vessel", e.vessel},
+          {"end", e.end},
+          {"force", row(e.force)},
+          {"moment", row(e.moment)},
+          {"center", row(e.center)}};
+}
+
+Json balance(const Balance& b) {
+  Json value = {{"vessel", b.vessel},  {"support", row(b.support)}, {"load", row(b.load)},
+                {"join", row(b.join)}, {"contact", row(b.contact)}, {"residual", b.residual}};
+  if (b.binding) value["binding"] = row(*b.binding);
+  if (b.rod_unbalanced) value["rod_unbalanced"] = row(*b.rod_unbalanced);
+  return value;
+}
+
+Json contact(const ContactReport& c) {
+  return {{"a", c.a},
+          {"b", c.b},
+          {"force", row(c.force)},
+          {"area", c.area},
+          {"largest_pressure", c.largest_pressure},
+          {"smallest_gap", c.smallest_gap}};
+}
+
+Json metrics(const VesselMetrics& m) {
+  Json where = Json::object();
+  for (const auto& [key, point] : m.where) where[key] = row(point);
+  return {{"vessel", m.vessel},
+          {"flattening", m.flattening},
+          {"largest_twist_shear", m.largest_twist_shear},
+          {"stretch", {m.stretch[0], m.stretch[1]}},
+          {"largest_curvature", m.largest_curvature},
+          {"smallest_lumen_ratio", m.smallest_lumen_ratio},
+          {"largest_pressure", m.largest_pressure},
+          {"contact_area", m.contact_area},
+          {"where", where}};
+}
+
+Json model(const ModelReport& m) {
+  return {{"rod_nodes", m.rod_nodes},       {"vertices", m.vertices},
+          {"triangles", m.triangles},       {"terms", Json(m.terms)},
+          {"left_out", object(m.left_out)}, {"cleaning", object(m.cleaning)}};
+}
+
+Json glenn(const GlennReport& g) {
+  return {{"svc", g.svc},
+          {"rpa", g.rpa},
+          {"cut",
+           {{"fraction", g.cut.fraction},
+            {"perimeter", g.cut.perimeter},
+            {"plane", {{"point", row(g.cut.point)}, {"normal", row(g.cut.normal)}}}}},
+          {"incision",
+           {{"length", g.incision.length},
+            {"ends", Json::array({row(g.incision.ends[0]), row(g.incision.ends[1])})},
+            {"opened_area", g.incision.opened_area}}},
+          {"join",
+           {{"pairs", g.join.pairs},
+            {"rotation_deg", g.join.rotation_deg},
+            {"largest_gap", g.join.largest_gap},
+            {"rms_gap", g.join.rms_gap}}}};
+}
+
+Json files_of(const VesselResult& v) {
+  Json value = {{"name", v.name}, {"obstacle", v.obstacle}};
+  if (v.rest.rows() > 0) value["surface"] = v.name + ".vtp";
+  if (v.centerline) value["centerline"] = v.name + "_centerline.vtp";
+  if (v.stump) value["stump"] = v.name + "_stump.vtp";
+  return value;
+}
+
+}  // namespace
+
+std::string to_json(const Result& r) {
+  Json value = {{"schema", 1},
+                {"scene", r.scene},
+                {"program", r.program},
+                {"fidelity", r.fidelity},
+                {"status", to_string(r.status)},
+                {"units", {{"length", r.length_unit}, {"stress", r.stress_unit}}},
+                {"certificate", certificate(r.certificate)},
+                {"validity", validity(r.validity)},
+                {"energy", energies(r.energy)},
+                {"ends", array(r.ends, end_reaction)},
+                {"balance", array(r.balance, balance)},
+                {"contact", array(r.contact, contact)},
+                {"metrics", array(r.metrics, metrics)}};
+  if (r.glenn) value["glenn"] = glenn(*r.glenn);
+  if (r.discretisation)
+    value["discretisation"] = {{"dofs", r.discretisation->dofs},
+                               {"degree", r.discretisation->degree},
+                               {"error_estimate", or_null(r.discretisation->error_estimate)},
+                               {"observed_order", or_null(r.discretisation->observed_order)}};
+  value["model"] = model(r.model);
+  value["seconds"] = object(r.seconds);
+  value["iterations"] = object(r.iterations);
+  value["environment"] = {{"blas", r.environment.blas},
+                          {"threads", r.environment.threads},
+                          {"inputs", object(r.environment.inputs)}};
+  value["vessels"] = array(r.vessels, files_of);
+  return json_text(value);
+}
+
+}  // namespace vasorod

@@ -1,0 +1,31 @@
+// What a solved rod has done to each of its elements: the changes that metrics and validity are
+// made of.
+#pragma once
+
+#include <vector>
+
+#include "rod/rod_tree.h"
+
+namespace vasorod {
+
+/// Per element: strain now and its change from rest, order v1 v2 v3 u1 u2 u3, body frame.
+struct ElementChange {
+  Vec6 strain = Vec6::Zero(), change = Vec6::Zero();
+  double radius = 0;     ///< mid-wall, mean of its nodes, length
+  bool at_fork = false;  ///< first of a side branch: the drawn axis may turn within it, its own
+                         ///< strain says nothing
+  Vec3 rest_middle = Vec3::Zero();  ///< midway between its nodes at rest
+  Vec3 middle = Vec3::Zero();       ///< midway between its nodes now
+
+  double bending() const { return change.segment<2>(3).norm(); }  ///< change of (u1, u2), 1/length
+  double twist() const { return change[5]; }                      ///< u3 - u3^0, 1/length
+};
+
+std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& poses);
+
+/// The mean of the element changes at each node: strain and change. The first element of a side
+/// branch counts only where a node has no other.
+std::vector<ElementChange> node_changes(const RodTree& rod,
+                                        const std::vector<ElementChange>& elements);
+
+}  // namespace vasorod

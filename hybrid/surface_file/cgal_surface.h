@@ -1,0 +1,33 @@
+// Our surface as CGAL's and back. Only for .cpp files of this folder: CGAL is heavy.
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <stdexcept>
+
+#include <vasorod/types.h>
+
+namespace vasorod {
+
+using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
+
+/// Vertices and faces get the indices of our points and triangles.
+inline CgalMesh to_cgal(const TriangleSurface& surface) {
+  CgalMesh mesh;
+  mesh.reserve(static_cast<CgalMesh::size_type>(surface.points.rows()),
+               static_cast<CgalMesh::size_type>(surface.triangles.rows() * 3 / 2),
+               static_cast<CgalMesh::size_type>(surface.triangles.rows()));
+  for (int i = 0; i < surface.points.rows(); ++i)
+    mesh.add_vertex({surface.points(i, 0), surface.points(i, 1), surface.points(i, 2)});
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    auto corner = [&](int k) {
+      return CgalMesh::Vertex_index(static_cast<CgalMesh::size_type>(surface.triangles(t, k)));
+    };
+    if (mesh.add_face(corner(0), corner(1), corner(2)) == CgalMesh::null_face())
+      throw std::logic_error("to_cgal: the surface is not manifold");
+  }
+  return mesh;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,248 @@
+#include "surface_file/check_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <unordered_map>
+#include <vector>
+
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
+#include "geometry/triangle_surface.h"
+#include "surface_file/self_intersections.h"
+
+namespace vasorod {
+
+namespace {
+
+// Volume over area^1.5: a ball has 0.09, a tube of 1000 radii's length 0.006.
+constexpr double flat = 1e-6;
+
+Vec3 point_of(const TriangleSurface& surface, int i) {
+  return surface.points.row(i);
+}
+
+Vec3 center_of(const TriangleSurface& surface, int t) {
+  return (point_of(surface, surface.triangles(t, 0)) + point_of(surface, surface.triangles(t, 1)) +
+          point_of(surface, surface.triangles(t, 2))) /
+         3;
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& found,
+                         const std::string& expected) {
+  throw InputError(file + ": found " + found + ", expected " + expected);
+}
+
+std::string length_text(double value, const std::string& unit) {
+  std::ostringstream out;
+  out.precision(3);
+  out << value << " " << unit;
+  return out.str();
+}
+
+struct Side {
+  int from, to, triangle;
+};
+
+// Every triangle's three sides, those of one edge next to each other.
+std::vector<Side> sorted_sides(const Triangles& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(static_cast<size_t>(triangles.rows()) * 3);
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) sides.push_back({triangles(t, k), triangles(t, (k + 1) % 3), t});
+  std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
+    return std::tuple(std::min(l.from, l.to), std::max(l.from, l.to), l.triangle) <
+           std::tuple(std::min(r.from, r.to), std::max(r.from, r.to), r.triangle);
+  });
+  return sides;
+}
+
+bool one_edge(const Side& a, const Side& b) {
+  return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
+}
+
+void check_edges(const std::string& file, const TriangleSurface& surface) {
+  const auto sides = sorted_sides(surface.triangles);
+  for (size_t i = 0; i < sides.size();) {
+    size_t end = i + 1;
+    while (end < sides.size() && one_edge(sides[i], sides[end])) ++end;
+    const Vec3 middle = 0.5 * (point_of(surface, sides[i].from) + point_of(surface, sides[i].to));
+    if (end - i > 2)
+      refuse(file,
+             "a non-manifold edge with " + std::to_string(end - i) + " triangles at " +
+                 place_text(middle),
+             "at most two triangles at an edge");
+    if (end - i == 2 && sides[i].from == sides[i + 1].from)
+      refuse(file, "two neighbouring triangles of opposite orientation at " + place_text(middle),
+             "all triangles counter-clockwise seen from outside");
+    i = end;
+  }
+}
+
+// Walks the triangles around each point from one to the next through shared edges; a point where
+// the walk misses some joins two sheets only there.
+void check_fans(const std::string& file, const TriangleSurface& surface) {
+  const auto count = static_cast<size_t>(surface.points.rows());
+  std::vector<int> triangles_at(count, 0), first(count, -1), edge_count(count, 0);
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) ++triangles_at[static_cast<size_t>(surface.triangles(t, k))];
+  std::unordered_map<long long, int> third;  // of the triangle left of the side from, to
+  third.reserve(static_cast<size_t>(surface.triangles.rows()) * 3);
+  auto key = [&](int from, int to) {
+    return static_cast<long long>(from) * static_cast<long long>(count) + to;
+  };
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int i = surface.triangles(t, k), j = surface.triangles(t, (k + 1) % 3);
+      third[key(i, j)] = surface.triangles(t, (k + 2) % 3);
+      first[static_cast<size_t>(i)] = j;
+    }
+  for (size_t v = 0; v < count; ++v) {
+    if (triangles_at[v] == 0) continue;
+    const int center = static_cast<int>(v), start = first[v];
+    int walked = 0;
+    int spoke = start;
+    for (auto at = third.find(key(center, spoke)); at != third.end();
+         at = third.find(key(center, spoke))) {
+      ++walked;
+      spoke = at->second;
+      if (spoke == start) break;
+    }
+    if (spoke != start ||
+        walked == 0) {  // an end: the rest lies on the other side of the first spoke
+      spoke = start;
+      for (auto at = third.find(key(spoke, center)); at != third.end();
+           at = third.find(key(spoke, center))) {
+        ++walked;
+        spoke = at->second;
+      }
+    }
+    if (walked != triangles_at[v])
+      refuse(file,
+             "a non-manifold point where two parts of the surface only touch at " +
+                 place_text(point_of(surface, center)),
+             "one fan of triangles at every point");
+  }
+}
+
+void check_components(const std::string& file, const TriangleSurface& surface) {
+  const auto label = components(surface.triangles, static_cast<int>(surface.points.rows()));
+  std::map<int, int> size, example;
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    const int part = label[static_cast<size_t>(surface.triangles(t, 0))];
+    ++size[part];
+    example.emplace(part, t);
+  }
+  if (size.size() == 1) return;
+  const auto smallest = std::min_element(
+      size.begin(), size.end(), [](const auto& l, const auto& r) { return l.second < r.second; });
+  refuse(file,
+         std::to_string(size.size()) + " separate parts (one of " +
+             std::to_string(smallest->second) + " triangles at " +
+             place_text(center_of(surface, example.at(smallest->first))) + ")",
+         "one connected surface");
+}
+
+// Volume with every end closed by a fan around its centroid, taken about the first point.
+double lidded_volume(const TriangleSurface& surface) {
+  const Vec3 origin = point_of(surface, 0);
+  double six = 0;
+  auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    six += (a - origin).dot((b - origin).cross(c - origin));
+  };
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    add(point_of(surface, surface.triangles(t, 0)), point_of(surface, surface.triangles(t, 1)),
+        point_of(surface, surface.triangles(t, 2)));
+  for (const auto& loop : boundary_loops(surface.triangles)) {
+    Vec3 center = Vec3::Zero();
+    for (const int i : loop) center += point_of(surface, i) / static_cast<double>(loop.size());
+    for (size_t k = 0; k < loop.size();
+         ++k)  // against the boundary's own direction: the lid faces outwards
+      add(point_of(surface, loop[(k + 1) % loop.size()]), point_of(surface, loop[k]), center);
+  }
+  return six / 6;
+}
+
+}  // namespace
+
+void check_manifold(const std::string& file, const TriangleSurface& surface) {
+  check_edges(file, surface);
+  check_fans(file, surface);
+  check_components(file, surface);
+}
+
+void check_ends(const std::string& file, const TriangleSurface& surface, Role role) {
+  if (role == Role::obstacle) return;
+  const auto loops = boundary_loops(surface.triangles);
+  if (loops.empty())
+    refuse(file, "a closed surface with no ends", "at least two open ends or flat lids over them");
+  for (const auto& loop : loops)
+    if (loop.size() < 6)
+      refuse(file,
+             "an opening of " + std::to_string(loop.size()) + " edges at " +
+                 place_text(point_of(surface, loop[0])),
+             "ends of at least six edges and no holes");
+  if (loops.size() < 2)
+    refuse(file, "one open end, at " + place_text(point_of(surface, loops[0][0])), "at least two");
+  const int handles = (2 - static_cast<int>(loops.size()) - euler_number(surface.triangles)) / 2;
+  if (handles != 0)
+    refuse(file,
+           "a surface with " + std::to_string(handles) + (handles == 1 ? " handle" : " handles"),
+           "branches that do not meet again, as rods form a tree");
+}
+
+void check_outward(const std::string& file, const TriangleSurface& surface) {
+  const double volume = lidded_volume(surface), area = total_area(surface);
+  if (std::abs(volume) < flat * area * std::sqrt(area))
+    refuse(file, "a flat surface that encloses nothing", "a tubular vessel");
+  if (!(volume > 0))
+    refuse(file, "an inverted surface, its triangles clockwise seen from outside",
+           "all triangles counter-clockwise seen from outside");
+}
+
+void check_self_intersections(const std::string& file, const TriangleSurface& surface) {
+  const auto areas = triangle_areas(surface);
+  Eigen::Index flattest = 0;
+  if (areas.minCoeff(&flattest) == 0)
+    refuse(
+        file,
+        "a triangle of zero area at " + place_text(center_of(surface, static_cast<int>(flattest))),
+        "triangles with an area");
+  const auto pairs = self_intersections(surface);
+  if (!pairs.empty())
+    refuse(
+        file,
+        "a surface that crosses itself in " + std::to_string(pairs.size()) +
+            " pairs of triangles, first at " +
+            place_text(0.5 * (center_of(surface, pairs[0][0]) + center_of(surface, pairs[0][1]))),
+        "no self-intersection");
+}
+
+double typical_radius(const TriangleSurface& surface) {
+  return 2 * std::abs(lidded_volume(surface)) / total_area(surface);
+}
+
+void check_unit(const std::string& file, const TriangleSurface& surface, const Units& units) {
+  constexpr double smallest = 0.5e-3,
+                   largest = 50e-3;  // metres: from an infant's branch to a dilated aorta
+  const double radius = typical_radius(surface);
+  auto fits = [&](double metres) {
+    return radius * metres >= smallest && radius * metres <= largest;
+  };
+  if (fits(units.metres)) return;
+  std::string other;
+  for (const auto& [name, metres] :
+       {std::pair{"mm", 1e-3}, std::pair{"cm", 1e-2}, std::pair{"m", 1.0}})
+    if (fits(metres)) other += (other.empty() ? "" : " or ") + std::string(name);
+  refuse(file,
+         "a vessel of radius " + length_text(radius, units.length) +
+             ", implausible in the scene's unit",
+         "0.5 to 50 mm" + (other.empty() ? std::string(" (check: false switches this off)")
+                                         : " (as it would be if the file is in " + other + ")"));
+}
+
+}  // namespace vasorod

@@ -1,0 +1,16 @@
+// A wall's material as the wall feels it: in plane stress.
+#pragma once
+
+#include <vasorod/material.h>
+#include <vasorod/types.h>
+
+namespace vasorod {
+
+/// Plane-stress stiffness in the frame (fibre, across), order (11, 22, 2*12): stress.
+Mat3 plane_stress(const Material& material);
+
+/// The shear modulus of a wall as isotropic as its Young's moduli allow:
+/// sqrt(E_L E_T) / (2 (1 + sqrt(nu_LT nu_TL))), stress.
+double ordinary_shear(const Material& material);
+
+}  // namespace vasorod

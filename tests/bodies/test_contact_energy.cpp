@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "bodies/contact_energy.h"
+#include "paper/paper_tubes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+// Pressing, open with a multiplier, and against something that stands still.
+std::vector<ContactPoint> contacts() {
+  return {{0, {3, 4, 5}, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0, 0.8), 1.5, 0.7, 2, 1},
+          {1, {4, 5, 6}, Vec3(0.1, 0.8, 0.1), Vec3(0, 1, 0), -9, 0.4, 2, 1},
+          {2, {-1, -1, -1}, Vec3::Zero(), Vec3(0, 0, 1), 2.5, 0.9, 3, 0}};
+}
+
+Points gradient_at(const Points& p) {
+  Points g = Points::Zero(p.rows(), 3);
+  contact_energy_gradient(contacts(), p, g);
+  return g;
+}
+
+TEST(ContactEnergy, GradientAndHessianMatchDifferences) {
+  const Points p = random_points(7, 1);
+  EXPECT_LT(gradient_error([](const Points& at) { return contact_energy(contacts(), at); }, p,
+                           gradient_at(p)),
+            1e-8);
+  std::vector<Eigen::Triplet<double>> entries;
+  contact_energy_hessian(contacts(), p, entries);
+  Eigen::SparseMatrix<double> hessian(21, 21);
+  hessian.setFromTriplets(entries.begin(), entries.end());
+  EXPECT_LT(hessian_error(gradient_at, p, hessian), 1e-8);
+  const Eigen::MatrixXd rest =
+      for_xyz(contact_energy_bound(contacts(), p)) - Eigen::MatrixXd(hessian);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rest).eigenvalues().minCoeff(), -1e-12);
+}
+
+TEST(ContactEnergy, PressureIsTheMultiplierAtAClosedGapAndZeroWhenApart) {
+  ContactPoint c{0, {-1, -1, -1}, Vec3::Zero(), Vec3(0, 0, 1), 2, 0.5, 10, 3};
+  Points p(1, 3);
+  p << 7, 8, 2;
+  EXPECT_EQ(contact_pressure(c, p), 3);
+  p(0, 2) = 2.5;
+  EXPECT_EQ(contact_pressure(c, p), 0);
+  p(0, 2) = 1.9;
+  EXPECT_NEAR(contact_pressure(c, p), 4, 1e-12);
+}
+
+TEST(ContactEnergy, ForcesOnBothSidesAddUpToZero) {
+  const std::vector<ContactPoint> pair{contacts()[0]};
+  const Points p = random_points(7, 2);
+  Points g = Points::Zero(7, 3);
+  contact_energy_gradient(pair, p, g);
+  ASSERT_GT(contact_pressure(pair[0], p), 0);
+  EXPECT_LT(g.colwise().sum().norm(), 1e-15);
+  EXPECT_NEAR(g.row(0).norm(), pair[0].area * contact_pressure(pair[0], p), 1e-14);
+}
+
+}  // namespace
+}  // namespace vasorod

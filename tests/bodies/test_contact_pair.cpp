@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include "bodies/contact_pair.h"
+#include "paper/paper_tubes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+// Two parallel tubes of radius 1 along z; the second one's axis at x = distance.
+TriangleSurface beside(double distance) {
+  TriangleSurface t = tube(1, 6, 48, 40);
+  t.points.col(0).array() += distance;
+  return t;
+}
+
+double smallest_gap(const ContactPair& pair, const Points& slave, const Points& master) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ContactPoint& c : pair.contacts())
+    smallest = std::min(smallest, pair.gap(c, slave, master));
+  return smallest;
+}
+
+TEST(ContactPair, GapIsTheDistanceOfTheOuterWalls) {
+  const TriangleSurface slave = beside(0), master = beside(2.5);
+  ContactPair pair({slave, 0.1, {}}, {master, 0.2, {}}, 1);
+  pair.refresh(slave.points, master.points, 1);
+  EXPECT_NEAR(smallest_gap(pair, slave.points, master.points), 0.2,
+              5e-3);  // facets lie inside the circle
+  EXPECT_GE(smallest_gap(pair, slave.points, master.points), 0.2 - 1e-9);
+}
+
+TEST(ContactPair, WhatIsOutOfReachIsNotListed) {
+  const TriangleSurface slave = beside(0), master = beside(5);
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);
+  pair.refresh(slave.points, master.points, 1);
+  EXPECT_TRUE(pair.contacts().empty());
+}
+
+TEST(ContactPair, OverlapAtRestCarriesNoPressureThereAndCountsFromThere) {
+  const TriangleSurface slave = beside(0), master = beside(1.7);
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);
+  pair.refresh(slave.points, master.points, 1);
+  ASSERT_FALSE(pair.contacts().empty());
+  const auto [change, sum] = pair.update_multipliers(slave.points, master.points);
+  EXPECT_EQ(change, 0);
+  EXPECT_EQ(sum, 0);
+  Points deeper = slave.points;
+  deeper.col(0).array() += 0.05;
+  pair.refresh(deeper, master.points, 1);
+  EXPECT_LT(smallest_gap(pair, deeper, master.points), -0.03);
+  EXPECT_GT(smallest_gap(pair, deeper, master.points), -0.06);
+  EXPECT_GT(pair.update_multipliers(deeper, master.points).second, 0);
+}
+
+// A flat vessel, thinner than what it overlaps: its far wall, inside as well, must not be pushed
+// out through the near one.
+TEST(ContactPair, TheFarWallOfAVesselIsNotInContact) {
+  TriangleSurface slave = beside(0);
+  slave.points.col(0) *= 0.2;
+  const TriangleSurface master =
+      beside(1.15);  // its wall at x = 0.15 cuts the slave, x from -0.2 to 0.2
+  Points deep = slave.points;
+  deep.col(0).array() += 0.45;
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);
+  pair.refresh(deep, master.points, 10);
+  ASSERT_FALSE(pair.contacts().empty());
+  for (const ContactPoint& c : pair.contacts())
+    EXPECT_GT(slave.points(c.slave, 0), -0.1) << c.slave;
+  EXPECT_GT(pair.swallowed(), 0);
+}
+
+TEST(ContactPair, WhatWentPastTheMiddleIsCounted) {
+  const TriangleSurface slave = beside(0), master = beside(3);
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);
+  Points shallow = slave.points, deep = slave.points;
+  shallow.col(0).array() += 1.3;
+  deep.col(0).array() += 2.6;
+  pair.refresh(shallow, master.points, 1);
+  EXPECT_EQ(pair.swallowed(), 0);
+  pair.refresh(deep, master.points, 1);
+  EXPECT_GT(pair.swallowed(), 100);
+}
+
+TEST(ContactPair, RimsAndExcludedVerticesAreLeftOut) {
+  const TriangleSurface slave = beside(0);
+  TriangleSurface master = beside(1.9);
+  master.points.col(2).array() += 3;  // covers the upper half of the slave only
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);
+  pair.refresh(slave.points, master.points, 1);
+  ASSERT_FALSE(pair.contacts().empty());
+  for (const ContactPoint& c : pair.contacts()) EXPECT_GT(slave.points(c.slave, 2), 2.8);
+
+  std::vector<char> upper(static_cast<size_t>(slave.points.rows()), 0);
+  for (int i = 0; i < slave.points.rows(); ++i)
+    upper[static_cast<size_t>(i)] = slave.points(i, 2) > 4;
+  ContactPair without_slaves({slave, 0, upper}, {master, 0, {}}, 1);
+  without_slaves.refresh(slave.points, master.points, 1);
+  for (const ContactPoint& c : without_slaves.contacts()) EXPECT_LE(slave.points(c.slave, 2), 4);
+
+  ContactPair without_masters({slave, 0, {}}, {master, 0, std::vector<char>(upper.size(), 1)}, 1);
+  without_masters.refresh(slave.points, master.points, 1);
+  EXPECT_TRUE(without_masters.contacts().empty());
+}
+
+TEST(ContactPair, MultipliersFollowThePressureAndSurviveARefresh) {
+  const TriangleSurface slave = beside(0), master = beside(2);
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 5);
+  Points pressed = slave.points;
+  pressed.col(0).array() += 0.1;
+  pair.refresh(pressed, master.points, 1);
+  const double first = pair.update_multipliers(pressed, master.points).second;
+  EXPECT_GT(first, 0);
+  pair.refresh(pressed, master.points, 1);
+  const auto [change, second] =
+      pair.update_multipliers(pressed, master.points);  // the same gap once more
+  EXPECT_NEAR(second / first, 2, 1e-9);
+  EXPECT_NEAR(change / first, 1, 1e-9);
+  pair.refresh(slave.points.rowwise() - Eigen::RowVector3d(9, 0, 0), master.points, 1);
+  pair.refresh(slave.points, master.points, 1);
+  for (const ContactPoint& c : pair.contacts())
+    EXPECT_EQ(c.multiplier, 0);  // forgotten while apart
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+#include <random>
+
+#include "coupled/coupled_system.h"
+#include "coupled/held_tubes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+using Eigen::VectorXd;
+
+VectorXd noise(Eigen::Index n, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-size, size);
+  VectorXd v(n);
+  for (Eigen::Index i = 0; i < n; ++i) v[i] = uniform(random);
+  return v;
+}
+
+// A short tube, its start on a rigid section with some freedoms left and loaded, its end on a soft
+// one, with a seam between its middle and its rim and contacts against a plane and itself.
+struct Everything {
+  HeldTube tube{4, 1.5, 0.4, 6, 3};
+  std::unique_ptr<WallEnergy> energy;
+  CoupledSystem system;
+  VectorXd z;
+  Everything(std::array<bool, 6> fixed_start, std::array<bool, 6> fixed_end,
+             bool both_rigid = false) {
+    HeldSection start = tube.start(), end = tube.end();
+    start.fixed = fixed_start;
+    start.frame = exp_rotation(Vec3(0.3, -0.2, 0.5));
+    start.motion.rotate = Vec3(0.2, 0.5, -0.3);
+    start.force = Vec3(0.01, -0.02, 0.03);
+    start.moment = Vec3(0.02, 0.01, -0.01);
+    end.rigid = both_rigid;
+    end.fixed = fixed_end;
+    end.motion.move = Vec3(0.1, 0.2, 0.1);
+    end.body_moment = Vec3(0.03, 0.01, -0.02);
+    WallInput wall = tube.wall;
+    wall.glued.assign(static_cast<size_t>(tube.surface.points.rows()), 0);
+    for (const HeldSection* s : {&start, &end})
+      if (s->rigid)
+        for (const int v : s->ring) wall.glued[static_cast<size_t>(v)] = 1;
+    energy = std::make_unique<WallEnergy>(wall);
+    system.add_wall(*energy, tube.surface.points, {start, end}, 3);
+    system.finish();
+    system.joins = {{0, 12, Vec3(0.1, 0.2, 0.3)}, {13, 20, Vec3(-0.1, 0.1, 0)}};
+    system.k_j = 0.7;
+    system.contacts = {{1, {12, 13, 14}, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0, 0.8), 1.5, 0.7, 2, 9},
+                       {15, {-1, -1, -1}, Vec3::Zero(), Vec3(0, 1, 0), 9, 0.4, 2, 1}};
+    system.set_time(0.8);
+    system.put(0, tube.surface.points, false, z);
+    system.put_pose(0, 0, exp_rotation(Vec3(0.4, 0.3, -0.2)), Vec3(0.1, -0.1, 0.2), z);
+    system.put_pose(0, 1, exp_rotation(Vec3(-0.2, 0.3, 0.1)), Vec3(0.1, -0.1, 4.2), z);
+    z += noise(z.size(), 0.05, 1);
+    system.update_ties(z);
+    z += noise(z.size(), 0.05, 2);
+  }
+};
+
+void expect_derivatives(Everything& e) {
+  VectorXd g, above, below;
+  e.system.gradient(e.z, g);
+  const Eigen::MatrixXd lower = e.system.hessian(e.z);
+  const Eigen::MatrixXd hessian = lower.selfadjointView<Eigen::Lower>();
+  const double step = 1e-5;
+  double worst_gradient = 0, worst_hessian = 0;
+  for (Eigen::Index i = 0; i < e.z.size(); ++i) {
+    VectorXd z = e.z;
+    z[i] += step;
+    const double up = e.system.gradient(z, above).total();
+    z[i] -= 2 * step;
+    const double down = e.system.gradient(z, below).total();
+    worst_gradient = std::max(worst_gradient, std::abs((up - down) / (2 * step) - g[i]));
+    worst_hessian = std::max(worst_hessian,
+                             ((above - below) / (2 * step) - hessian.col(i)).cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(worst_gradient, 1e-7 * g.cwiseAbs().maxCoeff());
+  EXPECT_LT(worst_hessian, 1e-6 * hessian.cwiseAbs().maxCoeff());
+}
+
+TEST(CoupledSystem, DerivativesMatchDifferencesWithFreePoses) {
+  Everything free_both({false, false, false, false, false, false},
+                       {false, false, false, false, false, false});
+  expect_derivatives(free_both);
+}
+
+TEST(CoupledSystem, DerivativesMatchDifferencesWithSomeFreedomsFixed) {
+  Everything some({true, false, true, false, true, false},
+                  {false, true, false, false, false, true});
+  expect_derivatives(some);
+}
+
+TEST(CoupledSystem, DerivativesMatchDifferencesBetweenRigidSections) {
+  Everything rigid({false, false, true, false, true, false}, {true, true, true, true, true, true},
+                   true);
+  expect_derivatives(rigid);
+}
+
+TEST(CoupledSystem, TurnedRestHessianIsTheHessianOfTheTurnedWall) {
+  HeldTube tube(4, 1.5, 0.4, 6, 3);
+  WallEnergy energy(tube.wall);
+  CoupledSystem system;
+  system.add_wall(energy, tube.surface.points, {}, 1);
+  system.finish();
+  const Mat3 turn = exp_rotation(Vec3(0.7, -0.4, 1.1));
+  VectorXd z;
+  system.put(0, tube.surface.points * turn.transpose(), false, z);
+  const Eigen::SparseMatrix<double> now = system.hessian(z);
+  Eigen::SparseMatrix<double> rest = system.rest_hessian();
+  turn_matrix(
+      system.turns(std::vector<Mat3>(static_cast<size_t>(system.vertex_count()), turn), {{}}),
+      rest);
+  EXPECT_LT((now - rest).norm(), 1e-9 * now.norm());
+}
+
+}  // namespace
+}  // namespace vasorod

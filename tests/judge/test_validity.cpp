@@ -1,0 +1,131 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <utility>
+
+#include "judge/judged_tube.h"
+#include "judge/validity.h"
+
+namespace vasorod {
+namespace {
+
+using shapes::change_of;
+using shapes::judged_tube;
+using shapes::strained;
+
+Validity judged(const PreparedVessel& tube, const Vec6& change) {
+  Validity validity;
+  add_validity(tube, strained(tube.vessel.rod, change), {}, validity);
+  return validity;
+}
+
+// R = 10, t = 1, nu = 0.3; L = 300 is long (Omega = 9.5), L = 100 is not (3.2).
+TEST(Validity, LongTubesAreMeasuredAgainstBrazier) {
+  const PreparedVessel tube = judged_tube(300);
+  const double limit = 0.471 / (100 * std::sqrt(1 - 0.09));
+  const Validity half = judged(tube, change_of(0, Vec3(0.3, 0.4, 0) * limit));
+  EXPECT_NEAR(half.brazier_ratio, 0.5, 1e-8);
+  EXPECT_TRUE(half.in_range);
+  EXPECT_TRUE(half.warnings.empty());
+  const Validity near = judged(tube, change_of(0, Vec3(0.8, 0, 0) * limit));
+  EXPECT_TRUE(near.in_range);
+  ASSERT_FALSE(near.warnings.empty());
+  EXPECT_NE(near.warnings[0].find("vessel tube at ("), std::string::npos);
+  const Validity past = judged(tube, change_of(0, Vec3(0.95, 0, 0) * limit));
+  EXPECT_FALSE(past.in_range);
+  EXPECT_NE(past.warnings[0].find("would kink there"), std::string::npos);
+}
+
+TEST(Validity, ShortTubesAreMeasuredAgainstLocalWrinkling) {
+  const PreparedVessel tube = judged_tube(60);
+  const Validity validity = judged(tube, change_of(0, Vec3(0, 0.004, 0)));
+  EXPECT_EQ(validity.brazier_ratio, 0);
+  EXPECT_NEAR(validity.wrinkling_ratio, 0.004 * 100 / 0.605, 1e-8);
+}
+
+// Least axial strain at which a cylinder with a fibre along it wrinkles: Donnell's linear
+// equations, nu_LT = 0, over waves along and around.
+double donnell_strain(double e_l, double e_t, double g, double radius, double t) {
+  double least = std::numeric_limits<double>::infinity();
+  const double scale = 1 / std::sqrt(radius * t), d = t * t * t / 12;
+  for (double a = 0.02; a < 8; a += 0.02)
+    for (double b = 0; b < 6; b += 0.02) {
+      const double a2 = a * a * scale * scale, b2 = b * b * scale * scale;
+      const double bending = d * (e_l * a2 * a2 + 4 * g * a2 * b2 + e_t * b2 * b2);
+      const double membrane =
+          t * a2 * a2 / (radius * radius) / (a2 * a2 / e_t + a2 * b2 / g + b2 * b2 / e_l);
+      least = std::min(least, (bending + membrane) / (a2 * t * e_l));
+    }
+  return least;
+}
+
+// The constant is the isotropic wall's 0.605, nu = 0.3, where Donnell has 3^(-1/2).
+TEST(Validity, AFibreMovesTheWrinklingStrainAsDonnellHasIt) {
+  for (const auto& [e_t, g] :
+       {std::pair{0.5, 0.25}, {0.5, 0.02}, {0.5, 10.0}, {0.1, 0.005}, {4.0, 0.1}}) {
+    PreparedVessel tube = judged_tube(60);
+    tube.spec.wall->material = {Law::biot, 0.5, e_t, g, 0.3, 0};
+    const double strain = donnell_strain(0.5, e_t, g, 10, 1) * 0.605 * std::sqrt(3.0);
+    EXPECT_NEAR(judged(tube, change_of(0, Vec3(0, strain / 10, 0))).wrinkling_ratio, 1, 2e-3)
+        << e_t << " " << g;
+  }
+}
+
+// A section that is stiff across flattens later, by the root, and twists later by a power of 5/8.
+TEST(Validity, AFibreMovesBrazierAndTwist) {
+  PreparedVessel tube = judged_tube(300);
+  const Vec6 change = change_of(0, Vec3(0.001, 0, 0.001));
+  tube.spec.wall->material = {Law::biot, 0.5, 0.5, 0.5 / 2.6, 0.3, 0};
+  const Validity before = judged(tube, change);
+  tube.spec.wall->material.young_transverse = 16 * 0.5;
+  const Validity after = judged(tube, change);
+  EXPECT_NEAR(after.brazier_ratio * 4, before.brazier_ratio, 1e-12);
+  EXPECT_NEAR(after.twist_ratio * std::pow(16, 0.625), before.twist_ratio, 1e-12);
+}
+
+TEST(Validity, TwistIsMeasuredAgainstTorsionalWrinkling) {
+  const PreparedVessel tube = judged_tube();
+  const double angle =
+      20 * M_PI / 180;  // at t/R = 0.1, L/R = 10 a tube wrinkles at 20 degrees (nu = 0.3)
+  const Validity validity = judged(tube, change_of(0, Vec3(0, 0, angle / 100)));
+  EXPECT_NEAR(validity.twist_ratio, 1, 0.03);
+  EXPECT_FALSE(validity.in_range);
+}
+
+TEST(Validity, StrainIsThatOfTheOuterFibre) {
+  const PreparedVessel tube = judged_tube();
+  EXPECT_NEAR(judged(tube, change_of(0.03, Vec3(0, 0.002, 0))).largest_strain, 0.03 + 0.002 * 10.5,
+              1e-8);
+  EXPECT_NEAR(judged(tube, change_of(0, Vec3(0, 0, 0.001))).largest_strain, 0.001 * 10.5, 1e-8);
+}
+
+TEST(Validity, UnitsDoNotMatter) {
+  const double metre = 1e-3;
+  const Vec3 u(0.002, 0.001, 0.003);
+  const Validity mm = judged(judged_tube(300), change_of(0.01, u));
+  const Validity m = judged(judged_tube(300, metre, 1e6), change_of(0.01, u / metre));
+  EXPECT_NEAR(m.brazier_ratio, mm.brazier_ratio, 1e-9);
+  EXPECT_NEAR(m.wrinkling_ratio, mm.wrinkling_ratio, 1e-9);
+  EXPECT_NEAR(m.twist_ratio, mm.twist_ratio, 1e-9);
+  EXPECT_NEAR(m.largest_strain, mm.largest_strain, 1e-9);
+  EXPECT_EQ(m.warnings.size(), mm.warnings.size());
+}
+
+TEST(Validity, NothingCountsBesideARigidEnd) {
+  const PreparedVessel tube = judged_tube(300);
+  const RodTree& rod = tube.vessel.rod;
+  RodPoses poses = rod.rest;  // a kink in the first element only
+  Vec6 kink = rod.elements[0].rest_strain;
+  kink[3] += 0.1;
+  const Pose turn = rod.rest[0] * exp_motion(rod.elements[0].length * kink) * rod.rest[1].inverse();
+  for (size_t k = 1; k < poses.size(); ++k) poses[k] = turn * poses[k];
+  Validity free, held;
+  add_validity(tube, poses, {}, free);
+  add_validity(tube, poses, {0}, held);
+  EXPECT_FALSE(free.in_range);
+  EXPECT_TRUE(held.in_range);
+  EXPECT_NEAR(held.wrinkling_ratio, 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace vasorod

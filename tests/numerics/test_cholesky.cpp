@@ -1,0 +1,128 @@
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include "numerics/blas.h"
+#include "numerics/cholesky.h"
+#include "paper/paper_tubes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+using Matrix = Eigen::SparseMatrix<double>;
+
+Matrix random_positive(int n, unsigned seed, double shift) {
+  const Points p = random_points(n, seed);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, 4 + shift);
+    for (int k = 0; k < 3; ++k) {
+      const int j = static_cast<int>(std::abs(p(i, k)) * n) % n;
+      if (j == i) continue;
+      entries.emplace_back(i, j, p(i, k) / 4);
+      entries.emplace_back(j, i, p(i, k) / 4);
+    }
+  }
+  Matrix m(n, n);
+  m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
+  const Matrix a = random_positive(60, 1, 0), b = random_positive(60, 1, 2);
+  const Eigen::MatrixXd rhs = random_points(60, 2);
+  Cholesky cholesky;
+  cholesky.analyse(a);
+  for (const Matrix& m : {a, b}) {  // the second with the kept analysis
+    ASSERT_TRUE(cholesky.factorise(m));
+    Eigen::MatrixXd x(60, 3);
+    cholesky.solve(rhs.data(), x.data(), 3);
+    EXPECT_TRUE(x.isApprox(Eigen::MatrixXd(m).ldlt().solve(rhs), 1e-12));
+  }
+}
+
+// In single precision: near the exact one, symmetric and positive.
+TEST(Cholesky, PreconditionsAlmostAsItSolves) {
+  const Matrix a = random_positive(400, 1, 0);
+  const Eigen::MatrixXd rhs = random_points(400, 2);
+  Cholesky cholesky;
+  cholesky.analyse(a);
+  ASSERT_TRUE(cholesky.factorise(a));
+  Eigen::MatrixXd exact(400, 3), x(400, 3);
+  cholesky.solve(rhs.data(), exact.data(), 3);
+  cholesky.precondition(rhs.data(), x.data(), 3);
+  EXPECT_NE(x, exact);
+  EXPECT_TRUE(x.isApprox(exact, 1e-6));
+  const Eigen::Matrix3d products = rhs.transpose() * x;
+  EXPECT_TRUE(products.isApprox(products.transpose(), 1e-5));
+  EXPECT_GT(products.diagonal().minCoeff(), 0);
+  Eigen::VectorXd alone(400);
+  cholesky.precondition(rhs.data(), alone.data(), 1);
+  EXPECT_EQ(alone, x.col(0));
+}
+
+// A clamped beam of 3,000 differences, condition 1e13: single precision would make another beam of
+// it.
+TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
+  constexpr int n = 3000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i)
+    for (const auto& [away, value] : {std::pair{0, 6.0}, {1, -4.0}, {2, 1.0}}) {
+      if (i + away >= n) continue;
+      entries.emplace_back(i, i + away, value);
+      if (away > 0) entries.emplace_back(i + away, i, value);
+    }
+  Matrix m(n, n);
+  m.setFromTriplets(entries.begin(), entries.end());
+  Cholesky cholesky;
+  cholesky.analyse(m);
+  ASSERT_TRUE(cholesky.factorise(m));
+  const Eigen::VectorXd load = Eigen::VectorXd::Ones(n);
+  Eigen::VectorXd exact(n), first(n), second(n);
+  cholesky.solve(load.data(), exact.data(), 1);
+  cholesky.precondition(load.data(), first.data(), 1);
+  cholesky.precondition(load.data(), second.data(), 1);
+  EXPECT_EQ(first, exact);
+  EXPECT_EQ(second, exact);
+}
+
+TEST(Cholesky, OrdersByBlocksOfThree) {
+  const Matrix graph = random_positive(20, 3, 6);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int c = 0; c < 20; ++c)
+    for (Matrix::InnerIterator it(graph, c); it; ++it)
+      for (int k = 0; k < 3; ++k) {
+        entries.emplace_back(3 * it.row() + k, 3 * c + k, it.value());
+        if (it.row() == c && k < 2) {
+          entries.emplace_back(3 * c + k, 3 * c + k + 1, 0.3);
+          entries.emplace_back(3 * c + k + 1, 3 * c + k, 0.3);
+        }
+      }
+  Matrix m(60, 60);
+  m.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd rhs = Eigen::VectorXd::LinSpaced(60, -1, 1);
+  Cholesky cholesky;
+  cholesky.analyse(m, 3);
+  ASSERT_TRUE(cholesky.factorise(m));
+  Eigen::VectorXd x(60);
+  cholesky.solve(rhs.data(), x.data(), 1);
+  EXPECT_TRUE(x.isApprox(Eigen::MatrixXd(m).ldlt().solve(rhs), 1e-12));
+}
+
+TEST(Cholesky, SaysWhenAMatrixIsNotPositiveDefinite) {
+  const Matrix a = random_positive(60, 1, 0);
+  Matrix indefinite = a;
+  indefinite.coeffRef(30, 30) = -1;
+  Cholesky cholesky;
+  cholesky.analyse(a);
+  EXPECT_FALSE(cholesky.factorise(indefinite));
+  EXPECT_FALSE(cholesky.factorised());
+  EXPECT_TRUE(cholesky.factorise(a));  // and goes on after it
+}
+
+TEST(Blas, IsOpenBlas) {
+  EXPECT_EQ(blas_name().rfind("OpenBLAS", 0), 0u) << blas_name();
+}
+
+}  // namespace
+}  // namespace vasorod

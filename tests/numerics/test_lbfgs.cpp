@@ -1,0 +1,95 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "numerics/lbfgs.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+const Preconditioner identity = [](const VectorXd& g, VectorXd& d) { d = g; };
+
+// Rosenbrock's valley in n dimensions, minimum 0 at (1, ..., 1).
+double rosenbrock(const VectorXd& x, VectorXd& g, double& residual) {
+  double sum = 0;
+  g.setZero();
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+    const double a = x[i + 1] - x[i] * x[i], b = 1 - x[i];
+    sum += 100 * a * a + b * b;
+    g[i] += -400 * a * x[i] - 2 * b;
+    g[i + 1] += 200 * a;
+  }
+  residual = g.norm();
+  return sum;
+}
+
+TEST(Lbfgs, FindsTheMinimumOfRosenbrocksValleyAndNeverRises) {
+  VectorXd x = VectorXd::Constant(10, -1.2);
+  std::vector<double> energies;
+  LbfgsOptions options;
+  options.stop = [&](int, double energy, double) {
+    energies.push_back(energy);
+    return false;
+  };
+  const LbfgsSummary summary = lbfgs(rosenbrock, identity, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::converged);
+  EXPECT_LT((x - VectorXd::Ones(10)).norm(), 1e-7);
+  for (size_t i = 1; i < energies.size(); ++i) EXPECT_LE(energies[i], energies[i - 1]);
+}
+
+TEST(Lbfgs, AnExactPreconditionerSolvesAQuadraticInOneStep) {
+  VectorXd diagonal = VectorXd::LinSpaced(20, 1, 1e6), x = VectorXd::Ones(20);
+  const auto quadratic = [&](const VectorXd& at, VectorXd& g, double& residual) {
+    g = diagonal.cwiseProduct(at);
+    residual = g.norm();
+    return 0.5 * at.dot(g);
+  };
+  const LbfgsSummary summary = lbfgs(
+      quadratic, [&](const VectorXd& g, VectorXd& d) { d = g.cwiseQuotient(diagonal); }, x);
+  EXPECT_EQ(summary.status, LbfgsStatus::converged);
+  EXPECT_EQ(summary.iterations, 1);
+}
+
+TEST(Lbfgs, BacksOutOfWhereTheEnergyIsNotANumber) {
+  VectorXd x = VectorXd::Constant(1, 1e-3);  // x - log x: undefined for x <= 0, minimum at 1
+  const auto barrier = [](const VectorXd& at, VectorXd& g, double& residual) {
+    g[0] = 1 - 1 / at[0];
+    residual = std::abs(g[0]);
+    return at[0] > 0 ? at[0] - std::log(at[0]) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const LbfgsSummary summary = lbfgs(
+      barrier,
+      [](const VectorXd& g, VectorXd& d) {
+        d = -50.0 * g.cwiseAbs(), d = d.cwiseProduct(-g.cwiseSign());
+      },
+      x);
+  EXPECT_EQ(summary.status, LbfgsStatus::converged);
+  EXPECT_NEAR(x[0], 1, 1e-7);
+}
+
+TEST(Lbfgs, NamesEveryOtherEnd) {
+  LbfgsOptions options;
+  options.max_iterations = 3;
+  VectorXd x = VectorXd::Constant(10, -1.2);
+  EXPECT_EQ(lbfgs(rosenbrock, identity, x, options).status, LbfgsStatus::iteration_limit);
+  options.max_iterations = 1000;
+  options.patience = 5;
+  EXPECT_EQ(lbfgs(rosenbrock, identity, x, options).status, LbfgsStatus::slow);
+  options.stop = [](int, double, double) { return true; };
+  EXPECT_EQ(lbfgs(rosenbrock, identity, x, options).status, LbfgsStatus::interrupted);
+  const auto lying = [](const VectorXd& at, VectorXd& g,
+                        double& residual) {  // its gradient points uphill
+    g = -2 * at;
+    residual = 1;
+    return at.squaredNorm();
+  };
+  x.setOnes();
+  EXPECT_EQ(lbfgs(lying, identity, x).status, LbfgsStatus::stalled);
+  EXPECT_TRUE(x.isOnes());
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "report/base64.h"
+#include "report/report.h"
+#include "report/report_parts.h"
+#include "result/example_result.h"
+
+namespace vasorod {
+namespace {
+
+std::string page_of(const Result& result) {
+  return report_html(result, {});
+}
+
+bool has(const std::string& page, const std::string& text) {
+  return page.find(text) != std::string::npos;
+}
+
+// Decodes by the definition: six bits a character.
+std::string decoded(const std::string& text) {
+  static const std::string digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes += static_cast<char>(bits >> count & 255U);
+    }
+  }
+  return bytes;
+}
+
+nlohmann::json scene_of(const std::string& page) {
+  const std::string opening = "<script type=\"application/json\" id=\"scene\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(Base64, KnownTexts) {  // RFC 4648, section 10
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Report, NeedsNoNetwork) {
+  const std::string page =
+      report_html(test::example_result(), report_pictures(test::example_result()));
+  EXPECT_FALSE(has(page, "http:"));
+  EXPECT_FALSE(has(page, "https:"));
+  EXPECT_FALSE(has(page, "@import"));
+  EXPECT_FALSE(has(page, "<link"));
+  EXPECT_FALSE(std::regex_search(page, std::regex("src=\"(?!data:)")));
+}
+
+TEST(Report, SaysStatusValidityAndWhatItIsNot) {
+  Result result = test::example_result();
+  std::string page = page_of(result);
+  EXPECT_TRUE(has(page, "not for clinical use"));
+  EXPECT_TRUE(has(page, "Status: converged"));
+  EXPECT_TRUE(has(page, "outside the model's range"));
+  EXPECT_TRUE(has(page, "svc bends to 0.95 of the curvature where a tube kinks."));
+  result.status = Status::unstable;
+  result.validity = {};
+  page = page_of(result);
+  EXPECT_TRUE(has(page, "Status: unstable"));
+  EXPECT_TRUE(has(page, "within the model's range"));
+  EXPECT_FALSE(has(page, "class=\"notice"));
+}
+
+TEST(Report, HasAPictureOfEachStageAndField) {
+  const std::vector<NamedPicture> pictures = report_pictures(test::example_result());
+  std::vector<std::string> files;
+  for (const NamedPicture& picture : pictures) {
+    files.push_back(picture.file);
+    EXPECT_EQ(picture.png.substr(1, 3), "PNG");
+  }
+  EXPECT_EQ(files, (std::vector<std::string>{"picture_rest.png", "picture_cut.png",
+                                             "picture_incision.png", "picture_result.png",
+                                             "picture_twist_shear.png", "picture_axial_stretch.png",
+                                             "picture_contact_pressure.png"}));
+  EXPECT_NE(pictures[0].png, pictures[3].png) << "rest and result look the same";
+  const std::string page = report_html(test::example_result(), pictures);
+  for (const NamedPicture& picture : pictures)
+    EXPECT_TRUE(has(page, base64(picture.png))) << picture.file;
+}
+
+TEST(Report, TheStumpIsThereFromTheCutOn) {
+  Result result = test::example_result();
+  const auto with = report_pictures(result);
+  result.vessels[0].stump.reset();
+  const auto without = report_pictures(result);
+  EXPECT_EQ(with[0].png, without[0].png) << "rest";
+  for (std::size_t stage = 1; stage < 4; ++stage)
+    EXPECT_NE(with[stage].png, without[stage].png) << stage;
+}
+
+// Pressed on one side or on the other: one of the two is out of sight from where the other pictures
+// are taken.
+TEST(Report, TheContactPressureIsLookedAtFromItsSide) {
+  int turned = 0;
+  for (const double side : {-1.0, 1.0}) {
+    Result result = test::example_result();
+    VesselResult& svc = result.vessels[0];
+    for (Eigen::Index i = 0; i < svc.rest.rows(); ++i)
+      svc.contact_pressure[i] =
+          side * svc.rest(i, 0) > 4.5 && std::abs(svc.rest(i, 2) - 30) < 5 ? 1e-3 : 0;
+    const auto pictures = report_pictures(result);
+    EXPECT_EQ(pictures[4].title, "twist shear");
+    turned += has(pictures[6].title, "from where most of it is seen");
+  }
+  EXPECT_GE(turned, 1);
+}
+
+TEST(Report, ThreadsDoNotChangeThePictures) {
+  const std::vector<NamedPicture> one = report_pictures(test::example_result(), 1);
+  const std::vector<NamedPicture> three = report_pictures(test::example_result(), 3);
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].png, three[i].png) << one[i].file;
+}
+
+TEST(Report, HasEveryTable) {
+  const std::string page = page_of(test::example_result());
+  for (const char* heading :
+       {"What became of the vessels", "The operation", "What the supports do", "Contact",
+        "Balance of forces, N", "Energy", "What was modelled", "Time", "Environment"})
+    EXPECT_TRUE(has(page, "<h2>" + std::string(heading) + "</h2>")) << heading;
+  EXPECT_TRUE(has(page, "no vessel within reach"));
+  EXPECT_TRUE(has(page, "sha256:00ff"));
+}
+
+TEST(Report, EscapesWhatItWasGiven) {
+  Result result = test::example_result();
+  result.scene = "<script>alert(1)</script>";
+  result.vessels[0].name = "</script><b>";
+  const std::string page = page_of(result);
+  EXPECT_FALSE(has(page, "<script>alert"));
+  EXPECT_FALSE(has(page, "</script><b>"));
+  EXPECT_EQ(scene_of(page).at("vessels").at(0).at("name"), "</script><b>");
+}
+
+TEST(Report, TheViewHasThePointsWithinAStep) {
+  const Result result = test::example_result();
+  const nlohmann::json scene = scene_of(page_of(result));
+  ASSERT_EQ(scene.at("vessels").size(), 3u) << "svc, its stump, aorta";
+  const VesselResult& vessel = result.vessels[0];
+  const std::string bytes = decoded(scene.at("vessels").at(0).at("current").get<std::string>());
+  ASSERT_EQ(bytes.size(), static_cast<std::size_t>(vessel.current.size()) * 2);
+  const double step = scene.at("size").get<double>() / 65535;
+  for (Eigen::Index i = 0; i < vessel.current.rows(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t at = 2 * static_cast<std::size_t>(3 * i + k);
+      const int value =
+          static_cast<unsigned char>(bytes[at]) + 256 * static_cast<unsigned char>(bytes[at + 1]);
+      ASSERT_NEAR(scene.at("low").at(static_cast<std::size_t>(k)).get<double>() + value * step,
+                  vessel.current(i, k), step);
+    }
+  EXPECT_EQ(decoded(scene.at("vessels").at(0).at("triangles").get<std::string>()).size(),
+            static_cast<std::size_t>(vessel.triangles.size()) * 4);
+  EXPECT_TRUE(scene.at("vessels").at(0).at("fields").at(0).is_string());
+  EXPECT_TRUE(scene.at("vessels").at(2).at("fields").at(0).is_null()) << "an obstacle has no twist";
+}
+
+TEST(Report, AnOperationIsAboutTheVesselsItJoins) {
+  Result result = test::example_result();
+  result.vessels[1].name = "rpa";
+  result.vessels[1].obstacle = false;
+  VesselResult beside = test::obstacle(24, 30);
+  beside.obstacle = false;  // it may move, but the operation does not join it
+  result.vessels.push_back(beside);
+  const auto wanted = [&] {
+    std::map<std::string, bool> names;
+    for (const DrawnBody& body : drawn_bodies(result)) names[body.name] = body.wanted;
+    return names;
+  };
+  EXPECT_EQ(wanted(), (std::map<std::string, bool>{
+                          {"svc", true}, {"svc stump", false}, {"rpa", true}, {"aorta", false}}));
+  result.glenn.reset();
+  EXPECT_TRUE(wanted().at("aorta"));
+}
+
+TEST(Report, ABareRodIsDrawnAsATube) {
+  Result result = test::example_result();
+  VesselResult rod;
+  rod.name = "rod";
+  rod.centerline = result.vessels[0].centerline;
+  rod.centerline->radius.clear();
+  result.vessels = {rod};
+  result.stages.clear();
+  const DrawnBody shape = drawn_bodies(result).at(0);
+  EXPECT_EQ(shape.current.rows(), 12 * rod.centerline->current.rows());
+  for (Eigen::Index i = 0; i < shape.current.rows(); ++i) {
+    EXPECT_NEAR((shape.current.row(i) - rod.centerline->current.row(i / 12)).norm(), 0.6, 1e-9);
+    EXPECT_NEAR((shape.rest.row(i) - rod.centerline->rest.row(i / 12)).norm(), 0.6, 1e-9);
+  }
+  const std::vector<NamedPicture> pictures = report_pictures(result);
+  ASSERT_EQ(pictures.size(), 5u);
+  EXPECT_NE(pictures[0].png, pictures[1].png);
+}
+
+TEST(Report, SurvivesAnEmptyResultAndWhatIsNotANumber) {
+  EXPECT_TRUE(has(report_html(Result{}, report_pictures(Result{})), "</html>"));
+  Result result = test::example_result();
+  result.vessels[0].current.row(5).setConstant(std::numeric_limits<double>::quiet_NaN());
+  result.vessels[0].twist_shear[3] = std::numeric_limits<double>::infinity();
+  result.energy.rod = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(has(report_html(result, report_pictures(result)), "</html>"));
+}
+
+TEST(Report, ForceUnitsFollowTheScene) {
+  Result result;
+  EXPECT_EQ(force_unit(result), "N");
+  result.stress_unit = "kPa";
+  EXPECT_EQ(force_unit(result), "mN");
+  result.length_unit = "cm";
+  EXPECT_EQ(force_unit(result), "kPa cm²");
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,172 @@
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <unistd.h>
+
+#include <vasorod/error.h>
+#include <vasorod/result_folder.h>
+
+#include "result/example_result.h"
+#include "result/folder_replacement.h"
+
+namespace vasorod {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+void put(const fs::path& folder, const std::string& content) {
+  FolderReplacement replacement(folder);
+  replacement.write("data", content);
+  replacement.commit();
+}
+
+TEST(FolderReplacement, MakesANewPlaceWithItsParents) {
+  const test::TemporaryFolder base;
+  put(base.path / "a" / "b" / "c", "1");
+  EXPECT_EQ(text_of(base.path / "a/b/c/data"), "1");
+  EXPECT_EQ(entries(base.path / "a/b"), 1u) << "something was left beside the result";
+}
+
+TEST(FolderReplacement, ATrailingSlashMeansTheSameFolder) {
+  const test::TemporaryFolder base;
+  put(base.path / "out/", "1");
+  EXPECT_EQ(text_of(base.path / "out/data"), "1");
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, FillsAnEmptyFolder) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "out");
+  put(base.path / "out", "1");
+  EXPECT_EQ(text_of(base.path / "out/data"), "1");
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, ReplacesAFormerResultWhole) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "out");
+  write(base.path / "out/result.json", to_json(test::example_result()));
+  write(base.path / "out/old.vtp", "old");
+  put(base.path / "out", "2");
+  EXPECT_EQ(text_of(base.path / "out/data"), "2");
+  EXPECT_FALSE(fs::exists(base.path / "out/old.vtp"));
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, FollowsALinkToAFormerResult) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "real");
+  write(base.path / "real/result.json", to_json(test::example_result()));
+  fs::create_directory_symlink("real", base.path / "link");
+  put(base.path / "link", "2");
+  EXPECT_TRUE(fs::is_symlink(base.path / "link"));
+  EXPECT_EQ(text_of(base.path / "real/data"), "2");
+}
+
+TEST(FolderReplacement, LeavesAForeignFolderAlone) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "out");
+  write(base.path / "out/thesis.tex", "years of work");
+  EXPECT_THROW(require_replaceable(base.path / "out"), FileError);
+  EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
+  write(base.path / "out/result.json", "{\"schema\": 1, \"program\": \"other 1.0\"}");
+  EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
+  EXPECT_EQ(text_of(base.path / "out/thesis.tex"), "years of work");
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, AFileInThePlaceOrAboveItIsRefused) {
+  const test::TemporaryFolder base;
+  write(base.path / "out", "a file");
+  EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
+  EXPECT_THROW(FolderReplacement(base.path / "out" / "below"), FileError);
+  EXPECT_EQ(text_of(base.path / "out"), "a file");
+  EXPECT_THROW(FolderReplacement(""), FileError);
+}
+
+TEST(FolderReplacement, TheCurrentFolderIsRefused) {
+  const test::TemporaryFolder base;
+  const fs::path before = fs::current_path();
+  fs::create_directories(base.path / "out/inner");
+  fs::current_path(base.path / "out/inner");
+  EXPECT_THROW(FolderReplacement("."), FileError);
+  fs::remove(base.path /
+             "out/inner");  // so that `out` is empty, and the current folder no longer exists
+  fs::current_path(base.path / "out");
+  EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
+  fs::current_path(before);
+}
+
+// In a process of its own, which lays down the right to write anywhere where the tests have it.
+TEST(FolderReplacement, AFolderThatCannotBeWrittenToIsRefused) {
+  const test::TemporaryFolder base;
+  fs::permissions(base.path, static_cast<fs::perms>(0555));
+  const auto try_to_write = [&] {
+    if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
+    try {
+      put(base.path / "out", "1");
+    } catch (const FileError&) {
+      _exit(0);
+    }
+    _exit(1);
+  };
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // VTK may have started threads
+  EXPECT_EXIT(try_to_write(), testing::ExitedWithCode(0), "");
+  fs::permissions(base.path, fs::perms::owner_all);
+  EXPECT_TRUE(fs::is_empty(base.path));
+}
+
+TEST(FolderReplacement, WithoutCommitTheOldResultStays) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "out");
+  write(base.path / "out/result.json", to_json(test::example_result()));
+  {
+    FolderReplacement replacement(base.path / "out");
+    replacement.write("data", "half");
+    EXPECT_EQ(entries(base.path / "out"), 1u);
+  }
+  EXPECT_EQ(text_of(base.path / "out/result.json"), to_json(test::example_result()));
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, WhatAppearedMeanwhileIsNotOverwritten) {
+  const test::TemporaryFolder base;
+  FolderReplacement replacement(base.path / "out");
+  replacement.write("data", "ours");
+  fs::create_directory(base.path / "out");
+  write(base.path / "out/theirs", "theirs");
+  EXPECT_THROW(replacement.commit(), FileError);
+  EXPECT_EQ(text_of(base.path / "out/theirs"), "theirs");
+}
+
+TEST(FolderReplacement, AFileThatCannotBeWrittenIsAnError) {
+  const test::TemporaryFolder base;
+  FolderReplacement replacement(base.path / "out");
+  EXPECT_THROW(replacement.write("no/such/folder", "x"), FileError);
+}
+
+TEST(FolderReplacement, HasThePermissionsOfAnyNewFolder) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "plain");
+  put(base.path / "out", "1");
+  EXPECT_EQ(fs::status(base.path / "out").permissions(),
+            fs::status(base.path / "plain").permissions());
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "bodies/surface_report.h"
 #include "data/index.h"
+#include "data/sentence.h"
 
 namespace vasorod {
 namespace {
@@ -47,13 +47,10 @@ void name_fold(const std::string& name, const WallEnergy& wall, const WallReport
   if (now.sharpest_fold < right_angle || wall.report(wall.rest()).sharpest_fold > right_angle)
     return;
   const Vec3 place = now.fold_place * scaled.length + scaled.origin;
-  std::ostringstream note;
-  note.precision(4);
-  note << "the wall of " << name << " is folded by "
-       << std::lround(now.sharpest_fold * 180 / std::numbers::pi) << " degrees over one edge at ("
-       << place.x() << ", " << place.y() << ", " << place.z()
-       << "): its mesh is too coarse for what happens there";
-  solution.notes.push_back(note.str());
+  solution.notes.push_back(joined_text("the wall of ", name, " is folded by ",
+                                       std::lround(now.sharpest_fold * 180 / std::numbers::pi),
+                                       " degrees over one edge at ", place_text(place, 4),
+                                       ": its mesh is too coarse for what happens there"));
 }
 
 struct Sums {

@@ -30,6 +30,18 @@ std::string number_text(double value, int digits) {
   return text;
 }
 
+std::string fixed_text(double value, int digits) {
+  char text[400];  // the largest double has 309 digits before the point
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string scientific_text(double value, int digits) {
+  char text[60];
+  std::snprintf(text, sizeof text, "%.*e", digits, value);
+  return text;
+}
+
 std::string place_text(const Vec3& p, int digits) {
   return "(" + number_text(p.x(), digits) + ", " + number_text(p.y(), digits) + ", " +
          number_text(p.z(), digits) + ")";
@@ -50,7 +62,8 @@ std::string listed(const std::vector<std::string>& words) {
   return out;
 }
 
-std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known) {
+std::optional<std::string> nearest_word(const std::string& word,
+                                        const std::vector<std::string>& known) {
   std::optional<std::string> best;
   int least = 3;
   if (word.size() > 100) return best;

@@ -1,6 +1,7 @@
 // Numbers, places and words as the sentences for a user write them.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@ namespace vasorod {
 
 /// `digits` significant digits, and no more than the number needs.
 std::string number_text(double value, int digits = 6);
+
+/// With `digits` after the point, as 12.50; with an exponent, as 1.250e+01.
+std::string fixed_text(double value, int digits);
+std::string scientific_text(double value, int digits);
 
 /// "(x, y, z)", fine enough to find the place in the file.
 std::string place_text(const Vec3& p, int digits = 6);
@@ -24,5 +29,19 @@ std::string listed(const std::vector<std::string>& words);
 /// The word of `known` that `word` was probably meant to be (at most two letters off), or nothing.
 std::optional<std::string> nearest_word(const std::string& word,
                                         const std::vector<std::string>& known);
+
+/// The parts one after the other; floating-point numbers as number_text writes them.
+template <class... Parts>
+std::string joined_text(const Parts&... parts) {
+  const auto text = []<class Part>(const Part& part) -> std::string {
+    if constexpr (std::floating_point<Part>)
+      return number_text(part);
+    else if constexpr (std::integral<Part>)
+      return std::to_string(part);
+    else
+      return std::string(part);
+  };
+  return (std::string() + ... + text(parts));
+}
 
 }  // namespace vasorod

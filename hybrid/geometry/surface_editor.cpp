@@ -6,6 +6,7 @@
 #include <deque>
 #include <set>
 
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -34,21 +35,13 @@ double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 SurfaceEditor::SurfaceEditor(const TriangleSurface& surface, const EditTolerances& tolerances)
-    : tolerances_(tolerances),
+    : EditableMesh(surface),
+      tolerances_(tolerances),
       mean_edge_(mean_edge_length(surface)),
-      input_count_(static_cast<int>(surface.points.rows())) {
-  const auto count = static_cast<size_t>(input_count_);
-  points_.resize(count);
-  sources_.resize(count);
-  incident_.resize(count);
-  touched_.assign(count, 0);
-  for (int v = 0; v < input_count_; ++v) {
-    points_[static_cast<size_t>(v)] = surface.points.row(v);
-    sources_[static_cast<size_t>(v)] = VertexSource::original(v);
-  }
-  triangles_.reserve(static_cast<size_t>(surface.triangles.rows()) + 64);
-  for (int t = 0; t < surface.triangles.rows(); ++t)
-    add_triangle({surface.triangles(t, 0), surface.triangles(t, 1), surface.triangles(t, 2)});
+      input_count_(static_cast<int>(surface.points.rows())),
+      sources_(index(input_count_)),
+      touched_(index(input_count_), 0) {
+  for (int v = 0; v < input_count_; ++v) sources_[index(v)] = VertexSource::original(v);
 }
 
 Vec3 SurfaceEditor::point(const Blend& blend) const {
@@ -67,81 +60,16 @@ VertexSource SurfaceEditor::source_of(const Blend& parts) const {
   return blend(sources, weights);
 }
 
-int SurfaceEditor::add_vertex(const Blend& blend) {
-  const Vec3 at = point(blend);
+int SurfaceEditor::add_blend(const Blend& blend) {
   VertexSource from = source_of(blend);
-  points_.push_back(at);
+  const int v = add_vertex(point(blend));
   sources_.push_back(std::move(from));
-  incident_.emplace_back();
   touched_.push_back(1);
-  return vertex_count() - 1;
-}
-
-int SurfaceEditor::add_triangle(const std::array<int, 3>& corners) {
-  const int t = triangle_count();
-  triangles_.push_back(corners);
-  for (const int v : corners) incident_[static_cast<size_t>(v)].push_back(t);
-  return t;
-}
-
-void SurfaceEditor::remove_triangle(int t) {
-  for (const int v : triangle(t)) std::erase(incident_[static_cast<size_t>(v)], t);
-  triangles_[static_cast<size_t>(t)] = {-1, -1, -1};
-}
-
-int SurfaceEditor::triangle_left_of(int a, int b) const {
-  for (const int t : triangles_of(a)) {
-    const auto& c = triangle(t);
-    for (size_t k = 0; k < 3; ++k)
-      if (c[k] == a && c[(k + 1) % 3] == b) return t;
-  }
-  return -1;
-}
-
-namespace {
-
-// The corner of the triangle after v, and the one before.
-std::pair<int, int> around(const std::array<int, 3>& corners, int v) {
-  for (size_t k = 0; k < 3; ++k)
-    if (corners[k] == v) return {corners[(k + 1) % 3], corners[(k + 2) % 3]};
-  return {-1, -1};
-}
-
-int opposite(const std::array<int, 3>& corners, int a, int b) {
-  for (const int v : corners)
-    if (v != a && v != b) return v;
-  return -1;
-}
-
-}  // namespace
-
-std::vector<int> SurfaceEditor::ring(int v) const {
-  const auto& incident = triangles_of(v);
-  if (incident.empty()) return {};
-  // Start where no triangle lies clockwise of the first one (a boundary), else anywhere.
-  int first = incident.front();
-  for (size_t step = 0; step < incident.size(); ++step) {
-    const int before = triangle_left_of(around(triangle(first), v).first, v);
-    if (before < 0 || before == incident.front()) break;
-    first = before;
-  }
-  std::vector<int> result{around(triangle(first), v).first};
-  for (int t = first;;) {
-    const int next = around(triangle(t), v).second;
-    if (next == result.front()) break;
-    result.push_back(next);
-    t = triangle_left_of(v, next);
-    if (t < 0 || result.size() > incident.size() + 1) break;
-  }
-  return result;
-}
-
-bool SurfaceEditor::on_boundary(int v) const {
-  return ring(v).size() != triangles_of(v).size();
+  return v;
 }
 
 int SurfaceEditor::split_edge(int a, int b, double t) {
-  const int m = add_vertex({{a, 1 - t}, {b, t}});
+  const int m = add_blend({{a, 1 - t}, {b, t}});
   for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
     const int left = triangle_left_of(i, j);
     if (left < 0) continue;
@@ -155,8 +83,7 @@ int SurfaceEditor::split_edge(int a, int b, double t) {
 
 int SurfaceEditor::split_triangle(int t, const Vec3& barycentric) {
   const auto c = triangle(t);
-  const int m =
-      add_vertex({{c[0], barycentric[0]}, {c[1], barycentric[1]}, {c[2], barycentric[2]}});
+  const int m = add_blend({{c[0], barycentric[0]}, {c[1], barycentric[1]}, {c[2], barycentric[2]}});
   remove_triangle(t);
   for (size_t k = 0; k < 3; ++k) add_triangle({c[k], c[(k + 1) % 3], m});
   return m;
@@ -303,14 +230,8 @@ void SurfaceEditor::improve(const std::function<bool(int, int)>& fixed) {
 }
 
 int SurfaceEditor::duplicate(int v, const std::vector<int>& triangles) {
-  const int copy = add_vertex({{v, 1.0}});
-  for (const int t : triangles) {
-    auto corners = triangle(t);
-    std::replace(corners.begin(), corners.end(), v, copy);
-    std::erase(incident_[static_cast<size_t>(v)], t);
-    triangles_[static_cast<size_t>(t)] = corners;
-    incident_[static_cast<size_t>(copy)].push_back(t);
-  }
+  const int copy = add_blend({{v, 1.0}});
+  for (const int t : triangles) replace_corner(t, v, copy);
   return copy;
 }
 
@@ -337,10 +258,7 @@ SurfaceEditor::Part SurfaceEditor::part(const std::vector<int>& triangles) const
 }
 
 SurfaceEditor::Part SurfaceEditor::whole() const {
-  std::vector<int> all;
-  for (int t = 0; t < triangle_count(); ++t)
-    if (alive(t)) all.push_back(t);
-  return part(all);
+  return part(alive_triangles());
 }
 
 }  // namespace vasorod

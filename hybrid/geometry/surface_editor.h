@@ -9,6 +9,7 @@
 
 #include <vasorod/types.h>
 
+#include "geometry/editable_mesh.h"
 #include "geometry/vertex_source.h"
 
 namespace vasorod {
@@ -22,41 +23,22 @@ struct EditTolerances {
                               ///< equilateral, 0 flat
 };
 
-class SurfaceEditor {
+class SurfaceEditor : public EditableMesh {
  public:
   /// A point as weighted mean of current vertices.
   using Blend = std::vector<std::pair<int, double>>;
 
   explicit SurfaceEditor(const TriangleSurface& surface, const EditTolerances& tolerances = {});
 
-  int vertex_count() const { return static_cast<int>(points_.size()); }  ///< dead ones included
   int input_count() const { return input_count_; }
-  const Vec3& point(int v) const { return points_[static_cast<size_t>(v)]; }
+  using EditableMesh::point;
   Vec3 point(const Blend& blend) const;
   const VertexSource& source(int v) const { return sources_[static_cast<size_t>(v)]; }
-  const std::vector<int>& triangles_of(int v) const { return incident_[static_cast<size_t>(v)]; }
-  const std::array<int, 3>& triangle(int t) const { return triangles_[static_cast<size_t>(t)]; }
-  int triangle_count() const {
-    return static_cast<int>(triangles_.size());
-  }  ///< dead ones included
-  bool alive(int t) const { return triangles_[static_cast<size_t>(t)][0] >= 0; }
-  bool touched(int v) const {
-    return touched_[static_cast<size_t>(v)] != 0;
-  }  ///< made or moved by surgery
-  double length(int a, int b) const { return (point(a) - point(b)).norm(); }
+  /// Whether surgery made or moved the vertex.
+  bool touched(int v) const { return touched_[static_cast<size_t>(v)] != 0; }
   double mean_edge() const { return mean_edge_; }
   double snap() const { return tolerances_.snap * mean_edge_; }
   double min_edge() const { return tolerances_.min_edge * mean_edge_; }
-
-  /// The triangle with the directed edge a -> b, -1 when there is none.
-  int triangle_left_of(int a, int b) const;
-  bool joined(int a, int b) const {
-    return triangle_left_of(a, b) >= 0 || triangle_left_of(b, a) >= 0;
-  }
-  bool on_boundary(int v) const;
-  /// Neighbours of v counter-clockwise seen from outside; for a boundary vertex from one boundary
-  /// edge to the other.
-  std::vector<int> ring(int v) const;
 
   /// New vertex (1 - t) a + t b on an edge; its one or two triangles are split.
   int split_edge(int a, int b, double t);
@@ -85,9 +67,7 @@ class SurfaceEditor {
   Part whole() const;
 
  private:
-  int add_vertex(const Blend& blend);
-  int add_triangle(const std::array<int, 3>& corners);
-  void remove_triangle(int t);
+  int add_blend(const Blend& blend);
   VertexSource source_of(const Blend& blend) const;
   bool acceptable(const std::vector<std::array<Vec3, 3>>& before,
                   const std::vector<std::array<Vec3, 3>>& after) const;
@@ -96,10 +76,7 @@ class SurfaceEditor {
   EditTolerances tolerances_;
   double mean_edge_ = 0;
   int input_count_ = 0;
-  std::vector<Vec3> points_;
   VertexSources sources_;
-  std::vector<std::array<int, 3>> triangles_;  // first corner -1: dead
-  std::vector<std::vector<int>> incident_;
   std::vector<char> touched_;
 };
 

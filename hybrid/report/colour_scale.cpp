@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+
+#include "data/sentence.h"
 
 namespace vasorod {
 
@@ -57,16 +58,10 @@ std::vector<double> ColourScale::ticks() const {
 }
 
 std::string tick_text(double value, double step) {
-  char text[40];
   const double size = std::max(std::abs(value), step);
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   if (value == 0) return "0";
-  if (digits > 4 || size >= 1e6) {
-    std::snprintf(text, sizeof text, "%.3g", value);
-  } else {
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-  }
-  return text;
+  return digits > 4 || size >= 1e6 ? number_text(value, 3) : fixed_text(value, digits);
 }
 
 ColourScale scale_for(ColourMap map, const std::string& title,

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "data/sentence.h"
 #include "report/report_parts.h"
 
 namespace vasorod {
@@ -220,9 +220,7 @@ std::string html_text(const std::string& text) {
 
 std::string cell_text(double value) {
   if (!std::isfinite(value)) return "–";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value == 0 ? 0.0 : value);
-  return text;
+  return number_text(value == 0 ? 0.0 : value, 4);  // no -0
 }
 
 std::string force_unit(const Result& result) {

@@ -1,8 +1,8 @@
 #include <cmath>
-#include <cstdio>
 
 #include <vasorod/compare.h>
 
+#include "data/sentence.h"
 #include "result/json_text.h"
 
 namespace vasorod {
@@ -29,10 +29,7 @@ Json header(const ComparedResult& result) {
 }
 
 std::string text(double value) {
-  if (!std::isfinite(value)) return "-";
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3e", value);
-  return digits;
+  return std::isfinite(value) ? scientific_text(value, 3) : "-";
 }
 
 // Columns as wide as their widest cell, the first to the left, the others to the right.

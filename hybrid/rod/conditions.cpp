@@ -6,29 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/sentence.h"
 #include "geometry/rigid_motion.h"
 
 namespace vasorod {
 namespace {
 
-std::string text(const Vec3& v) {
-  std::ostringstream out;
-  out.precision(3);
-  const auto clean = [](double x) { return std::abs(x) < 1e-9 ? 0. : x; };
-  out << '(' << clean(v.x()) << ", " << clean(v.y()) << ", " << clean(v.z()) << ')';
-  return out.str();
-}
-
-std::string text(double x) {
-  std::ostringstream out;
-  out.precision(6);
-  out << x;
-  return out.str();
+// Round-off of a direction along an axis is not shown.
+std::string direction_text(const Vec3& v) {
+  return place_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0. : x; }), 3);
 }
 
 /// Scaled to a unit diagonal, so that slenderness does not hide what is indefinite.
@@ -107,9 +97,9 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> free_rigid_motions(const RodTree& tree,
 
 std::string describe_rigid_motion(const Vec6& twist, double scale) {
   const Vec3 v = twist.head<3>(), u = twist.tail<3>();
-  if (u.norm() < 1e-6) return "translation along " + text(v.normalized());
+  if (u.norm() < 1e-6) return "translation along " + direction_text(v.normalized());
   const Vec3 axis = u.normalized(), point = u.cross(v) / u.squaredNorm() * scale;
-  return "rotation about the axis " + text(axis) + " through " + text(point);
+  return "rotation about the axis " + direction_text(axis) + " through " + direction_text(point);
 }
 
 void check_tree(const RodTree& tree, const std::string& where) {
@@ -117,15 +107,15 @@ void check_tree(const RodTree& tree, const std::string& where) {
   const auto fail = [&](const std::string& sentence) { throw InputError(where + ": " + sentence); };
   if (n < 2 || tree.elements.empty()) fail("the rod has no element, expected at least one");
   if (static_cast<int>(tree.elements.size()) != n - 1)
-    fail("found " + text(static_cast<double>(tree.elements.size())) + " elements between " +
-         text(n) + " nodes, expected one less than nodes (a tree without closed loops)");
+    fail("found " + number_text(static_cast<double>(tree.elements.size())) + " elements between " +
+         number_text(n) + " nodes, expected one less than nodes (a tree without closed loops)");
   for (int i = 0; i < n; ++i) {
     const Pose& pose = tree.rest[index(i)];
     if (!pose.rotation.allFinite() || !pose.position.allFinite())
-      fail("the rest frame of node " + text(i) + " is not finite");
+      fail("the rest frame of node " + number_text(i) + " is not finite");
     if ((pose.rotation.transpose() * pose.rotation - Mat3::Identity()).norm() > 1e-6 ||
         pose.rotation.determinant() < 0)
-      fail("the rest frame of node " + text(i) + " is not right-handed and orthonormal");
+      fail("the rest frame of node " + number_text(i) + " is not right-handed and orthonormal");
   }
   std::vector<int> parent(index(n), -1);
   for (std::size_t e = 0; e < tree.elements.size(); ++e) {
@@ -133,16 +123,16 @@ void check_tree(const RodTree& tree, const std::string& where) {
     const auto name = [e] { return "element " + std::to_string(e); };
     if (element.first < 0 || element.first >= n || element.second < 0 || element.second >= n ||
         element.first == element.second)
-      fail(name() + " joins nodes " + text(element.first) + " and " + text(element.second) +
-           ", expected two different nodes of the rod");
+      fail(name() + " joins nodes " + number_text(element.first) + " and " +
+           number_text(element.second) + ", expected two different nodes of the rod");
     if (!(element.length > 0) || !std::isfinite(element.length))
-      fail(name() + " has length " + text(element.length) + ", expected a positive number");
+      fail(name() + " has length " + number_text(element.length) + ", expected a positive number");
     if (!element.natural_strain.allFinite() || !element.rest_strain.allFinite() ||
         !element.stiffness.allFinite())
       fail(name() + " has a strain or stiffness that is not finite");
     const double turn = element.length * element.natural_strain.tail<3>().norm();
     if (turn >= std::numbers::pi)
-      fail(name() + " turns by " + text(turn * 180 / std::numbers::pi) +
+      fail(name() + " turns by " + number_text(turn * 180 / std::numbers::pi) +
            " degrees in its natural shape, expected below 180: use more elements");
     const Mat6& c = element.stiffness;
     if (e == 0 || c != tree.elements[e - 1].stiffness) {
@@ -153,7 +143,7 @@ void check_tree(const RodTree& tree, const std::string& where) {
     if (element.second == 0)
       fail(name() + " leads into node 0, expected every element to lead away from that root");
     if (parent[index(element.second)] >= 0)
-      fail("two elements lead into node " + text(element.second) +
+      fail("two elements lead into node " + number_text(element.second) +
            ": the rod has a closed loop or a reversed element");
     parent[index(element.second)] = element.first;
   }
@@ -168,7 +158,7 @@ void check_tree(const RodTree& tree, const std::string& where) {
       if (static_cast<int>(way.size()) > n) break;
     }
     if (at < 0 || !reached[index(at)])
-      fail("node " + text(i) + " is not connected to the root, expected one connected tree");
+      fail("node " + number_text(i) + " is not connected to the root, expected one connected tree");
     for (const int node : way) reached[index(node)] = 1;
   }
 }
@@ -180,24 +170,25 @@ void check_conditions(const RodTree& tree, const RodConditions& conditions,
   std::vector<bool> supported(index(n), false);
   for (const RodSupport& s : conditions.supports) {
     if (s.node < 0 || s.node >= n)
-      fail("a support names node " + text(s.node) + ", expected 0 to " + text(n - 1));
+      fail("a support names node " + number_text(s.node) + ", expected 0 to " + number_text(n - 1));
     if (supported[index(s.node)])
-      fail("node " + text(s.node) + " has two supports, expected at most one");
+      fail("node " + number_text(s.node) + " has two supports, expected at most one");
     supported[index(s.node)] = true;
     if (!s.motion.rotate.allFinite() || !s.motion.move.allFinite())
-      fail("the motion of node " + text(s.node) + " is not finite");
+      fail("the motion of node " + number_text(s.node) + " is not finite");
     if (s.frame && ((s.frame->transpose() * *s.frame - Mat3::Identity()).norm() > 1e-6 ||
                     s.frame->determinant() < 0))
-      fail("the support's frame at node " + text(s.node) + " is not right-handed and orthonormal");
+      fail("the support's frame at node " + number_text(s.node) +
+           " is not right-handed and orthonormal");
   }
   const double scale = length_scale(tree);
   Vec6 total = Vec6::Zero();
   double size = 0;
   for (const RodLoad& load : conditions.loads) {
     if (load.node < 0 || load.node >= n)
-      fail("a load names node " + text(load.node) + ", expected 0 to " + text(n - 1));
+      fail("a load names node " + number_text(load.node) + ", expected 0 to " + number_text(n - 1));
     if (!load.force.allFinite() || !load.moment.allFinite())
-      fail("the load of node " + text(load.node) + " is not finite");
+      fail("the load of node " + number_text(load.node) + " is not finite");
     const Pose& pose = tree.rest[index(load.node)];
     const Vec3 moment =
         (load.moment_in_body ? Vec3(pose.rotation * load.moment) : load.moment) / scale;

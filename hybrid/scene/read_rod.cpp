@@ -1,6 +1,5 @@
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <sstream>
 
 #include "scene/read_parts.h"
 
@@ -31,10 +30,9 @@ Mat6 read_matrix(const Field& field) {
     for (int j = 0; j < i; ++j)
       if (std::abs(matrix(i, j) - matrix(j, i)) >
           1e-12 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)))) {
-        std::ostringstream found;
-        found << matrix(i, j) << " in row " << i + 1 << ", column " << j + 1 << " but "
-              << matrix(j, i) << " across the diagonal";
-        field.refuse(found.str(), "a symmetric matrix");
+        field.refuse(joined_text(matrix(i, j), " in row ", i + 1, ", column ", j + 1, " but ",
+                                 matrix(j, i), " across the diagonal"),
+                     "a symmetric matrix");
       }
   matrix = (0.5 * (matrix + matrix.transpose())).eval();
   // Scaled to a unit diagonal, so that mixed units do not decide what counts as definite.
@@ -86,7 +84,7 @@ RodPiece read_piece(const Field& field, const std::optional<Mat6>& common) {
     if (const auto u = natural->find("u")) strain.tail<3>() = u->vec3();
     if (const auto v = natural->find("v")) {
       strain.head<3>() = v->vec3();
-      if (!(strain[2] > 0)) v->refuse("v3 = " + std::to_string(strain[2]), "a stretch v3 above 0");
+      if (!(strain[2] > 0)) v->refuse("v3 = " + number_text(strain[2]), "a stretch v3 above 0");
     }
     piece.natural = strain;
   }
@@ -137,10 +135,8 @@ TubeSpec read_tube(const Field& field) {
     const double widest = std::max(tube.radius, tube.end_radius.value_or(0));
     const double most = std::min(tube.length / widest * 180 / M_PI, 360.0);
     if (!(std::abs(tube.bend_deg) < most)) {
-      std::ostringstream found, expected;
-      found << tube.bend_deg;
-      expected << "an angle below " << most << " degrees, where the tube meets itself";
-      bend->refuse(found.str(), expected.str());
+      bend->refuse(number_text(tube.bend_deg),
+                   joined_text("an angle below ", most, " degrees, where the tube meets itself"));
     }
   }
   return tube;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <unordered_map>
 #include <vector>
 
@@ -38,10 +37,7 @@ Vec3 center_of(const TriangleSurface& surface, int t) {
 }
 
 std::string length_text(double value, const std::string& unit) {
-  std::ostringstream out;
-  out.precision(3);
-  out << value << " " << unit;
-  return out.str();
+  return number_text(value, 3) + " " + unit;
 }
 
 struct Side {

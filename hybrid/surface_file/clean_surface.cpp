@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/editable_mesh.h"
 #include "geometry/triangle_surface.h"
-#include "surface_file/editable_mesh.h"
 #include "surface_file/read_polydata.h"
 
 namespace vasorod {
@@ -33,7 +33,7 @@ bool straighten_one(EditableMesh& mesh, int t, double least) {
   // On an end the flat triangle goes, and the end runs through its third point, unless that is on
   // an end already.
   if (mesh.on_boundary(mesh.corner(t, longest + 2))) return false;
-  mesh.remove(t);
+  mesh.remove_triangle(t);
   return true;
 }
 
@@ -61,7 +61,7 @@ void clean_surface(LoadedSurface& loaded) {
   while (changed) {  // every change removes a triangle or lifts one above the limit for good, so
                      // this ends
     changed = false;
-    for (int t = 0; t < mesh.triangles(); ++t) {
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
       if (mesh.alive(t) && collapse_one(mesh, t, least)) {
         ++loaded.report.collapsed_edges;
         changed = true;
@@ -72,8 +72,9 @@ void clean_surface(LoadedSurface& loaded) {
       }
     }
   }
-  const auto rows = mesh.alive();
-  if (static_cast<int>(rows.size()) == mesh.triangles()) return;
+  mesh.store(loaded.surface);
+  const auto rows = mesh.alive_triangles();
+  if (static_cast<int>(rows.size()) == mesh.triangle_count()) return;
   keep_triangles(loaded, rows);
   drop_unused_points(loaded);
 }

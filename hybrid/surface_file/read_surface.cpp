@@ -1,10 +1,10 @@
 #include "surface_file/read_surface.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "surface_file/check_surface.h"
 #include "surface_file/clean_surface.h"
 #include "surface_file/open_caps.h"
@@ -22,11 +22,8 @@ std::string counted(int count, const std::string& one, const std::string& many) 
 void remesh_loaded(const std::string& file, double edge, LoadedSurface& loaded, Role role) {
   const double radius = typical_radius(loaded.surface);
   if (edge > radius || edge < radius / 200) {
-    std::ostringstream found, expected;
-    found << edge;
-    expected << radius / 200 << " to " << radius << ", from 1/200 to 1 of the radius";
-    throw InputError(file + ": remesh: found a target edge of " + found.str() + ", expected " +
-                     expected.str());
+    throw InputError(joined_text(file, ": remesh: found a target edge of ", edge, ", expected ",
+                                 radius / 200, " to ", radius, ", from 1/200 to 1 of the radius"));
   }
   loaded.surface = remesh(loaded.surface, edge);
   loaded.report.remeshed = edge;
@@ -54,11 +51,7 @@ std::vector<std::string> SurfaceReport::lines() const {
   say(collapsed_edges, "degenerate edge collapsed", "degenerate edges collapsed");
   say(straightened, "flat triangle straightened", "flat triangles straightened");
   say(removed_caps, "lid over an end removed", "lids over ends removed");
-  if (remeshed) {
-    std::ostringstream line;
-    line << "remeshed to an edge of " << *remeshed;
-    out.push_back(line.str());
-  }
+  if (remeshed) out.push_back(joined_text("remeshed to an edge of ", *remeshed));
   if (!dropped_arrays.empty()) {
     std::string line = "the file's arrays dropped by remeshing:";
     for (const std::string& name : dropped_arrays) line += " " + name;

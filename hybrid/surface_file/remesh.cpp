@@ -3,9 +3,9 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <vector>
 
+#include "geometry/editable_mesh.h"
 #include "geometry/triangle_surface.h"
 #include "surface_file/cgal_surface.h"
-#include "surface_file/editable_mesh.h"
 #include "surface_file/read_polydata.h"
 
 namespace vasorod {
@@ -82,7 +82,7 @@ TriangleSurface ends_first(const TriangleSurface& before, const TriangleSurface&
 // CGAL leaves short edges where an end is jagged, as a clipped one is.
 void collapse_short_edges(TriangleSurface& surface, double shortest, double longest) {
   EditableMesh mesh(surface);
-  for (int t = 0; t < mesh.triangles(); ++t)
+  for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3 && mesh.alive(t); ++k) {
       const int a = mesh.corner(t, k), b = mesh.corner(t, k + 1);
       if (mesh.length(a, b) < shortest && mesh.may_collapse(a, b) &&
@@ -91,7 +91,8 @@ void collapse_short_edges(TriangleSurface& surface, double shortest, double long
     }
   LoadedSurface loaded;
   loaded.surface = surface;
-  keep_triangles(loaded, mesh.alive());
+  mesh.store(loaded.surface);
+  keep_triangles(loaded, mesh.alive_triangles());
   drop_unused_points(loaded);
   surface = loaded.surface;
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
 #include "rod/split_rod.h"
@@ -39,11 +39,9 @@ Pick locate(const std::string& where, const char* what, const PreparedVessel& ve
   pick.radius = rod.radius[index(rod.elements[index(pick.at.element)].first)];
   const double distance = (ClosestPoint(vessel.vessel.surface).query(point).point - point).norm();
   if (distance > pick.radius) {
-    std::ostringstream message;
-    message << where << ": " << what << ": found a point (" << point[0] << ", " << point[1] << ", "
-            << point[2] << ") that is " << distance << " off vessel " << vessel.spec.name
-            << ", expected at most its radius there, " << pick.radius;
-    throw InputError(message.str());
+    throw InputError(joined_text(where, ": ", what, ": found a point ", place_text(point),
+                                 " that is ", distance, " off vessel ", vessel.spec.name,
+                                 ", expected at most its radius there, ", pick.radius));
   }
   return pick;
 }

@@ -1,10 +1,10 @@
 #include "vessel/check_fit.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "rod/rod_search.h"
 
@@ -20,18 +20,13 @@ std::string place(const RodTree& rod, int node) {
   std::vector<double> s(rod.rest.size(), 0);
   for (const RodElement& e : rod.elements)
     s[static_cast<size_t>(e.second)] = s[static_cast<size_t>(e.first)] + e.length;
-  const Vec3& at = rod.rest[static_cast<size_t>(node)].position;
-  std::ostringstream text;
-  text << s[static_cast<size_t>(node)] << " along the axis, near (" << at.x() << ", " << at.y()
-       << ", " << at.z() << ")";
-  return text.str();
+  return number_text(s[static_cast<size_t>(node)]) + " along the axis, near " +
+         place_text(rod.rest[static_cast<size_t>(node)].position);
 }
 
 template <typename... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
-  std::ostringstream sentence;
-  (sentence << ... << parts);
-  throw InputError(sentence.str());
+  throw InputError(joined_text(parts...));
 }
 
 }  // namespace

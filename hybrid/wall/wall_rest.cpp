@@ -2,10 +2,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "wall/shear_pairs.h"
 #include "wall/triangle_stiffness.h"
@@ -17,10 +17,7 @@ namespace {
 
 template <typename... Parts>
 [[noreturn]] void refuse(const std::string& where, const Parts&... parts) {
-  std::ostringstream sentence;
-  sentence << where << ": ";
-  (sentence << ... << parts);
-  throw InputError(sentence.str());
+  throw InputError(where + ": " + joined_text(parts...));
 }
 
 void check(const WallInput& in) {

@@ -1,4 +1,4 @@
-// In-plane strain of a triangle from its right Cauchy-Green tensor C = F^T F (2 x 2), with its
+// In-plane strain of a triangle from its right Cauchy-Green tensor C = F^T F (2 x 2), and its
 // derivatives.
 //
 // A symmetric tensor C is stored as (C11, C22, C12), a strain e as (e11, e22, 2 e12).
@@ -20,9 +20,10 @@ struct MembraneStrain {
   Mat3 derivative;  ///< d strain / d C
 };
 
+/// The strain of `law`; `c` holds (C11, C22, C12).
 MembraneStrain membrane_strain(Law law, const Vec3& c);
 
-/// Sum over i of stress_i d^2 strain_i / dC dC, stress in the order (11, 22, 12).
+/// Sum over i of stress_i d^2 strain_i / dC dC, with the stress in the order (11, 22, 12).
 Mat3 membrane_strain_hessian(Law law, const Vec3& c, const Vec3& stress);
 
 }  // namespace vasorod

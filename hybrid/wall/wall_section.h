@@ -29,8 +29,8 @@ struct WallSection {
 /// length 1 + z/R. The measure of the integral is det Z dz.
 Mat6 wall_section_stiffness(const WallSection& section);
 
-/// Bending compliance from transverse shear of a thick wall, along the unit direction d, in 1 /
-/// (force length):
+/// Bending compliance from transverse shear of a thick wall, along the unit direction d, in
+/// 1 / (force length):
 ///
 /// ```
 /// 4 k^2 / (5/6 G t)

@@ -15,6 +15,7 @@ struct ContactState {
   double penetration = 0;
   /// Change of the contact forces in the last multiplier update over their sum.
   double force_change = 0;
+  /// Whether the set of contacts that carry pressure changed.
   bool pressed_changed = false;
   /// Bodies not among the unknowns that a contact now presses on.
   std::vector<int> touched;
@@ -29,6 +30,7 @@ struct StackedContacts {
   std::vector<std::array<int, 3>> master;  ///< vertices of the master body
 };
 
+/// Contacts of all pairs of a problem. All values in scaled units.
 class BodyContacts {
  public:
   /// `problem` must outlive this. `stiffness`: SurfaceOptions::contact_stiffness.

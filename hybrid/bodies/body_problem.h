@@ -36,6 +36,7 @@ struct SeamPair {
   int body_b = 0, vertex_b = 0;
 };
 
+/// Bodies, seams and pairs of bodies that may touch.
 struct BodyProblem {
   std::vector<SurfaceBody> bodies;
   std::vector<SeamPair> seams;

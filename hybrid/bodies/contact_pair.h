@@ -29,6 +29,7 @@ struct ContactSide {
   std::vector<char> excluded;  ///< per vertex; empty: none
 };
 
+/// Contacts between one slave and one master surface.
 class ContactPair {
  public:
   /// `stiffness`: k of contact_energy.h, stress / length.

@@ -17,6 +17,7 @@ struct HeldBody {
   double offset = 0;               ///< from the surface to the outer face of the wall
 };
 
+/// Overlap of the held ends of two bodies.
 struct HeldOverlap {
   double depth = 0;             ///< deepest overlap beyond the overlap at rest, length
   std::vector<int> in_a, in_b;  ///< held vertices near which the walls overlap

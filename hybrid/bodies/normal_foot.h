@@ -12,6 +12,7 @@
 
 namespace vasorod {
 
+/// The foot of a point.
 struct NormalFoot {
   int triangle = -1;
   Vec3 weight = Vec3::Zero();  ///< b, sum 1

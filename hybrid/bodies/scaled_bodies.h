@@ -7,6 +7,7 @@
 
 namespace vasorod {
 
+/// One body in scaled units; fields as in SurfaceBody.
 struct ScaledBody {
   TriangleSurface rest;
   /// p' [6], and the present positions.
@@ -21,6 +22,7 @@ struct ScaledBody {
   bool modelled = false;  ///< among the unknowns
 };
 
+/// All bodies in scaled units, and the units.
 struct ScaledBodies {
   double length = 1;     ///< one scaled unit in the problem's length unit
   double stiffness = 1;  ///< force / length

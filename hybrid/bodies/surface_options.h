@@ -9,6 +9,7 @@
 
 namespace vasorod {
 
+/// Tolerances, stiffnesses and limits of a surface solve.
 struct SurfaceOptions : SolverOptions {
   /// On the solver's own residual, which the solver's options define.
   double tolerance = 1e-8;

@@ -48,6 +48,7 @@ struct ContactSolution {
   double smallest_gap = std::numeric_limits<double>::infinity();
 };
 
+/// State of all bodies and contacts.
 struct SurfaceSolution {
   Status status = Status::iteration_limit;
   std::vector<BodySolution> bodies;

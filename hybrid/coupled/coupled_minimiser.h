@@ -17,6 +17,7 @@
 
 namespace vasorod {
 
+/// Options of CoupledMinimiser::minimise().
 struct CoupledMinimiserOptions {
   /// On |gradient| / sqrt(2 k E), with k the mean stiffness of a vertex and E the elastic energy.
   double tolerance = 1e-9;
@@ -47,6 +48,7 @@ struct CoupledMinimiserSummary : StagedSummary {
   bool neutral = false;
 };
 
+/// Minimiser of one CoupledSystem; keeps its factors between calls.
 class CoupledMinimiser {
  public:
   /// `system` must outlive this.

@@ -9,6 +9,7 @@
 
 namespace vasorod {
 
+/// Start states of one CoupledStack along its path.
 class CoupledPath {
  public:
   /// `stack` must outlive this.

@@ -30,6 +30,7 @@ struct CarriedBody {
   std::vector<Pose> sections;
 };
 
+/// Input of CoupledSolver.
 struct CoupledProblem {
   /// Bodies (their k only sets the scale of units and contact), seams, and pairs that may touch.
   /// `fixed` is not used.
@@ -69,6 +70,7 @@ struct SectionSolution {
   Vec3 load = Vec3::Zero();          ///< part of the force that is a dead load
 };
 
+/// Result of CoupledSolver::solve(), in the problem's units.
 struct CoupledSolution {
   Status status = Status::iteration_limit;
   /// Positions, pressures, contacts, seam, sums of forces; its binding is zero.

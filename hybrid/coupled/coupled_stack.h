@@ -11,6 +11,7 @@
 
 namespace vasorod {
 
+/// The problem in scaled units with its system, minimiser and contacts.
 class CoupledStack {
  public:
   /// Throws InputError (one sentence) when a wall or its sections are invalid, or when nothing

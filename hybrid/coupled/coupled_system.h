@@ -50,6 +50,7 @@ struct CoupledState {
   Points positions;                                       ///< stacked
 };
 
+/// Energy term by term, force * length.
 struct CoupledTerms {
   double wall = 0, joining = 0, contact = 0, ties = 0, load = 0;
   double total() const { return wall + joining + contact + ties + load; }
@@ -71,6 +72,7 @@ struct Reach {
   std::array<double, 6> factor{};
 };
 
+/// The energy of all walls with gradient and Hessian with respect to z.
 class CoupledSystem {
  public:
   /// Adds a wall and returns its index. `energy` must outlive this. `tie_stiffness`: of soft

@@ -11,6 +11,7 @@ namespace vasorod {
 
 using Turn = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
+/// The blocks D_g and the groups of unknowns they act on.
 struct GroupTurns {
   std::vector<int> first;  ///< first unknown of each group, ascending from 0
   int unknowns = 0;

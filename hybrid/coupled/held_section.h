@@ -13,6 +13,7 @@
 
 namespace vasorod {
 
+/// Geometry, support and load of one section.
 struct HeldSection {
   std::string label;      ///< for messages
   std::vector<int> ring;  ///< vertices of the wall
@@ -68,8 +69,8 @@ class SectionPose {
   /// length).
   double recentre(double* z);
 
-  /// Second derivatives with respect to the unknowns of sum_i g_i . (R arm_i) with constant g_i,
-  /// added to a 6 x 6 corner:
+  /// Second derivatives with respect to the unknowns of sum_i g_i . (R arm_i) with constant g_i, in
+  /// the leading unknowns() x unknowns() block:
   ///
   /// ```
   /// torque = sum a x g,   spread = sum a g^T - (a.g) I,   a = R arm

@@ -20,6 +20,7 @@
 
 namespace vasorod {
 
+/// The six equations of one soft section with their multipliers.
 class SectionTie {
  public:
   /// `rest`: rest positions of the wall's vertices, n x 3. `stiffness`: k, force / length.

@@ -7,6 +7,7 @@
 
 namespace vasorod {
 
+/// Builds the pattern and locates blocks: couple() nodes, build() once, then place() and stride().
 class BlockPattern {
  public:
   /// Nodes with `sizes[i]` unknowns each, numbered consecutively.

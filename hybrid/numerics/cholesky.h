@@ -19,6 +19,7 @@ enum class Ordering { minimum_degree, nested_dissection };
 std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& matrix,
                                    const std::vector<int>& groups, Ordering ordering);
 
+/// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
 class Cholesky {
  public:
   Cholesky();

@@ -5,6 +5,7 @@
 
 namespace vasorod {
 
+/// A Cholesky factor that is reused as long as its matrix does not change.
 class KeptFactor {
  public:
   /// Factorises a symmetric matrix, given by both triangles or by the lower one. An unchanged

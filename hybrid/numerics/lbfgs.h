@@ -12,6 +12,7 @@
 
 namespace vasorod {
 
+/// Options of lbfgs().
 struct LbfgsOptions {
   /// Number of pairs kept. More pairs gain nothing measurable on these energies. 0: preconditioned
   /// descent.
@@ -37,6 +38,7 @@ enum class LbfgsStatus {
 };
 std::string to_string(LbfgsStatus);
 
+/// Result of lbfgs(); energy and residual are those of the final point.
 struct LbfgsSummary {
   LbfgsStatus status = LbfgsStatus::iteration_limit;
   int iterations = 0, evaluations = 0;

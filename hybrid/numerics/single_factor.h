@@ -10,6 +10,7 @@ struct cholmod_factor_struct;
 
 namespace vasorod {
 
+/// A single-precision copy of a supernodal Cholesky factor.
 class SingleFactor {
  public:
   /// Copies a factorised supernodal L L^T.

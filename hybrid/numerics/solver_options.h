@@ -18,6 +18,7 @@ struct SolverProgress {
   double residual = 0;  ///< of the present state, in the solver's own measure
 };
 
+/// Time limit and callbacks of a solve.
 struct SolverOptions {
   /// Wall-clock time limit in seconds.
   double time_limit = std::numeric_limits<double>::infinity();

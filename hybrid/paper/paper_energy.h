@@ -38,6 +38,7 @@ int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& 
                 const std::vector<Mat3>& rotations, const Coefficients& k,
                 const std::vector<char>& fixed);
 
+/// Energy term by term, force * length.
 struct PaperTerms {
   double binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
   double total() const { return binding + bending + stretching + joining + contact; }

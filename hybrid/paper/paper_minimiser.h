@@ -11,6 +11,7 @@
 
 namespace vasorod {
 
+/// Options of PaperMinimiser::minimise().
 struct PaperMinimiserOptions {
   double tolerance = 1e-8;    ///< on |sum of forces| / sum over the terms of |forces of the term|
   int max_iterations = 3000;  ///< sum over both stages
@@ -27,6 +28,7 @@ struct PaperMinimiserSummary : StagedSummary {
   int factorisations = 0;  ///< of the true Hessian
 };
 
+/// Minimiser of one PaperSystem; keeps its factors between calls.
 class PaperMinimiser {
  public:
   /// `system` and `constant` must outlive this; the multipliers of the joins and the contacts may

@@ -9,6 +9,7 @@
 
 namespace vasorod {
 
+/// Inertia and symmetries of an equilibrium.
 struct RodCertificate {
   int negative = 0;  ///< number of directions in which the energy falls
   int neutral = 0;   ///< number of zero-energy directions, to round-off

@@ -40,6 +40,7 @@ struct RodLoad {
   bool moment_in_body = false;
 };
 
+/// All supports and loads of a rod.
 struct RodConditions {
   std::vector<RodSupport> supports;  ///< at most one per node
   std::vector<RodLoad> loads;        ///< any number per node; loads are summed

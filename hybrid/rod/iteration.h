@@ -12,6 +12,7 @@ namespace vasorod {
 /// Thrown inside the solver when the caller or the time limit stops it.
 struct Interrupted {};
 
+/// The iterations on one RodProblem, and their present state.
 class RodIteration {
  public:
   RodIteration(RodProblem& problem, const RodOptions& options, RodSummary& summary,

@@ -14,6 +14,7 @@
 
 namespace vasorod {
 
+/// Options of solve_rod().
 struct RodOptions : SolverOptions {
   /// Stop when the largest step of any node (rotation in radians, translation over the rod's
   /// length) is below this value. Newton is quadratic there, so the remaining error is its square.
@@ -30,6 +31,7 @@ struct RodOptions : SolverOptions {
   std::optional<std::string> is_invalid() const;
 };
 
+/// Status, counts and certificate of a solve.
 struct RodSummary {
   Status status = Status::iteration_limit;
   int iterations = 0;  ///< total number of linear solves
@@ -55,6 +57,7 @@ struct RodReaction {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), center = Vec3::Zero();
 };
 
+/// Result of solve_rod(), in the units of the tree.
 struct RodSolution {
   RodPoses poses;
   std::vector<Vec6> stress;            ///< (n, m) per element, conjugate to its strain, body axes

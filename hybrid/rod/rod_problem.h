@@ -10,6 +10,7 @@
 
 namespace vasorod {
 
+/// State of the mixed formulation: poses per node, strain and stress per link.
 struct RodState {
   std::vector<Pose> poses;
   /// Per link: log(g_i^-1 g_j) of the poses.
@@ -25,6 +26,8 @@ struct RodStep {
   double size() const;
 };
 
+/// A rod tree with its conditions, scaled, with the linear step of its elimination. `tree` and
+/// `conditions` must outlive this.
 class RodProblem {
  public:
   RodProblem(const RodTree& tree, const RodConditions& conditions);

@@ -17,6 +17,7 @@ struct RodHit {
   double stretch = 0;
 };
 
+/// Search for sections of one rod tree at rest. `tree` must outlive this.
 class RodSearch {
  public:
   explicit RodSearch(const RodTree& tree);

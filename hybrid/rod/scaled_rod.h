@@ -8,6 +8,7 @@
 
 namespace vasorod {
 
+/// Units and node numbering of a scaled rod tree.
 struct ScaledRod {
   /// Unit of length: the longest path from the root to a leaf.
   double length = 1;
@@ -25,6 +26,7 @@ struct ScaledRod {
   Mat6 stiffness(const RodElement& element) const;
 };
 
+/// Units and numbering for a tree.
 ScaledRod scale(const RodTree& tree);
 /// The elements as links between the renumbered nodes: link k leads to node k + 1.
 std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod);

@@ -22,6 +22,7 @@ struct ElementChange {
   double twist() const { return change[5]; }                      ///< u3 - u3^0, 1/length
 };
 
+/// One entry per element.
 std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& poses);
 
 /// The mean of the element changes at each node: strain and change. The first element of a side

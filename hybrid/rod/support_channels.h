@@ -17,6 +17,7 @@
 
 namespace vasorod {
 
+/// All channels of a rod, kept between eliminations.
 class SupportChannels {
  public:
   using Matrix6 = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;

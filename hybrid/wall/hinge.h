@@ -18,6 +18,7 @@
 
 namespace vasorod {
 
+/// One of the two triangles at an edge.
 struct HingeSide {
   Vec3 normal, outward, edge;
   double height, length;

@@ -15,6 +15,7 @@ inline Vec3 metric_of(const Eigen::Matrix<double, 3, 2>& f) {
   return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
 }
 
+/// A strain and its derivative.
 struct MembraneStrain {
   Vec3 strain;      ///< Biot U - I, or (C - I) / 2
   Mat3 derivative;  ///< d strain / d C

@@ -60,6 +60,7 @@ struct WallReport {
   Vec3 fold_place = Vec3::Zero();
 };
 
+/// The energy of one wall with gradient and Hessian as functions of q.
 class WallEnergy {
  public:
   /// Throws InputError (one sentence) when the input is invalid.

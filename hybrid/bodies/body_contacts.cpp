@@ -9,15 +9,16 @@
 namespace vasorod {
 namespace {
 
-// Vertices with a gap below this many mean edges take part in a minimisation, pressed or not.
+// Vertices with a gap below this many mean edges take part in a minimisation, whether they carry
+// pressure or not.
 constexpr double reach = 1.0;
 
-// Where rigid ends are held inside each other the walls may stay so over this many depths beside
-// them.
+// Width of the band around overlapping rigid ends in which contact is left out, in units of the
+// overlap's depth.
 constexpr double held_band = 2;
 
-// The slave is the body that can move; of two that can, the one with the finer mesh: its pressures
-// resolve the patch.
+// The slave is the deformable body. If both deform, the slave is the body with the finer mesh,
+// because its pressures resolve the contact patch better.
 bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
   if (a.obstacle != b.obstacle) return b.obstacle;
   return a.mean_edge <= b.mean_edge;
@@ -59,9 +60,9 @@ void BodyContacts::create(Pair& pair, const ScaledBodies& scaled) {
     std::vector<char> out;
     if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
     if (!overlapping.empty()) {
+      // Two mean edges are subtracted because seam_band() adds them.
       const std::vector<char> beside =
-          seam_band(body.rest, overlapping,
-                    held_band * overlap.depth - 2 * body.mean_edge);  // it adds two edges
+          seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge);
       out.resize(beside.size(), 0);
       for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
     }

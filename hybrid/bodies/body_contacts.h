@@ -1,5 +1,5 @@
-// The contacts of a BodyProblem: pairs of scaled bodies that come within reach, their state between
-// minimisations.
+// The contacts of a BodyProblem: the pairs of scaled bodies that come within reach, and their state
+// between minimisations.
 #pragma once
 
 #include <optional>
@@ -9,56 +9,64 @@
 
 namespace vasorod {
 
-/// How the contacts stand after a minimisation.
+/// State of the contacts after a minimisation.
 struct ContactState {
-  double penetration = 0;   ///< deepest, at the current closest features, scaled length
-  double force_change = 0;  ///< by the last multiplier update, over the sum of the contact forces
+  /// Deepest penetration at the current closest features, scaled length.
+  double penetration = 0;
+  /// Change of the contact forces in the last multiplier update over their sum.
+  double force_change = 0;
+  /// Whether the set of contacts that carry pressure changed.
   bool pressed_changed = false;
-  std::vector<int> touched;  ///< bodies not among the unknowns that something now presses
+  /// Bodies not among the unknowns that a contact now presses on.
+  std::vector<int> touched;
 };
 
-/// The contacts of one minimisation: for the energy numbered in the stack, for the report as the
-/// bodies number them.
+/// The contacts of one minimisation: `points` in the numbering of the stack, for the energy; the
+/// other fields in the numbering of the bodies, for the report. One entry per contact.
 struct StackedContacts {
   std::vector<ContactPoint> points;
-  std::vector<int> pair;                   ///< of the problem
+  std::vector<int> pair;                   ///< index into BodyProblem::contacts
   std::vector<int> slave;                  ///< vertex of the slave body
   std::vector<std::array<int, 3>> master;  ///< vertices of the master body
 };
 
+/// Contacts of all pairs of a problem. All values in scaled units.
 class BodyContacts {
  public:
+  /// `problem` must outlive this. `stiffness`: SurfaceOptions::contact_stiffness.
   BodyContacts(const BodyProblem& problem, const ScaledBodies& scaled, double stiffness);
 
-  /// Multipliers take the pressures at the bodies' current positions, then closest features are
-  /// found anew.
+  /// Sets the multipliers to the pressures at the bodies' current positions, then finds the closest
+  /// features again.
   ContactState refresh(const ScaledBodies& scaled);
 
-  /// `first` is each body's first row in the stack, -1 where it is not among the unknowns.
+  /// The contacts numbered for the stack. `first` is the first row of each body in the stack, -1
+  /// for a body that is not among the unknowns.
   StackedContacts stacked(const ScaledBodies& scaled, const std::vector<int>& first) const;
 
+  /// Whether the bodies of a pair have come within reach at any time so far.
   bool within_reach(int pair) const { return pairs_[static_cast<size_t>(pair)].in_reach; }
   int slave(int pair) const { return pairs_[static_cast<size_t>(pair)].slave; }
   int master(int pair) const { return pairs_[static_cast<size_t>(pair)].master; }
 
-  /// Whether anything pressed at the last refresh.
+  /// Whether any contact carried pressure at the last refresh.
   bool pressing() const;
 
   /// ContactPair::swallowed of a pair.
   int swallowed(int pair) const;
 
-  /// How deep a pair's rigid ends are held inside each other, scaled length; contact beside them is
-  /// left out.
+  /// How deep the rigid ends of a pair are held inside each other, scaled length. Contact near them
+  /// is left out.
   double held_depth(int pair) const { return pairs_[static_cast<size_t>(pair)].held_depth; }
 
-  /// Smallest gap of a pair at the bodies' current positions, scaled length; infinite when nothing
-  /// faces.
+  /// Smallest gap of a pair at the bodies' current positions, scaled length; infinite when no walls
+  /// face each other.
   double smallest_gap(int pair, const ScaledBodies& scaled);
 
  private:
   struct Pair {
     int slave = 0, master = 0;
-    bool in_reach = false;  ///< has been, at any time
+    bool in_reach = false;  ///< at any time so far
     double held_depth = 0;
     std::optional<ContactPair> contact;
     std::vector<int> pressed;

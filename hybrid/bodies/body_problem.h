@@ -1,5 +1,5 @@
-// What every surface solver is given: bodies carried by their rods, seams between them, pairs that
-// may touch.
+// Input of every surface solver: bodies placed by their rods, seams between bodies, and pairs of
+// bodies that may touch.
 #pragma once
 
 #include <string>
@@ -11,18 +11,23 @@
 
 namespace vasorod {
 
-/// One vessel's surface with what its solved rod says. Sizes: one entry per vertex.
+/// The surface of one vessel with the placement given by its solved rod. All arrays have one entry
+/// per vertex.
 struct SurfaceBody {
   std::string name;
-  TriangleSurface rest;         ///< after surgery, rest configuration
-  Points carried;               ///< p' [6]; empty: the body's rod has not moved
+  TriangleSurface rest;  ///< after surgery, rest configuration
+  /// p' [6]: positions to which the rod's sections move the vertices; empty: the rod has not moved.
+  Points carried;
   std::vector<Mat3> rotations;  ///< R of [8]; empty: identity
-  Coefficients k;  ///< of its springs; the scale of its forces for every solver; not for obstacles
+  /// Coefficients of its springs; every solver scales the body's forces by them. Unused for
+  /// obstacles.
+  Coefficients k;
   std::vector<char> fixed;  ///< vertices of rigid ends, kept at p'; empty: none
   double thickness = 0;     ///< t, length
-  double offset =
-      0;  ///< from the given surface to the wall's outer face: 0 outer, t/2 mid, t inner
-  bool obstacle = false;  ///< never moves, only touched
+  /// Distance from the given surface to the outer face of the wall: 0 outer, t/2 mid, t inner
+  /// surface.
+  double offset = 0;
+  bool obstacle = false;  ///< does not move; other bodies can touch it
 };
 
 /// Two vertices that a seam joins.
@@ -31,6 +36,7 @@ struct SeamPair {
   int body_b = 0, vertex_b = 0;
 };
 
+/// Bodies, seams and pairs of bodies that may touch.
 struct BodyProblem {
   std::vector<SurfaceBody> bodies;
   std::vector<SeamPair> seams;
@@ -40,7 +46,7 @@ struct BodyProblem {
 /// Throws InputError (one sentence) where a contact names a body that does not exist.
 void check_contacts(const BodyProblem& problem);
 
-/// All pairs of bodies of which at least one is no obstacle.
+/// All pairs of bodies except pairs of two obstacles.
 std::vector<std::pair<int, int>> all_contacts(const std::vector<SurfaceBody>& bodies);
 
 }  // namespace vasorod

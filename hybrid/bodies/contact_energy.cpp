@@ -5,8 +5,8 @@
 namespace vasorod {
 namespace {
 
-// The vertices a contact acts on and their share of the normal force: (slave, 1), (master_k,
-// -weight_k).
+// The vertices that a contact acts on and their share of the normal force: (slave, 1),
+// (master_k, -weight_k).
 struct Stencil {
   int count = 1;
   std::array<int, 4> vertex{};

@@ -1,8 +1,13 @@
-// Contact as an area-weighted gap penalty with augmented Lagrangian: E = sum_i A_i / (2 k) (p_i^2 -
-// m_i^2), p_i = max(0, m_i - k g_i). g is the gap of a vertex to the plane that faces it, m the
-// multiplier; after each minimum m = p, so p tends to the pressure whatever k, and is exactly 0
-// where the walls are apart. Units: g length, p and m stress, k stress / length, A length^2 (rest
-// area of the vertex), E force * length.
+// Contact as an area-weighted gap penalty with augmented Lagrangian multipliers:
+//
+//   E = sum_i A_i / (2 k) (p_i^2 - m_i^2),   p_i = max(0, m_i - k g_i)
+//
+// g is the gap between a vertex and the plane that faces it, m the multiplier. After each
+// minimisation m is set to p, so p converges to the pressure for any k, and is exactly 0 where the
+// walls are apart.
+//
+// Units: g length, p and m stress, k stress / length, A length^2 (rest area of the vertex),
+// E force * length.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -13,36 +18,39 @@
 
 namespace vasorod {
 
-/// One vertex against a plane carried by a triangle of the other surface, or standing still
-/// (master[0] < 0). The force on the vertex and the weighted forces on the triangle add up to zero.
+/// One vertex against a plane. The plane moves with a triangle of the other surface, or is fixed
+/// (master[0] < 0). The force on the vertex and the weighted forces on the triangle sum to zero.
 struct ContactPoint {
   int slave = 0;
   std::array<int, 3> master{-1, -1, -1};
   Vec3 weight = Vec3::Zero();  ///< of the triangle's vertices, sum 1
   Vec3 normal = Vec3::Zero();  ///< unit, outward from the other surface
-  double slack = 0;            ///< g = normal.(x_slave - sum weight x_master) - slack
-  double area = 0;             ///< A, rest
-  double stiffness = 0;        ///< k
-  double multiplier = 0;       ///< m
+  /// Offset in g = normal.(x_slave - sum weight x_master) - slack, length.
+  double slack = 0;
+  double area = 0;        ///< A, rest area of the vertex, length^2
+  double stiffness = 0;   ///< k, stress / length
+  double multiplier = 0;  ///< m, stress
 };
 
+/// g, length.
 double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p);
-/// max(0, m - k g)
+/// max(0, m - k g), stress.
 double contact_pressure(const ContactPoint& contact, const Eigen::Ref<const Points>& p);
 
+/// Sum over all contacts, force * length. `p` is n x 3.
 double contact_energy(const std::vector<ContactPoint>& contacts, const Eigen::Ref<const Points>& p);
 
-/// gradient += dE/dp; returns the energy.
+/// gradient += dE/dp (n x 3); returns the energy.
 double contact_energy_gradient(const std::vector<ContactPoint>& contacts,
                                const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient);
 
-/// Appends the blocks of the Hessian (3n x 3n, both triangles) to `entries`. It jumps where a gap
-/// opens.
+/// Appends the blocks of the Hessian (3n x 3n, both triangles) to `entries`. The Hessian is
+/// discontinuous where a gap opens.
 void contact_energy_hessian(const std::vector<ContactPoint>& contacts,
                             const Eigen::Ref<const Points>& p,
                             std::vector<Eigen::Triplet<double>>& entries);
 
-/// A matrix that bounds the Hessian at p from above, the same for x, y and z: n x n.
+/// An upper bound of the Hessian at p, the same for x, y and z: n x n.
 Eigen::SparseMatrix<double> contact_energy_bound(const std::vector<ContactPoint>& contacts,
                                                  const Eigen::Ref<const Points>& p);
 

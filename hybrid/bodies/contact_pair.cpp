@@ -9,8 +9,8 @@
 namespace vasorod {
 namespace {
 
-// Walls touch with their outer faces: normals this much alike are those of a far wall, not of a
-// touching one.
+// Outer faces touch with opposite normals. If the dot product of the normals exceeds this value,
+// the wall is the far side of a vessel, not a wall in contact.
 constexpr double facing_same_way = 0.2;
 
 struct Feature {
@@ -66,8 +66,8 @@ double ContactPair::allowance(int vertex) {
         facing_feature(*rest_, master_.rest, master_rest_normals_, master_.excluded,
                        slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
     const double gap = feature.valid ? feature.distance - slave_.offset - master_.offset : 0;
-    // Walls that touch at rest must not press by rounding: a slack far below any length that
-    // matters.
+    // Walls that touch at rest must not press on each other because of rounding. The slack added
+    // here is far below any relevant length.
     value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
   }
   return value;
@@ -83,8 +83,8 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   contacts_.clear();
   swallowed_ = 0;
   const double offsets = slave_.offset + master_.offset;
-  // Overlaps at rest only lower the slack, so nothing farther than this can have a gap below
-  // `reach`... from outside; from inside everything counts.
+  // An overlap at rest only lowers the slack. From outside, a feature farther away than this cannot
+  // have a gap below `reach`; from inside every feature counts.
   const Box box = box_of(master);
   const double margin = reach + offsets;
   std::vector<int> near;

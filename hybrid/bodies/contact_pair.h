@@ -1,11 +1,15 @@
-// Two surfaces that may touch: the vertices of one, the slave, against the wall of the other, the
-// master, where its normals reach them (normal_foot.h).
+// Two surfaces that may touch: the vertices of the slave surface against the wall of the master
+// surface, where the normals of the master reach them (normal_foot.h).
 //
-// The gap is between outer walls and counts from rest: g = d - o_slave - o_master - min(0, the same
-// at rest), d the height over the master along its interpolated normal, o the way from each surface
-// to its outer face. So what overlaps at rest carries no pressure there. Left out: hits on the rim
-// of an open end, walls that face the same way (the far wall of a vessel that a shallow one
-// overlaps), and the vertices and triangles that the caller excludes.
+// The gap is measured between the outer faces of the walls, relative to rest:
+//
+//   g = d - o_slave - o_master - min(0, the same at rest)
+//
+// d is the height over the master along its interpolated normal, o the distance from each surface
+// to its outer face. Walls that overlap at rest therefore carry no pressure at rest.
+//
+// Left out are: hits on the rim of an open end; walls that face the same way (the far wall of a
+// vessel that a shallow one overlaps); the vertices and triangles that the caller excludes.
 #pragma once
 
 #include <optional>
@@ -25,27 +29,29 @@ struct ContactSide {
   std::vector<char> excluded;  ///< per vertex; empty: none
 };
 
+/// Contacts between one slave and one master surface.
 class ContactPair {
  public:
   /// `stiffness`: k of contact_energy.h, stress / length.
   ContactPair(ContactSide slave, ContactSide master, double stiffness);
 
-  /// Finds what faces what at these positions; contacts() are then those with a gap below `reach`
-  /// (length). Multipliers survive for vertices that stay in contact's reach.
+  /// Finds the facing features at these positions. contacts() then holds those with a gap below
+  /// `reach` (length). Multipliers are kept for vertices that stay within reach.
   void refresh(const Points& slave, const Points& master, double reach);
 
-  /// Numbered within the bodies; the slack is for a moving master.
+  /// The contacts, numbered within the bodies; the slack is for a moving master.
   const std::vector<ContactPoint>& contacts() const { return contacts_; }
 
-  /// Vertices that lie inside the master facing as its nearest wall does, and did not at rest: they
-  /// went past its middle, where the nearest wall no longer is the one they came through.
+  /// Number of slave vertices inside the master that face the same way as its nearest wall, and did
+  /// not at rest. They have passed the middle of the master, so the nearest wall is no longer the
+  /// one they entered through.
   int swallowed() const { return swallowed_; }
 
-  /// m = p for the positions given, as after a minimum; returns (change of the contact forces,
-  /// their sum), force.
+  /// Sets m = p at the given positions, as after a minimisation. Returns (change of the contact
+  /// forces, sum of the contact forces), force.
   std::pair<double, double> update_multipliers(const Points& slave, const Points& master);
 
-  /// Gap of a contact at the positions given.
+  /// Gap of a contact at the given positions, length.
   double gap(const ContactPoint& contact, const Points& slave, const Points& master) const;
 
  private:
@@ -57,7 +63,7 @@ class ContactPair {
   Eigen::VectorXd area_, multiplier_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;
-  std::vector<double> allowance_;  // min(0, gap at rest); not-a-number until asked for
+  std::vector<double> allowance_;  // min(0, gap at rest); NaN until computed
   std::vector<ContactPoint> contacts_;
   int swallowed_ = 0;
 };

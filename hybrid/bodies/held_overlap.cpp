@@ -10,7 +10,7 @@
 namespace vasorod {
 namespace {
 
-// One body's wall in one configuration, asked how far a point is from it.
+// The wall of one body in one configuration, for distance queries.
 class Wall {
  public:
   Wall(const Triangles& triangles, const Points& points, const std::vector<char>& fixed)
@@ -24,9 +24,9 @@ class Wall {
   }
 
   struct Place {
-    double height = 0;  // over the wall
+    double height = 0;  // over the wall, length
     Vec3 normal = Vec3::Zero();
-    double along = 0;  // to the nearest held edge, along the wall
+    double along = 0;  // distance along the wall to the nearest held edge
     int vertex = -1;   // of that edge
   };
   Place of(const Vec3& p) const {
@@ -78,7 +78,7 @@ HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
       const Wall::Place at = now.of(from.carried.row(row));
       const double before = std::min(0.0, rest.of(from.rest.points.row(row)).height - offsets);
       const double depth = before - (at.height - offsets);
-      // Walls that face the same way do not meet: the end of a vessel within a wider one's.
+      // Walls that face the same way do not touch, e.g. the end of a vessel within a wider one.
       if (depth <= at.along || at.normal.dot(normals.row(row)) > 0) continue;
       mine.push_back(static_cast<int>(i));
       other.push_back(at.vertex);

@@ -1,5 +1,5 @@
-// Rigid ends that are held inside each other: between them no wall can yield, whatever the
-// pressure, so contact beside them has no answer and is left out.
+// Rigid ends that are held inside each other. The walls between them cannot yield at any pressure,
+// so the contact problem has no solution there and contact near them is left out.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,24 @@
 
 namespace vasorod {
 
-/// A body and where its ends are held. Lengths in one unit.
+/// A body and its held ends. All lengths in one unit.
 struct HeldBody {
   const TriangleSurface& rest;
-  const Points& carried;  ///< where the whole body would be if its sections went rigidly along
-  const std::vector<char>& fixed;  ///< per vertex: held there
-  double offset = 0;               ///< from the surface to the wall's outer face
+  /// p' [6]: positions to which the rod's sections move the vertices rigidly.
+  const Points& carried;
+  const std::vector<char>& fixed;  ///< per vertex: held at `carried`
+  double offset = 0;               ///< from the surface to the outer face of the wall
 };
 
+/// Overlap of the held ends of two bodies.
 struct HeldOverlap {
-  double depth = 0;             ///< the deepest, beyond what overlaps at rest
-  std::vector<int> in_a, in_b;  ///< held vertices beside which it happens
+  double depth = 0;             ///< deepest overlap beyond the overlap at rest, length
+  std::vector<int> in_a, in_b;  ///< held vertices near which the walls overlap
 };
 
-/// Held vertices of one inside the other's wall, deeper than they are far from the other's held
-/// edges: the walls in between would have to dent more steeply than 45 degrees.
+/// Finds held vertices of one body that lie inside the wall of the other, deeper than their
+/// distance from the other's held edges: the walls in between would have to dent more steeply than
+/// 45 degrees.
 HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b);
 
 }  // namespace vasorod

@@ -1,6 +1,9 @@
-// Joining springs of a seam with augmented Lagrangian multipliers: E = sum over pairs k_j |d|^2 +
-// m.d, d = x_a - x_b. After each minimum m += 2 k_j d, so that the gap d closes at a finite k_j.
-// k_j in force / length, m in force.
+// Joining springs of a seam with augmented Lagrangian multipliers:
+//
+//   E = sum over pairs k_j |d|^2 + m.d,   d = x_a - x_b
+//
+// After each minimisation m += 2 k_j d, so that the gap d closes at a finite k_j. k_j in force /
+// length, m in force.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -10,16 +13,17 @@
 
 namespace vasorod {
 
-/// Two vertices that are to meet, and the force multiplier of their pair.
+/// Two vertices to be joined, and the multiplier of the pair (a force, acting on b).
 struct Join {
   int a = 0, b = 0;
   Vec3 multiplier = Vec3::Zero();
 };
 
+/// Sum over all pairs, force * length. `p` is n x 3.
 double joining_energy(double k_j, const std::vector<Join>& joins,
                       const Eigen::Ref<const Points>& p);
 
-/// gradient += dE/dp; returns the energy.
+/// gradient += dE/dp (n x 3); returns the energy.
 double joining_energy_gradient(double k_j, const std::vector<Join>& joins,
                                const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient);
 

@@ -7,15 +7,15 @@
 namespace vasorod {
 namespace {
 
-constexpr int most_triangles = 16;  // on the way
-constexpr int most_steps = 12;      // of Newton's method in one
+constexpr int most_triangles = 16;  // visited per point
+constexpr int most_steps = 12;      // Newton steps per triangle
 // Weights this far outside a triangle are rounding.
 constexpr double outside = 1e-10;
-// A foot farther away than so many closest distances is another wall's.
+// A foot farther away than this many closest distances belongs to another wall.
 constexpr double far = 1.5;
 
-// Three equations in b_1, b_2 and d, with the triangle's plane continued. False: they do not
-// settle.
+// Solves the three equations for b_1, b_2 and d, with the triangle's plane extended. Returns false
+// when Newton's method does not converge.
 bool solve_in(const Mat3& x, const Mat3& n, const Vec3& p, Vec3& weight, double& d) {
   const double size = (x.col(1) - x.col(0)).norm() + (p - x.col(0)).norm();
   for (int step = 0; step < most_steps; ++step) {

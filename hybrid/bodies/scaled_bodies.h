@@ -1,14 +1,16 @@
 // The bodies of a BodyProblem in the solver's own units: lengths in mean edges about the bodies'
-// centre, stiffnesses in the largest coefficient. So mm or m, Pa or MPa give the same numbers to
-// the last digits.
+// centre, stiffnesses in units of the largest coefficient. Results in mm or m, Pa or MPa then agree
+// to the last digits.
 #pragma once
 
 #include "bodies/body_problem.h"
 
 namespace vasorod {
 
+/// One body in scaled units; fields as in SurfaceBody.
 struct ScaledBody {
   TriangleSurface rest;
+  /// p' [6], and the present positions.
   Points carried, now;
   std::vector<Mat3> rotations;
   std::vector<char> fixed;
@@ -16,12 +18,13 @@ struct ScaledBody {
   double thickness = 0, offset = 0;
   double mean_edge = 0, mean_area = 0;  ///< mean_area: per vertex
   bool obstacle = false;
-  bool moved = false;     ///< its rod is not at rest
+  bool moved = false;     ///< its rod has moved from rest
   bool modelled = false;  ///< among the unknowns
 };
 
+/// All bodies in scaled units, and the units.
 struct ScaledBodies {
-  double length = 1;     ///< of one scaled unit, problem's length unit
+  double length = 1;     ///< one scaled unit in the problem's length unit
   double stiffness = 1;  ///< force / length
   Vec3 origin = Vec3::Zero();
   std::vector<ScaledBody> bodies;
@@ -31,8 +34,8 @@ struct ScaledBodies {
   Points unscaled(const Points& p) const { return (p * length).rowwise() + origin.transpose(); }
 };
 
-/// Throws InputError (one sentence with the body's name) where sizes do not fit or numbers are out
-/// of range.
+/// Scales the bodies. Throws InputError (one sentence with the body's name) when array sizes do not
+/// match or numbers are out of range.
 ScaledBodies scale_bodies(const BodyProblem& problem);
 
 }  // namespace vasorod

@@ -9,7 +9,7 @@
 namespace vasorod {
 namespace {
 
-// Shortest way along edges of the given lengths from any of `sources`, up to `limit`.
+// Shortest edge-path distance, with the given edge lengths, from any of `sources`, up to `limit`.
 std::vector<double> distances(const std::vector<std::vector<std::pair<int, double>>>& graph,
                               const std::vector<int>& sources, double limit) {
   std::vector<double> distance(graph.size(), std::numeric_limits<double>::infinity());

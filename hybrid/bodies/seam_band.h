@@ -1,4 +1,5 @@
-// The band beside a seam that is left out of contact: there the two walls are meant to meet.
+// The band along a seam in which contact is left out, because the two walls are meant to meet
+// there.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,9 @@
 
 namespace vasorod {
 
-/// Marks the vertices within two edges of a seam vertex, and those whose shortest way along edges
-/// to one is at most `width` plus two mean edges (length unit). `seam` lists vertices of `surface`.
+/// Marks the vertices within two edges of a seam vertex, and those whose shortest edge path to a
+/// seam vertex is at most `width` plus two mean edges (length). `seam` lists vertices of `surface`.
+/// Returns one entry per vertex.
 std::vector<char> seam_band(const TriangleSurface& surface, const std::vector<int>& seam,
                             double width);
 

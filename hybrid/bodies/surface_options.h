@@ -1,4 +1,5 @@
-// The options that every surface solver shares; each solver sets its own defaults and says why.
+// Options shared by all surface solvers. Each solver sets its own defaults and documents the
+// reasons.
 #pragma once
 
 #include <optional>
@@ -8,21 +9,33 @@
 
 namespace vasorod {
 
+/// Tolerances, stiffnesses and limits of a surface solve.
 struct SurfaceOptions : SolverOptions {
-  double tolerance = 1e-8;           ///< on the solver's own residual; its options say which
-  double balance_tolerance = 5e-7;   ///< on each body's |sum of forces| / its largest resultant
-  double seam_tolerance = 1e-3;      ///< largest seam gap over the mouth's radius
-  double contact_tolerance = 1e-3;   ///< penetration over the mean edge
-  double pressure_tolerance = 3e-3;  ///< change of the pressures by the last multiplier update, mean over mean
-  double seam_stiffness = 100;  ///< k_j over the largest k_b, k_s of the joined bodies: stiff enough to
-                                ///< close in two or three updates, soft enough for the preconditioner
-  double contact_stiffness = 2;  ///< penalty times vertex area over k_b + k_s of the softer body
-  int max_outer = 100;           ///< multiplier updates
-  int max_iterations = 3000;     ///< per minimisation between multiplier updates
-  int max_factorisations = 40;   ///< of the true Hessian, per minimisation; 0: never
-  bool certify = false;          ///< ask for the sign of the Hessian's smallest curvature at the end
+  /// On the solver's own residual, which the solver's options define.
+  double tolerance = 1e-8;
+  /// On |sum of forces| / largest resultant, per body.
+  double balance_tolerance = 5e-7;
+  /// On the largest seam gap over the radius of the mouth.
+  double seam_tolerance = 1e-3;
+  /// On the penetration over the mean edge.
+  double contact_tolerance = 1e-3;
+  /// On the mean change of the pressures in the last multiplier update over their mean.
+  double pressure_tolerance = 3e-3;
+  /// k_j over the largest k_b or k_s of the joined bodies. Stiff enough to close the seam in two or
+  /// three multiplier updates, soft enough for the preconditioner.
+  double seam_stiffness = 100;
+  /// Penalty times vertex area over k_b + k_s of the softer body.
+  double contact_stiffness = 2;
+  /// Multiplier updates.
+  int max_outer = 100;
+  /// Per minimisation between multiplier updates.
+  int max_iterations = 3000;
+  /// Of the true Hessian, per minimisation; 0: never.
+  int max_factorisations = 40;
+  /// Determine the sign of the smallest curvature of the Hessian at the end.
+  bool certify = false;
 
-  /// Empty where the options are valid; else one sentence that says which is not.
+  /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
 };
 

@@ -1,4 +1,4 @@
-// From contacts and seams of a solved stack to pressures and gaps in the problem's units.
+// Converts the contacts and seams of a solved stack to pressures and gaps in the problem's units.
 #pragma once
 
 #include "bodies/body_contacts.h"
@@ -7,15 +7,16 @@
 
 namespace vasorod {
 
-/// Appends one entry per pair to solution.contacts and adds the pressures to solution.bodies. A slave vertex'
-/// pressure is its multiplier's, a master vertex' the force handed to it over its area. `stacked` is what
-/// `points` were made of.
+/// Appends one entry per pair to solution.contacts and adds the pressures to solution.bodies. The
+/// pressure at a slave vertex comes from its own contact; the pressure at a master vertex is the
+/// force transferred to the vertex over its area. `stacked` is the source of `points`.
 void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
                      const std::vector<ContactPoint>& points, const Points& positions,
-                     const StackedContacts& stacked, BodyContacts& contacts, SurfaceSolution& solution);
+                     const StackedContacts& stacked, BodyContacts& contacts,
+                     SurfaceSolution& solution);
 
-/// Largest and RMS gap of the seams.
-void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins, const Points& positions,
-                 SurfaceSolution& solution);
+/// Stores the largest and the RMS seam gap in `solution`, in the problem's length unit.
+void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins,
+                 const Points& positions, SurfaceSolution& solution);
 
 }  // namespace vasorod

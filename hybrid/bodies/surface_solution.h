@@ -1,4 +1,5 @@
-// What comes of a surface solve, whichever energies it minimised.
+// The result of a surface solve, for any of the surface energies. All values in the problem's
+// units.
 #pragma once
 
 #include <limits>
@@ -10,34 +11,44 @@
 
 namespace vasorod {
 
-/// Forces are those on the body.
+/// State of one body. Forces are those acting on the body.
 struct BodySolution {
-  bool modelled = false;  ///< false: nothing moves, joins or touches it; it is returned at rest
+  /// False: nothing moves, joins or touches the body; it is returned at rest.
+  bool modelled = false;
   Points positions;
-  Eigen::VectorXd pressure;  ///< contact, stress, per vertex; exactly 0 when apart
-  Points support_force;      ///< per vertex: what holds a fixed vertex
-  Points binding_force;      ///< per vertex: what the rod does to the surface; the rod feels the opposite
+  /// Contact pressure per vertex, stress; exactly 0 where the walls are apart.
+  Eigen::VectorXd pressure;
+  /// Per vertex, n x 3: the force that holds a fixed vertex.
+  Points support_force;
+  /// Per vertex, n x 3: force of the rod on the surface; the opposite force acts on the rod.
+  Points binding_force;
+  /// Sums over the body, force.
   Vec3 support = Vec3::Zero(), binding = Vec3::Zero(), joining = Vec3::Zero(),
-       contact = Vec3::Zero();  ///< sums
-  double residual = 0;          ///< |sum of the four| / the largest of them; 0 where all are rounding
+       contact = Vec3::Zero();
+  /// |sum of the four| / the largest of them; 0 where all are rounding errors.
+  double residual = 0;
   double contact_area = 0, largest_pressure = 0;
 };
 
-/// Between bodies a and b as listed in BodyProblem::contacts.
+/// Contact between bodies a and b, as listed in BodyProblem::contacts.
 struct ContactSolution {
   int a = 0, b = 0;
-  bool within_reach = false;  ///< false: the pair never came near; the numbers below are zero
+  /// False: the pair never came within reach; the numbers below are zero.
+  bool within_reach = false;
   Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;
-  int swallowed = 0;      ///< vertices so deep in the other body that contact no longer knows their side:
-                          ///< the sections were carried through it, and the pressure is too small
-  double held_depth = 0;  ///< how deep rigid ends of the two are held inside each other: no wall can
-                          ///< yield there, contact beside them is left out
-  double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< between outer walls, counted from rest where they
-                                                ///< overlap there; infinite where no walls face
+  /// Vertices so deep in the other body that contact cannot determine their side any more: the
+  /// sections were moved through the other body, and the pressure is too small.
+  int swallowed = 0;
+  /// How deep rigid ends of the two bodies are held inside each other, length. No wall can yield
+  /// there, and contact near them is left out.
+  double held_depth = 0;
+  /// Between outer faces, relative to rest where they overlap at rest, length; infinite where no
+  /// walls face each other.
+  double smallest_gap = std::numeric_limits<double>::infinity();
 };
 
+/// State of all bodies and contacts.
 struct SurfaceSolution {
   Status status = Status::iteration_limit;
   std::vector<BodySolution> bodies;
@@ -45,7 +56,8 @@ struct SurfaceSolution {
   double binding_energy = 0, bending_energy = 0, stretching_energy = 0, joining_energy = 0,
          contact_energy = 0;
   double residual = 0;
-  bool smallest_curvature_positive = false;  ///< only where it was asked for
+  /// Meaningful only if SurfaceOptions::certify is set.
+  bool smallest_curvature_positive = false;
   int iterations = 0, outer_iterations = 0, factorisations = 0;
   double largest_seam_gap = 0, rms_seam_gap = 0, seam_radius = 0;
 

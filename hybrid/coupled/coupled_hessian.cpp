@@ -1,5 +1,5 @@
-// The Hessian of a CoupledSystem: the walls' own entries in a fixed pattern, and what poses, ties,
-// seams and contacts add.
+// The Hessian of a CoupledSystem: the walls' own entries in a fixed pattern, plus the contributions
+// of poses, ties, seams and contacts.
 #include <algorithm>
 
 #include "coupled/coupled_system.h"
@@ -76,8 +76,8 @@ void CoupledSystem::finish() {
   }
 }
 
-// One entry of a symmetric matrix, given once for (p, q) and (q, p), in the unknowns that p and q
-// depend on.
+// Adds one entry of a symmetric matrix, given once for (p, q) and (q, p), in terms of the unknowns
+// that p and q depend on.
 void CoupledSystem::scatter(const Reach& p, const Reach& q, bool diagonal, double value,
                             Entries& extra) {
   for (int i = 0; i < p.count; ++i)
@@ -107,7 +107,8 @@ void CoupledSystem::add_wall_hessian(size_t w, const Matrix& h, const CoupledSta
     }
 }
 
-// What curves because the poses turn: the forces on what they carry.
+// Adds the curvature due to rotating poses, from the forces on the vertices and normals that follow
+// them.
 void CoupledSystem::add_pose_curvature(const CoupledState& s, const CoupledForces& f,
                                        Entries& extra) const {
   for (size_t w = 0; w < walls_.size(); ++w) {

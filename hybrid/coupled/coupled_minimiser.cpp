@@ -10,16 +10,18 @@ using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e4;
-// A factorisation made this near the minimum speaks for the minimum.
+// A factorisation at a residual below this value is valid for the minimum.
 constexpr double near_enough = 1e-4;
 constexpr double worn_order = 1.3;
-// After so many points of negative curvature the branch that short steps were to keep to is lost.
+// After this many points of negative curvature, the branch that the short steps follow no longer
+// exists.
 constexpr int patience_on_branch = 3;
 constexpr int inverse_iterations = 12;
-// Negative curvature below this share of the rest Hessian's along the same direction is rounding.
+// Negative curvature below this fraction of the rest Hessian's curvature in the same direction is
+// rounding.
 constexpr double neutral_curvature = 1e-6;
-// Forces this small against stiffness times coordinates are what cancellation leaves, unless they
-// are more than this share of the load.
+// Forces below `rounding` times stiffness times coordinates are cancellation errors, unless they
+// exceed `share_of_load` times the load.
 constexpr double rounding = 1e-14, share_of_load = 1e-2;
 
 }  // namespace
@@ -48,7 +50,8 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
   turns_ = std::move(turns);
 }
 
-// Contacts come and go: the order found once serves until it costs too much fill.
+// The pattern changes with the contacts. An elimination order is reused until its fill becomes too
+// large.
 void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix) {
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
@@ -63,7 +66,7 @@ void CoupledMinimiser::factorise_rest() {
   if (!rest_factor_.analysed()) analyse(rest_factor_, rest_);
   Matrix shifted = rest_;
   double shift = 0;
-  // Mechanisms that only a motion or a load would excite leave K0 singular to rounding.
+  // Mechanisms that only a motion or a load would excite make K0 singular to rounding.
   while (!rest_factor_.factorise(shifted)) {
     shift = shift == 0 ? 1e-10 : 10 * shift;
     shifted = rest_;
@@ -106,8 +109,8 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
   apply(turns_, false, direction);
 }
 
-// H, or where Cholesky refuses it H + shift D K0 D^T with the smallest shift of a ladder that it
-// accepts.
+// Factorises H or, if Cholesky fails, H + shift D K0 D^T with the smallest shift of a geometric
+// sequence for which it succeeds.
 bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most) {
   hessian_ = system_.hessian(z);
   const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
@@ -129,7 +132,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
         turn_matrix(turns_, metric_);
         for (int i = 0; i < metric_.cols(); ++i) metric_.coeffRef(i, i) += 1e-6 * mean_stiffness_;
       }
-      // hessian_'s pattern contains the metric's.
+      // The pattern of hessian_ contains that of metric_.
       if (factor_.factorise(hessian_ + shift * metric_)) return true;
     }
     shift = shift == 0 ? first_shift : shift_growth * shift;
@@ -137,9 +140,9 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
   }
 }
 
-// From an equilibrium whose Hessian H is not positive definite: inverse iteration with the shifted
-// factor finds the direction where v.H v is most negative against v.K0 v; down it goes as far as
-// the energy falls.
+// Leaves an equilibrium whose Hessian H is not positive definite. Inverse iteration with the
+// shifted factor finds the direction in which v.H v is most negative relative to v.K0 v. The line
+// search along v continues as long as the energy falls.
 CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
   VectorXd v(z.size()), next(z.size());
   for (Eigen::Index i = 0; i < v.size(); ++i)
@@ -158,7 +161,7 @@ CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
   const double energy = evaluate(z, g, ignored);
   if (g.dot(v) > 0) v = -v;
   double best = energy, best_step = 0;
-  // In mean edges: from a step too small to see to one that turns a section's shape.
+  // Steps in mean edges, from one too small to see to one that changes the shape of a section.
   for (double step = 1e-3 / v.cwiseAbs().maxCoeff(); step < 3 / v.cwiseAbs().maxCoeff();
        step *= 2) {
     const double at = evaluate(z + step * v, g, ignored);
@@ -198,7 +201,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
   inner.tolerance = options.tolerance;
   double shift = 0, factored_at = 1;
   int stalls = 0, indefinite = 0;
-  bool fresh = false;  // factor_ belongs to a point near z, unshifted
+  bool fresh = false;  // factor_ is unshifted and belongs to a point near z
   if (options.reuse_hessian && factor_.factorised()) {
     inner.max_iterations = options.per_hessian;
     summary.add(lbfgs(evaluation, hessian, z, inner));

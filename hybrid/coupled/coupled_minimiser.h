@@ -1,10 +1,12 @@
 // Minimises the energy of a CoupledSystem for given multipliers and contact planes.
 //
-// First, where walls are only held and moved, L-BFGS preconditioned by the rest Hessian K0,
-// factored once and applied in the rods' frames, D K0^-1 D^T: that brings a carried start near its
-// minimum. Then L-BFGS preconditioned by the true Hessian of a nearby point, renewed when it stops
-// paying: Newton's method that factorises as seldom as it can. Cholesky decides definiteness: where
-// it fails the Hessian is shifted by mu D K0 D^T. The energy never rises.
+// Stage 1, where walls are only held and moved: L-BFGS preconditioned by the rest Hessian K0, which
+// is factorised once and applied in the frames of the rods, D K0^-1 D^T. This brings the start
+// given by the rods close to its minimum.
+//
+// Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
+// convergence slows down: Newton's method with as few factorisations as possible. Cholesky decides
+// definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy never rises.
 #pragma once
 
 #include <optional>
@@ -15,22 +17,25 @@
 
 namespace vasorod {
 
+/// Options of CoupledMinimiser::minimise().
 struct CoupledMinimiserOptions {
-  double tolerance =
-      1e-9;  ///< on |gradient| / sqrt(2 k E), k a vertex' mean stiffness, E the elastic energy
-  double rough =
-      1e-4;  ///< residual at which the true Hessian takes over from K0: where it converges fast
-  int rest_patience = 12;  ///< iterations for a tenfold smaller residual with K0
-  int per_hessian =
-      6;  ///< iterations with one true Hessian: a step costs a tenth of a factorisation
-  double largest_step = 0;    ///< LbfgsOptions::largest_step
-  bool release_step = false;  ///< where negative curvature persists the bound is lifted
+  /// On |gradient| / sqrt(2 k E), with k the mean stiffness of a vertex and E the elastic energy.
+  double tolerance = 1e-9;
+  /// Residual at which the true Hessian replaces K0; from there on it converges fast.
+  double rough = 1e-4;
+  int rest_patience = 12;  ///< iterations for a tenfold reduction of the residual with K0
+  /// Iterations with one true Hessian; an iteration costs a tenth of a factorisation.
+  int per_hessian = 6;
+  double largest_step = 0;  ///< LbfgsOptions::largest_step
+  /// Remove the bound largest_step where negative curvature persists.
+  bool release_step = false;
   int max_iterations = 3000;
   int max_factorisations = 60;
-  bool use_rest =
-      true;  ///< false: no K0 stage (free bodies, seams, contacts: K0 knows nothing of them)
-  bool reuse_hessian = false;  ///< begin with the last true Hessian factorised
-  bool certify = true;         ///< end with the sign of the smallest curvature; leave saddles
+  /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
+  bool use_rest = true;
+  bool reuse_hessian = false;  ///< begin with the last factorised true Hessian
+  /// Determine the sign of the smallest curvature at the end, and leave saddles.
+  bool certify = true;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
 };
 
@@ -38,26 +43,30 @@ struct CoupledMinimiserOptions {
 struct CoupledMinimiserSummary : StagedSummary {
   int rest_iterations = 0, factorisations = 0;
   bool positive = false;     ///< the Hessian at the result is positive definite
-  bool left_saddle = false;  ///< an equilibrium on the way was none to stay at
-  bool neutral = false;      ///< nothing is negative but rounding: a direction costs nothing
+  bool left_saddle = false;  ///< a saddle was found on the way and left
+  /// Negative curvature is only rounding: there is a zero-energy direction.
+  bool neutral = false;
 };
 
+/// Minimiser of one CoupledSystem; keeps its factors between calls.
 class CoupledMinimiser {
  public:
+  /// `system` must outlive this.
   explicit CoupledMinimiser(CoupledSystem& system);
 
-  /// The rotations for K0 from here on.
+  /// Sets the rotations D applied to K0 from now on.
   void set_turns(GroupTurns turns);
-  /// The walls' material changed: K0 is evaluated anew. The factor of the old one goes on as
-  /// preconditioner until `factorise_rest`.
+  /// To be called when the material of a wall changed: evaluates K0 again. The old factor remains
+  /// the preconditioner until `factorise_rest`.
   void renew_rest();
   void factorise_rest();
 
+  /// Minimises from z; on return z is the best point found.
   CoupledMinimiserSummary minimise(Eigen::VectorXd& z, const CoupledMinimiserOptions& options);
 
   /// The residual at z.
   double residual(const Eigen::VectorXd& z);
-  /// Whether the loads are so small that what rounding leaves of the walls' forces hides them.
+  /// Whether the loads are smaller than the rounding errors of the walls' forces.
   bool load_is_hidden(const Eigen::VectorXd& z) const;
 
   double factor_nonzeros() const { return rest_factor_.factor_nonzeros(); }
@@ -73,12 +82,12 @@ class CoupledMinimiser {
 
   CoupledSystem& system_;
   Eigen::SparseMatrix<double> rest_, hessian_;
-  Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty where H needed no shift
+  Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty if H needed no shift
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
-  std::vector<int> order_;                            // of elimination
-  double order_nonzeros_ = 0;                         // of the factor it was found for
-  std::vector<int> analysed_outer_, analysed_inner_;  // the pattern factor_ knows
+  std::vector<int> order_;     // elimination order
+  double order_nonzeros_ = 0;  // entries of the factor for which order_ was found
+  std::vector<int> analysed_outer_, analysed_inner_;  // the pattern analysed by factor_
   double mean_stiffness_ = 1;
   Eigen::VectorXd work_;
 };

@@ -52,7 +52,7 @@ CoupledPath::Local CoupledPath::local_state() const {
   return local;
 }
 
-// K0 in the rods' frames.
+// Passes the rotations of the rods' frames to the minimiser, for K0.
 void CoupledPath::turn_minimiser() {
   std::vector<Mat3> frames(index(stack_.system->vertex_count()));
   std::vector<std::vector<Mat3>> section_frames;

@@ -1,5 +1,5 @@
-// The way of a CoupledStack along its path: where the rods carry the walls at a time, with what the
-// walls had against their rods at the last times, extrapolated.
+// Moves a CoupledStack along its path: the start of the walls at a time is the position given by
+// the rods plus the deviation of the walls from their rods, extrapolated from the previous times.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,33 @@
 
 namespace vasorod {
 
+/// Start states of one CoupledStack along its path.
 class CoupledPath {
  public:
+  /// `stack` must outlive this.
   explicit CoupledPath(CoupledStack& stack) : stack_(stack) {}
 
-  /// Back to before the first time.
+  /// Resets to the state before the first time.
   void restart();
 
-  /// Puts the walls' start at time t into the stack. False at the first time, where there is
-  /// nothing to extrapolate from.
+  /// Stores the start of the walls at time t in the stack. Returns false at the first time, where
+  /// there is nothing to extrapolate from.
   bool advance(double t);
 
-  /// Builds the stack anew: new bodies join the unknowns, those there keep what they have.
+  /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
 
  private:
-  // Where the rods carry everything at a time, scaled, nothing empty. Per body.
+  // Positions given by the rods at a time, in scaled units, per body; no entry is empty.
   struct Carried {
     std::vector<Points> points;
     std::vector<std::vector<Mat3>> rotations;
     std::vector<std::vector<Pose>> sections;
   };
-  // The walls' state at a time, in the rods' frames.
+  // State of the walls at a time, in the frames of the rods.
   struct Local {
     double time = 0;
-    std::vector<Points> deviation;  // per body: of the vertices, turned back
+    std::vector<Points> deviation;  // per body: of the vertices, in the rods' frames
     std::vector<std::vector<Pose>> sections;
     Eigen::VectorXd z;
   };
@@ -44,7 +46,7 @@ class CoupledPath {
   CoupledStack& stack_;
   double time_ = 0;
   Carried carried_;            // at the present time
-  std::optional<Local> last_;  // at the time before
+  std::optional<Local> last_;  // at the previous time
 };
 
 }  // namespace vasorod

@@ -1,6 +1,6 @@
-// The `coupled` fidelity's problem as data: walls that carry their whole energy, what holds and
-// loads them, seams and contacts between them, where the rods say to start; and what comes of it.
-// One minimum of everything.
+// The problem of the `coupled` fidelity as data: walls with their full elastic energy, their
+// supports and loads, seams and contacts between them, and start positions given by the rods; and
+// its solution, one minimum of the total energy.
 #pragma once
 
 #include <functional>
@@ -16,83 +16,93 @@
 
 namespace vasorod {
 
-/// A deformable body's wall beside its SurfaceBody. Units as there.
+/// The wall of a deformable body, in addition to its SurfaceBody. Units as there.
 struct CoupledVessel {
   WallInput wall;  ///< its `rest` is the body's; `glued` is filled from the rigid sections
   std::vector<HeldSection> sections;
 };
 
-/// Where a body's rod carries it at one time of the path.
+/// Positions of a body given by its rod at one time of the path.
 struct CarriedBody {
   Points points;                ///< p'; empty: at rest
   std::vector<Mat3> rotations;  ///< per vertex, from rest; empty: identity
-  std::vector<Pose>
-      sections;  ///< per section: rotation from rest, position of its point; empty: at rest
+  /// Per section: rotation from rest, position of its point; empty: at rest.
+  std::vector<Pose> sections;
 };
 
+/// Input of CoupledSolver.
 struct CoupledProblem {
-  /// Bodies (their k only scales units and contact), seams, pairs that may touch. `fixed` is
-  /// unused.
+  /// Bodies (their k only sets the scale of units and contact), seams, and pairs that may touch.
+  /// `fixed` is not used.
   BodyProblem surfaces;
-  std::vector<std::unique_ptr<CoupledVessel>> vessels;  ///< per body; none for an obstacle
-  /// Carried bodies at time t of the motions and loads, in (0, 1].
+  /// Per body; null for an obstacle.
+  std::vector<std::unique_ptr<CoupledVessel>> vessels;
+  /// Positions of the bodies given by the rods at time t of the motions and loads, in (0, 1].
   std::function<std::vector<CarriedBody>(double t)> carried;
 };
 
-/// `tolerance`: CoupledMinimiserOptions::tolerance. `contact_stiffness`, `seam_stiffness`: larger
-/// than in `paper`, as the true Hessian bears them.
+/// Options of the `coupled` solve. `tolerance`: CoupledMinimiserOptions::tolerance.
+/// `contact_stiffness` and `seam_stiffness` are larger than in `paper`, because the true Hessian
+/// tolerates them.
 struct CoupledOptions : SurfaceOptions {
   CoupledOptions();
 
-  double tie_tolerance = 1e-9;     ///< misfit of a soft section: length over its radius, radians
-  double moment_tolerance = 1e-8;  ///< change of a turning load's moment over the largest moment
-  double tie_stiffness = 100;      ///< of a soft section, over the body's k_s
-  /// Times at which the path is followed; the last is 1. From 0.7 of the Brazier curvature on a
-  /// smooth and a kinked minimum coexist: small steps stay on the branch that leads from rest.
+  /// On the misfit of a soft section: length over its radius, radians.
+  double tie_tolerance = 1e-9;
+  /// On the change of the moment of a turning load over the largest moment.
+  double moment_tolerance = 1e-8;
+  /// Of a soft section, over k_s of the body.
+  double tie_stiffness = 100;
+  /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
+  /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
 
+  /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
 };
 
-/// One section of the solved wall. Force and moment are what it does to the wall, the moment about
-/// its point.
+/// One section of the solved wall. Force and moment act from the section on the wall; the moment is
+/// about the section's point.
 struct SectionSolution {
   std::string label;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), center = Vec3::Zero();
   Mat3 rotation = Mat3::Identity();  ///< from rest
-  Vec3 load = Vec3::Zero();          ///< of the force, what is a dead load
+  Vec3 load = Vec3::Zero();          ///< part of the force that is a dead load
 };
 
+/// Result of CoupledSolver::solve(), in the problem's units.
 struct CoupledSolution {
   Status status = Status::iteration_limit;
-  SurfaceSolution
-      surface;  ///< positions, pressures, contacts, seam, sums of forces; its binding is zero
+  /// Positions, pressures, contacts, seam, sums of forces; its binding is zero.
+  SurfaceSolution surface;
   std::vector<std::vector<SectionSolution>> sections;  ///< per body
-  double membrane_energy = 0, bending_energy = 0;  ///< bending with what couples it to the membrane
+  /// The bending energy includes its coupling with the membrane.
+  double membrane_energy = 0, bending_energy = 0;
   bool smallest_curvature_positive = false;
   int rest_iterations = 0;
-  double reached = 0;  ///< time of the path at which `surface` is
+  /// Time of the path reached by `surface`.
+  double reached = 0;
   std::vector<std::string> notes;
 
   /// One line: status, counts, residual, seam.
   std::string brief_report() const;
 };
 
-/// Keeps energies, analyses and factors between solves of one problem.
+/// Solves one problem repeatedly; energies, symbolic analyses and factors are kept between solves.
 class CoupledSolver {
  public:
-  /// Throws InputError: what is wrong with an option, a wall or its sections, or which rigid motion
-  /// nothing stops.
+  /// Throws InputError (one sentence) when an option, a wall or its sections are invalid, or when
+  /// nothing stops a rigid motion.
   explicit CoupledSolver(CoupledProblem problem, const CoupledOptions& options = {});
   ~CoupledSolver();
 
   CoupledSolution solve();
 
-  /// Another motion, load or start for the same bodies: `sections` replace the motions and loads of
-  /// the body's.
+  /// Replaces the motions and loads of the body's sections.
   void set_sections(int body, const std::vector<HeldSection>& sections);
+  /// Replaces CoupledProblem::carried.
   void set_carried(std::function<std::vector<CarriedBody>(double)> carried);
-  /// Another material for one body.
+  /// Replaces the material of one body.
   void set_material(int body, const Material& material);
   CoupledOptions& options();
 

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// What each section of a wall does to it, scaled: the gradient it must balance.
+// The scaled wrench of each section on its wall: the gradient that it must balance.
 std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
                                             const CoupledState& s, const CoupledForces& f) {
   const CoupledWall& wall = system.walls()[index(w)];
@@ -39,8 +39,8 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
   return sections;
 }
 
-// Where a wall folds sharper than a right angle over one edge its mesh cannot follow it
-// (degeneracy_barriers.h).
+// Adds a note if a wall folds sharper than a right angle over one edge, which its mesh cannot
+// resolve (degeneracy_barriers.h).
 void name_fold(const std::string& name, const WallEnergy& wall, const WallReport& now,
                const ScaledBodies& scaled, CoupledSolution& solution) {
   constexpr double right_angle = std::numbers::pi / 2;
@@ -69,8 +69,8 @@ Sums sums_of(const CoupledSystem& system, int w, const std::vector<SectionSoluti
   }
   sums.joining = -f.joining.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
   sums.contact = -f.contact.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
-  // Forces at a rigid ring from seam or contact reach its section as part of what it must hold:
-  // they are in both sums with opposite signs, and the wall's own forces add up to nothing.
+  // Seam and contact forces at a rigid ring are part of the force of its section. They occur in
+  // both sums with opposite signs, and the wall's own forces sum to zero.
   const double net = (sums.support + sums.load + sums.joining + sums.contact).norm();
   const double largest =
       std::max({sums.support.norm(), sums.load.norm(), sums.joining.norm(), sums.contact.norm()});

@@ -1,4 +1,4 @@
-// From the solved system to forces, pressures, sections and sums in the problem's units.
+// Converts the solved system to forces, pressures, sections and sums in the problem's units.
 #pragma once
 
 #include "bodies/body_contacts.h"
@@ -7,13 +7,13 @@
 
 namespace vasorod {
 
-/// Largest |sum of forces| / largest resultant over the walls; 0 where all are rounding.
+/// Largest |sum of forces| / largest resultant over the walls; 0 where all are rounding errors.
 double worst_coupled_balance(const ScaledBodies& scaled, const CoupledSystem& system,
                              const std::vector<int>& first_wall, const Eigen::VectorXd& z);
 
-/// Fills surface, sections and energies of `solution`. `system`: null where nothing was modelled.
-/// `first`, `first_wall`: each body's first vertex in the stack and its wall, -1 where it is not
-/// among the unknowns.
+/// Fills surface, sections and energies of `solution`. `system` is null if nothing was modelled.
+/// `first` and `first_wall` are each body's first vertex in the stack and its wall, -1 for a body
+/// that is not among the unknowns.
 void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
                     const CoupledSystem* system, const std::vector<int>& first,
                     const std::vector<int>& first_wall, const Eigen::VectorXd& z,

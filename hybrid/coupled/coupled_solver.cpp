@@ -1,7 +1,7 @@
-// The outer loop of `coupled`: follow the path of motions and loads; at each time minimise, update
-// the multipliers of seams, soft sections and contacts, find the closest features anew, until gaps
-// are closed, nothing penetrates and forces balance. Bodies enter the unknowns when they are moved,
-// joined or touched.
+// The outer loop of `coupled`: follow the path of motions and loads. At each time: minimise, update
+// the multipliers of seams, soft sections and contacts, find the closest features again; repeat
+// until gaps are closed, nothing penetrates and forces balance. Bodies become unknowns when they
+// are moved, joined or touched.
 #include <algorithm>
 
 #include <vasorod/error.h>
@@ -15,26 +15,27 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
+// A rough minimum is sufficient while the multipliers still change.
+constexpr double first_tolerance = 1e-4;
 constexpr double tolerance_step = 1e-2;
 constexpr double finest_tolerance = 1e-13;
-// After so many updates a contact that still opens and closes is accepted at ten times its
-// tolerance, and named.
+// After this many updates, contacts that still open and close are accepted at ten times their
+// tolerance, with a note.
 constexpr int patience_with_contact = 40;
 constexpr double slack_contact = 10;
-// Where no step lowers the energy any more rounding has stopped the minimiser, if so little is
-// left.
+// A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
+// is below this value.
 constexpr double rounding_residual = 1e-6;
-// So many minimisations in a row without a minimum end the solve.
+// This many consecutive minimisations without a minimum end the solve.
 constexpr int most_failures = 3;
-// A step of the path moves the wall against its rod by a few percent of the radius; a kink by much
-// more.
+// A step of the path moves the wall against its rod by a few percent of the radius; a kink moves it
+// much farther.
 constexpr double jump = 0.2;
-// On the path Newton's steps are bounded by this share of the radius: a soft direction would else
-// carry over the low ridge between a smooth minimum and a kinked one.
+// On the path, Newton steps are bounded by this fraction of the radius. Otherwise a soft direction
+// would cross the low energy barrier between a smooth and a kinked minimum.
 constexpr double path_step = 0.02;
-// Where a seam opens a slit, steps of part of an edge keep triangles from turning over, which the
-// energy would not undo.
+// Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
+// the energy would not reverse.
 constexpr double seam_step = 0.3;
 
 }  // namespace
@@ -106,8 +107,8 @@ class CoupledSolver::Data {
     }
   }
 
-  // `stepped`: from a start extrapolated along the path; the true Hessian keeps to its branch where
-  // K0's longer steps may leave it.
+  // `stepped`: the start was extrapolated along the path. The true Hessian stays on its branch
+  // where the longer steps of K0 could leave it.
   CoupledMinimiserOptions inner_options(bool stepped) {
     CoupledMinimiserOptions inner;
     inner.max_iterations = stack_.options.max_iterations;
@@ -134,7 +135,7 @@ class CoupledSolver::Data {
     left_saddle_ |= summary.left_saddle;
   }
 
-  // A state that outlives a change of the references its rotation vectors count from.
+  // A state that stays valid when the reference rotations of its rotation vectors change.
   struct Kept {
     VectorXd z;
     std::vector<std::vector<SectionPlacement>> placements;  // per wall and section
@@ -149,7 +150,7 @@ class CoupledSolver::Data {
                                 stack_.z);
   }
 
-  // The minimum at the present time.
+  // Finds the minimum at the present time.
   Status settle(bool stepped) {
     left_saddle_ = false;
     const CoupledOptions& options = stack_.options;
@@ -238,12 +239,16 @@ class CoupledSolver::Data {
 };
 
 CoupledOptions::CoupledOptions() {
-  tolerance = 1e-9;           // Newton's last step is quadratic: a digit more costs nothing
-  seam_tolerance = 1e-4;      // one multiplier update reaches it
-  pressure_tolerance = 1e-4;  // each update gains a factor of the penalty over the wall's stiffness
+  // Newton's last step is quadratic, so one more digit costs nothing.
+  tolerance = 1e-9;
+  // One multiplier update reaches it.
+  seam_tolerance = 1e-4;
+  // Each update gains a factor of the penalty over the wall's stiffness.
+  pressure_tolerance = 1e-4;
   contact_stiffness = 10;
   max_factorisations = 60;
-  certify = true;  // the true Hessian is factorised anyway
+  // The true Hessian is factorised anyway.
+  certify = true;
 }
 
 std::optional<std::string> CoupledOptions::is_invalid() const {

@@ -26,7 +26,7 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   if (problem.vessels.size() != problem.surfaces.bodies.size())
     throw InputError("found " + std::to_string(problem.vessels.size()) + " walls for " +
                      std::to_string(problem.surfaces.bodies.size()) + " bodies, expected one each");
-  // p' and rotations of the end of the path, as scale_bodies wants them
+  // p' and rotations at the end of the path, as required by scale_bodies()
   const std::vector<CarriedBody> carried = problem.carried(1);
   for (size_t b = 0; b < carried.size(); ++b) {
     problem.surfaces.bodies[b].carried = carried[b].points;

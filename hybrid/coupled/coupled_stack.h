@@ -1,5 +1,5 @@
-// The bodies of a CoupledProblem that something moves, joins or touches as one CoupledSystem:
-// built, and built anew when another body is touched. Scaled units (bodies/scaled_bodies.h).
+// The bodies of a CoupledProblem that are moved, joined or touched, as one CoupledSystem. The
+// system is built again when another body is touched. Scaled units (bodies/scaled_bodies.h).
 #pragma once
 
 #include <memory>
@@ -11,30 +11,32 @@
 
 namespace vasorod {
 
+/// The problem in scaled units with its system, minimiser and contacts.
 class CoupledStack {
  public:
-  /// Throws InputError: what is wrong with a wall or its sections, or which rigid motion nothing
-  /// stops.
+  /// Throws InputError (one sentence) when a wall or its sections are invalid, or when nothing
+  /// stops a rigid motion.
   CoupledStack(CoupledProblem problem, const CoupledOptions& options);
   CoupledStack(const CoupledStack&) = delete;  // the contacts refer to the problem
   CoupledStack& operator=(const CoupledStack&) = delete;
 
-  /// The system of the modelled bodies, at rest; `first`, `first_wall`, `z` are those of it.
+  /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
 
   void set_sections(int body, const std::vector<HeldSection>& sections);
   void set_material(int body, const Material& material);
 
-  /// Contacts as last found, numbered for the system.
+  /// Numbers the contacts found last for the system.
   void stack_contacts();
-  /// The bodies' `now` from z.
+  /// Sets the bodies' `now` from z.
   void unstack();
-  /// Multipliers of the seam after a minimum.
+  /// Updates the multipliers of the seam after a minimisation.
   void update_seams();
 
   bool any_modelled() const;
+  /// Scaled length.
   double largest_seam_gap() const;
-  /// Smallest RMS radius of the sections' rings.
+  /// Smallest RMS radius of the rings of all sections, scaled length.
   double ring_radius() const;
   Points scaled_points(const Points& p) const {
     return (p.rowwise() - scaled.origin.transpose()) / scaled.length;
@@ -44,12 +46,13 @@ class CoupledStack {
   CoupledOptions options;
   ScaledBodies scaled;
   std::unique_ptr<BodyContacts> contacts;
-  double seam_radius = 0;  ///< of the mouth
+  /// Radius of the mouth, scaled length.
+  double seam_radius = 0;
   std::unique_ptr<CoupledSystem> system;
   std::unique_ptr<CoupledMinimiser> minimiser;
   StackedContacts stacked;
-  std::vector<int> first,
-      first_wall;  ///< of each body: its first vertex, its wall; -1: not modelled
+  /// Per body: its first vertex, and its wall; -1: not modelled.
+  std::vector<int> first, first_wall;
   Eigen::VectorXd z;
 
  private:

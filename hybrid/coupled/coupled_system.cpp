@@ -197,7 +197,7 @@ CoupledState CoupledSystem::state(const VectorXd& z) const {
   return s;
 }
 
-// All forces on a wall's entries of q.
+// Sum of all forces on the entries of q of a wall.
 VectorXd CoupledSystem::total_force(size_t w, const CoupledForces& f) const {
   const CoupledWall& wall = walls_[w];
   const int vertices = wall.energy->vertices();

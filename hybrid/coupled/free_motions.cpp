@@ -10,7 +10,7 @@
 namespace vasorod {
 namespace {
 
-// Per body the lowest body it is joined to by seams, through others or not.
+// Per body, the lowest index among the bodies joined to it by seams, directly or through others.
 std::vector<int> joined_groups(const BodyProblem& surfaces) {
   std::vector<int> group(surfaces.bodies.size());
   std::iota(group.begin(), group.end(), 0);
@@ -26,7 +26,7 @@ std::vector<int> joined_groups(const BodyProblem& surfaces) {
   return group;
 }
 
-// Fixed directions as rows (v, u) of twists about the origin.
+// Adds the fixed directions as rows (v, u) of twists about the origin.
 void add_rows(const std::vector<HeldSection>& sections, const Vec3& origin, double scale,
               Mat6& gram) {
   for (const HeldSection& section : sections) {
@@ -62,7 +62,7 @@ void check_free_motions(const CoupledProblem& problem, const ScaledBodies& scale
     const Eigen::SelfAdjointEigenSolver<Mat6> eigen(gram);
     if (eigen.eigenvalues()[0] > 1e-12 * std::max(1e-300, eigen.eigenvalues()[5])) continue;
     Vec6 motion = eigen.eigenvectors().col(0);
-    // The sentence's point is in the scene's coordinates.
+    // The point named in the message is in the coordinates of the scene.
     motion.head<3>() -= Vec3(motion.tail<3>()).cross(origin / scale);
     throw InputError("vessel " + bodies[b].name + ": nothing stops its wall's rigid motion, a " +
                      describe_rigid_motion(motion, scale) + "; expected ends that hold it");

@@ -1,4 +1,4 @@
-// Whether the sections of walls, with the seams between them, stop every rigid motion.
+// Checks that the sections of the walls, with the seams between them, stop every rigid motion.
 #pragma once
 
 #include "bodies/scaled_bodies.h"
@@ -6,8 +6,8 @@
 
 namespace vasorod {
 
-/// Throws InputError (one sentence naming the vessel and its free rigid motion) where a modelled
-/// body, with all that is joined to it, could float away.
+/// Throws InputError (one sentence that names the vessel and its free rigid motion) when a modelled
+/// body, together with all bodies joined to it, is free to move rigidly.
 void check_free_motions(const CoupledProblem& problem, const ScaledBodies& scaled);
 
 }  // namespace vasorod

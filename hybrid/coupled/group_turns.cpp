@@ -26,7 +26,7 @@ void turn_matrix(const GroupTurns& d, Eigen::SparseMatrix<double>& k) {
   double* values = k.valuePtr();
   for (size_t g = 0; g < d.first.size(); ++g) {
     const int first = d.first[g], width = d.width(g), count = outer[first + 1] - outer[first];
-    // The columns of a group share their rows below the diagonal: p counts those of the first
+    // The columns of a group share their rows below the diagonal; p counts the rows of the first
     // column.
     const auto at = [&](int p, int c) -> double& { return values[outer[first + c] + p - c]; };
     const Turn& right = d.turn[g];

@@ -1,6 +1,7 @@
 // Rotations of groups of unknowns: D = diag(D_g), one small orthogonal block per vertex or pose.
-// With them one factorisation of the rest Hessian K0 serves every pose of a vessel: (D K0 D^T)^-1 =
-// D K0^-1 D^T (wall.md).
+// With them one factorisation of the rest Hessian K0 serves every pose of a vessel:
+//
+//   (D K0 D^T)^-1 = D K0^-1 D^T
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -10,6 +11,7 @@ namespace vasorod {
 
 using Turn = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
+/// The blocks D_g and the groups of unknowns they act on.
 struct GroupTurns {
   std::vector<int> first;  ///< first unknown of each group, ascending from 0
   int unknowns = 0;
@@ -17,10 +19,10 @@ struct GroupTurns {
   int width(size_t g) const { return (g + 1 < first.size() ? first[g + 1] : unknowns) - first[g]; }
 };
 
-/// z = D z, or D^T z.
+/// z = D z, or z = D^T z if `transposed`.
 void apply(const GroupTurns& d, bool transposed, Eigen::VectorXd& z);
 
-/// K = D K D^T in place; K's lower triangle is stored, with groups as dense blocks.
+/// K = D K D^T in place. The lower triangle of K is stored, with groups as dense blocks.
 void turn_matrix(const GroupTurns& d, Eigen::SparseMatrix<double>& k);
 
 }  // namespace vasorod

@@ -20,7 +20,7 @@ SectionPose::SectionPose(const HeldSection& section)
 void SectionPose::set_time(double t) {
   time_ = t;
   fixed_position_ = section_.rest.position + t * section_.motion.move;
-  // With all rotations free the reference is where the caller last put it.
+  // If all rotations are free, the reference remains where the caller set it last.
   if (free_rotations_ < 3) reference_ = exp_rotation(t * section_.motion.rotate);
   effective_moment_ = moment_at(reference_);
 }
@@ -100,8 +100,9 @@ double SectionPose::recentre(double* z) {
   return change;
 }
 
-// With R = exp(v) R_ref the torque's work is t.(J dv), J the left Jacobian, so the second
-// derivative is J^T (dt/dw) J + d(J^T t)/dv at constant t; J^T t = t - b v x t + d v x (v x t).
+// With R = exp(v) R_ref the work of the torque is t.(J dv), J the left Jacobian. The second
+// derivative is
+//   J^T (dt/dw) J + d(J^T t)/dv at constant t,   J^T t = t - b v x t + d v x (v x t)
 Mat6 SectionPose::curvature(const SectionPlacement& at, const Vec3& torque,
                             const Mat3& spread) const {
   const Vec3& v = at.vector;

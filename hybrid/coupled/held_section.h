@@ -1,6 +1,7 @@
-// A section of a wall held by one rigid pose: an end's ring of vertices. Rigid: ring and rim
-// normals follow the pose. Soft: only the ring's mean pose does (section_tie.h). Each of the pose's
-// six freedoms is fixed, carried along a path, or free and loaded.
+// A section of a wall held by one rigid pose: the ring of vertices at an end. In a rigid section,
+// the ring and the rim normals follow the pose; in a soft section, only the mean pose of the ring
+// does (section_tie.h). Each of the pose's six freedoms is fixed, moved along a path, or free and
+// loaded.
 #pragma once
 
 #include <array>
@@ -12,63 +13,74 @@
 
 namespace vasorod {
 
+/// Geometry, support and load of one section.
 struct HeldSection {
   std::string label;      ///< for messages
   std::vector<int> ring;  ///< vertices of the wall
   bool rigid = true;
-  Pose rest;  ///< at rest: the point forces and moments count about, and the directors d1, d2, d3
-  std::array<bool, 6> fixed{true, true, true, true,
-                            true, true};  ///< x, y, z, rx, ry, rz along `frame`, as in RodSupport
-  std::optional<Mat3> frame;              ///< by default rest.rotation
+  /// At rest: the point that forces and moments refer to, and the directors d1, d2, d3.
+  Pose rest;
+  /// x, y, z, rx, ry, rz along `frame`, as in RodSupport.
+  std::array<bool, 6> fixed{true, true, true, true, true, true};
+  std::optional<Mat3> frame;  ///< by default rest.rotation
   RodMotion motion;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< dead, space axes
-  Vec3 body_moment = Vec3::Zero();  ///< in the section's own directors, turning with them
+  /// In the section's own directors, turning with them.
+  Vec3 body_moment = Vec3::Zero();
 };
 
-/// A section's pose at given unknowns, with its derivatives: dr = position_axes dz, and the
-/// rotation's left increment is rotation_axes dz.
+/// A section's pose at given unknowns, with its derivatives:
+///
+/// ```
+/// dr = position_axes dz,   left increment of the rotation = rotation_axes dz
+/// ```
 struct SectionPlacement {
   Mat3 rotation = Mat3::Identity();  ///< from rest
   Vec3 position = Vec3::Zero();      ///< of the section's point
   Vec3 vector = Vec3::Zero();        ///< rotation vector from the reference
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> position_axes,
-      rotation_axes;  ///< 3 x unknowns()
+  /// 3 x unknowns().
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> position_axes, rotation_axes;
 };
 
-/// The pose's unknowns: position along the free axes, and the free components of the rotation
-/// vector that leads from a reference rotation to the present one.
+/// The unknowns of a pose: the position along the free axes, and the free components of the
+/// rotation vector from a reference rotation to the present rotation.
 class SectionPose {
  public:
   explicit SectionPose(const HeldSection& section);
 
   int unknowns() const { return static_cast<int>(free_.size()); }
-  /// Fixed freedoms follow the motion to time t in 0..1; free unknowns keep their values.
+  /// Moves the fixed freedoms to time t in 0..1; free unknowns keep their values.
   void set_time(double t);
-  /// Another way to the same end: where all six freedoms are fixed the pose is this one (rotation
-  /// from rest) until the next set_time. A motion's own path, rotation and displacement in
-  /// proportion, shortens a tube that is bent.
+  /// Prescribes another path to the same end: if all six freedoms are fixed, the pose is `pose`
+  /// (rotation from rest) until the next set_time(). The motion's own path, with rotation and
+  /// displacement in proportion to t, would shorten a tube that is bent.
   void set_target(const Pose& pose);
   double time() const { return time_; }
   SectionPlacement place(const double* z) const;
   SectionPlacement at_rest() const;
-  /// How the unknowns turn with the section where whole triples are free: identity elsewhere.
-  /// unknowns() wide.
+  /// Matrix by which the unknowns rotate with the section if all three translations or all three
+  /// rotations are free; identity elsewhere. unknowns() x unknowns().
   Eigen::MatrixXd turned_axes(const Mat3& rotation) const;
-  /// The unknowns that bring the pose as near as its free axes allow to a given one (rotation from
-  /// rest).
+  /// Computes the unknowns whose pose is as close to the given one (rotation from rest) as the free
+  /// axes allow.
   void unknowns_of(const Mat3& rotation, const Vec3& position, double* z);
-  /// Makes the present rotation the reference where the free axes allow that, and renews the load's
-  /// moment. Returns how much the moment's share of the gradient changed (force times length).
+  /// Makes the present rotation the reference where the free axes allow it, and updates the moment
+  /// of the load. Returns the change of the moment's contribution to the gradient (force times
+  /// length).
   double recentre(double* z);
 
-  /// Second derivatives with respect to the unknowns of sum_i g_i . (R arm_i), the g_i constant:
-  /// torque = sum a x g, spread = sum a g^T - (a.g) I with a = R arm. Added to a 6 x 6 corner.
+  /// Second derivatives with respect to the unknowns of sum_i g_i . (R arm_i) with constant g_i, in
+  /// the leading unknowns() x unknowns() block:
+  ///
+  /// ```
+  /// torque = sum a x g,   spread = sum a g^T - (a.g) I,   a = R arm
+  /// ```
   Mat6 curvature(const SectionPlacement& at, const Vec3& torque, const Mat3& spread) const;
 
-  /// Potential of the dead load, and its gradient added to 6 entries.
+  /// Returns the potential of the dead load and adds its gradient to `gradient`.
   double load(const SectionPlacement& at, const double* z, Vec6& gradient) const;
   bool loaded() const;
-  /// Whether the load's moment has an energy: none, or about one fixed axis.
+  /// Whether the moment of the load has a potential: it is zero, or acts about one fixed axis.
   bool has_potential() const;
   const HeldSection& section() const { return section_; }
 
@@ -80,12 +92,14 @@ class SectionPose {
   std::vector<int> free_;  // of 0..5
   int free_rotations_ = 0;
   double time_ = 0;
-  Mat3 reference_ = Mat3::Identity();   // rotation from rest that the vector counts from
-  Vec3 fixed_position_ = Vec3::Zero();  // of the section's point, where no free component moves it
+  // Rotation from rest to which the rotation vector refers.
+  Mat3 reference_ = Mat3::Identity();
+  // Position of the section's point without its free components.
+  Vec3 fixed_position_ = Vec3::Zero();
   Vec3 effective_moment_ = Vec3::Zero();  // conjugate to the rotation vector
 };
 
-/// A section's lengths divided by `length` about `origin`, its forces by `force`.
+/// The section with lengths divided by `length` about `origin`, and forces by `force`.
 HeldSection scaled(const HeldSection& section, double length, double force, const Vec3& origin);
 
 }  // namespace vasorod

@@ -59,8 +59,8 @@ void SectionTie::update_multipliers(const SectionPlacement& at, const Points& x)
   multiplier_ << f1, f2;
 }
 
-// The pose feels the ring through arms a that turn with it, each with a constant partner g: a.g
-// summed.
+// The ring acts on the pose through arms a that rotate with the pose, each paired with a constant
+// g. Sums a x g and a g^T - (a.g) I.
 void SectionTie::torque(const SectionPlacement& at, const Points& x, const Vec3& f1, const Vec3& f2,
                         Vec3& sum, Mat3& spread) const {
   sum.setZero();
@@ -96,7 +96,8 @@ Eigen::MatrixXd SectionTie::hessian(const SectionPose& pose, const SectionPlacem
   const auto n = static_cast<Eigen::Index>(ring_.size()), m = at.position_axes.cols();
   Vec3 f1, f2;
   forces(at, x, f1, f2);
-  // Rows of the six equations' derivatives, then k-weighted products, then the forces' share.
+  // First the derivatives of the six equations, then their k-weighted products, then the
+  // contribution of the forces.
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(6, 3 * n + m);
   Mat3 turned = Mat3::Zero();
   for (Eigen::Index i = 0; i < n; ++i) {

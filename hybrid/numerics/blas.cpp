@@ -4,7 +4,8 @@
 #include <mutex>
 #include <omp.h>
 
-// Declared here, not through OpenBLAS's cblas.h, whose name other BLAS packages share.
+// Declared here instead of including OpenBLAS's cblas.h, because other BLAS packages install a
+// header of the same name.
 extern "C" {
 char* openblas_get_config(void);
 void openblas_set_num_threads(int);

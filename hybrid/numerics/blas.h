@@ -1,20 +1,21 @@
-// Which BLAS the sparse factorisations use, and how many threads it may take.
+// The BLAS behind the sparse factorisations: its name and its number of threads.
 #pragma once
 
 #include <string>
 
 namespace vasorod {
 
-/// For example "OpenBLAS 0.3.21 NO_LAPACKE DYNAMIC_ARCH NO_AFFINITY SkylakeX MAX_THREADS=64".
+/// The BLAS's own description, for example "OpenBLAS 0.3.21 NO_LAPACKE DYNAMIC_ARCH NO_AFFINITY
+/// SkylakeX MAX_THREADS=64".
 std::string blas_name();
 
-/// Threads of the BLAS (at least 1). Until this is called the factorisations use one: a tube's
-/// supernodes are too small to share.
+/// Sets the number of BLAS threads (at least 1). The default is one thread, because the supernodes
+/// of a tube are too small to share.
 void set_blas_threads(int threads);
 
-/// While alive, CHOLMOD's own parallel regions run on the calling thread. CHOLMOD 3.0 as Debian 12
-/// builds it opens four threads whatever OMP_NUM_THREADS says, which costs a factor of two to five
-/// on a vessel.
+/// While an object of this class exists, CHOLMOD's own parallel regions run on the calling thread
+/// only. CHOLMOD 3.0 as built by Debian 12 opens four threads whatever OMP_NUM_THREADS says, which
+/// slows a vessel down by a factor of two to five.
 class OneCholmodThread {
  public:
   OneCholmodThread();

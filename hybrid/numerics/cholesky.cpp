@@ -18,15 +18,15 @@ struct Cholesky::Data {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *work_e = nullptr;
   bool factorised = false;
-  bool tried = false;  // whether `single` is there if it will do
+  bool tried = false;  // whether `single` has been decided on
   std::optional<SingleFactor> single;
 
   Data() {
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
-    common.nmethods =
-        1;  // AMD alone: trying METIS costs more than it gains below some 300k vertices
+    // AMD alone: trying METIS costs more than it gains below about 300k vertices.
+    common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_AMD;
     common.postorder = 1;
     common.quick_return_if_not_posdef = 1;
@@ -46,10 +46,11 @@ struct Cholesky::Data {
 
 namespace {
 
-constexpr double largest_difference =
-    1e-3;  // of a preconditioner: far below what it is wrong by itself
+// Largest relative difference of a single-precision solve; far below the preconditioner's own
+// error.
+constexpr double largest_difference = 1e-3;
 
-// CHOLMOD's view of an Eigen matrix; CHOLMOD does not write through it.
+// A CHOLMOD view of an Eigen matrix. CHOLMOD does not write through it.
 cholmod_sparse view_of(const Matrix& m) {
   cholmod_sparse view{};
   view.nrow = static_cast<size_t>(m.rows());

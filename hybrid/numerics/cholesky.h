@@ -1,6 +1,6 @@
-// Sparse Cholesky factorisation of a symmetric positive definite matrix: CHOLMOD's supernodal L L^T
-// behind a small wrapper. The analysis is kept while the pattern stays, workspaces are kept between
-// solves.
+// Sparse Cholesky factorisation of a symmetric positive definite matrix: a small wrapper around
+// CHOLMOD's supernodal L L^T. The symbolic analysis is kept while the pattern stays the same, and
+// workspaces are kept between solves.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -9,14 +9,17 @@
 
 namespace vasorod {
 
-/// An elimination order of a symmetric matrix' unknowns, found on the graph of its groups: the
-/// first unknown of each group, ascending from 0; a group's unknowns share their rows outside it.
-/// Nested dissection (METIS) costs ten times what minimum degree (AMD) does and gives shells half
-/// its flops: worth it from the second factorisation on.
+/// An elimination order for the unknowns of a symmetric matrix, found on the graph of its groups.
+/// `groups` lists the first unknown of each group, ascending from 0; all unknowns of a group must
+/// have the same rows outside the group.
+///
+/// Nested dissection (METIS) costs ten times as much as minimum degree (AMD) and halves the flops
+/// of the factorisation for shells. It pays off from the second factorisation on.
 enum class Ordering { minimum_degree, nested_dissection };
 std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& matrix,
                                    const std::vector<int>& groups, Ordering ordering);
 
+/// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
 class Cholesky {
  public:
   Cholesky();
@@ -24,28 +27,29 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Orders (AMD) and analyses the pattern of a symmetric matrix; the lower triangle is read. With
-  /// block = 3 the unknowns 3i, 3i+1, 3i+2 share one pattern row, and the ordering is found on the
-  /// graph of the blocks.
+  /// Orders (AMD) and analyses the pattern of a symmetric matrix; only the lower triangle is read.
+  /// With block = 3 the unknowns 3i, 3i+1, 3i+2 share one pattern row, and the ordering is found on
+  /// the graph of the blocks.
   void analyse(const Eigen::SparseMatrix<double>& matrix, int block = 1);
 
-  /// The same with an elimination order that is known already (see elimination_order).
+  /// The same with a known elimination order (see elimination_order()).
   void analyse(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
 
-  /// Factorises a matrix of the analysed pattern. False when it is not positive definite (then
-  /// nothing can be solved).
+  /// Factorises a matrix with the analysed pattern. Returns false when the matrix is not positive
+  /// definite; solve() must not be called then.
   bool factorise(const Eigen::SparseMatrix<double>& matrix);
 
-  /// x = A^-1 b for `columns` right-hand sides, column-major.
+  /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns);
 
-  /// The same as a preconditioner: in single precision (single_factor.h), as long as the first
-  /// solve with a new factor shows that it differs by less than a thousandth.
+  /// The same for use as a preconditioner: in single precision (single_factor.h), provided that the
+  /// first solve with a new factor differs from the double-precision solve by less than a
+  /// thousandth.
   void precondition(const double* b, double* x, int columns);
 
   bool analysed() const;
   bool factorised() const;
-  /// Entries of the factor.
+  /// Number of entries of the factor.
   double factor_nonzeros() const;
 
  private:

@@ -7,7 +7,7 @@
 namespace vasorod {
 namespace {
 
-// From so many unknowns on nested dissection pays for itself in one solve.
+// From this number of unknowns on, nested dissection pays off within one solve.
 constexpr int large = 200000;
 
 bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {

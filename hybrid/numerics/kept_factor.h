@@ -1,20 +1,22 @@
-// A Cholesky factor that outlives one solve: it is renewed only as far as its matrix has changed.
+// A Cholesky factor kept between solves: only what changed in the matrix is recomputed.
 #pragma once
 
 #include "numerics/cholesky.h"
 
 namespace vasorod {
 
+/// A Cholesky factor that is reused as long as its matrix does not change.
 class KeptFactor {
  public:
-  /// Symmetric, both triangles or the lower one. The same matrix again costs a comparison, the same
-  /// pattern no analysis. False when it is not positive definite.
+  /// Factorises a symmetric matrix, given by both triangles or by the lower one. An unchanged
+  /// matrix costs only a comparison; an unchanged pattern needs no new analysis. Returns false when
+  /// the matrix is not positive definite.
   bool factorise(const Eigen::SparseMatrix<double>& matrix);
 
-  /// x = A^-1 b for `columns` right-hand sides, column-major.
+  /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns) { cholesky_.solve(b, x, columns); }
 
-  /// The same as a preconditioner (Cholesky::precondition).
+  /// The same for use as a preconditioner (Cholesky::precondition()).
   void precondition(const double* b, double* x, int columns) {
     cholesky_.precondition(b, x, columns);
   }

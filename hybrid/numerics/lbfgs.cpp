@@ -14,15 +14,15 @@ using Eigen::VectorXd;
 
 constexpr double armijo = 1e-4;
 constexpr int most_backtracks = 30;
-// Share of the energy below which a step's decrease may be lost: in the sum's last digits always,
-// and where large forces cancel in a small energy in many more; there the residual decides, by
-// half.
+// Fractions of the energy below which the decrease of a step may be lost to rounding. `last_digits`
+// is the rounding of the sum itself. `cancelled` applies where large forces cancel in a small
+// energy. In both cases the residual decides: it must fall, in the second case to less than half.
 constexpr double last_digits = 1e-14, cancelled = 1e-8;
 
-// The last steps s and changes of gradient y, and the two-loop recursion over them. Its products
-// s_i . y_j are kept, so that each of its four sweeps over the pairs is one product with a matrix:
-// at 10 pairs of 75,000 unknowns the recursion waits for memory, and this reads less than half of
-// it.
+// The last steps s and gradient changes y with the two-loop recursion over them. The products
+// s_i . y_j are stored, so that each of the four sweeps over the pairs is one matrix product. With
+// 10 pairs of 75,000 unknowns the recursion is limited by memory bandwidth, and this form reads
+// less than half of the data.
 class Pairs {
  public:
   Pairs(Eigen::Index unknowns, int memory)
@@ -34,8 +34,8 @@ class Pairs {
     pending_ = false;
   }
 
-  /// The step just taken along `direction` changed the gradient that descend() was last called with
-  /// to `now`.
+  /// Adds the step just taken along `direction`. `before` is the gradient descend() was last called
+  /// with, `now` the gradient after the step.
   void add(double step, const VectorXd& direction, const VectorXd& before, const VectorXd& now) {
     if (steps_.cols() == 0) return;
     const double product = step * direction.dot(now - before);
@@ -61,7 +61,7 @@ class Pairs {
     }
     const VectorXd before = along_;
     along_.noalias() = steps_.leftCols(used).transpose() * gradient;
-    // y of the newest pair is this gradient minus the one before.
+    // The newest y is this gradient minus the previous one.
     for (size_t k = 0; pending_ && k + 1 < order_.size(); ++k)
       products_(order_[k], order_.back()) = along_[order_[k]] - before[order_[k]];
     pending_ = false;
@@ -85,11 +85,11 @@ class Pairs {
   }
 
  private:
-  Eigen::MatrixXd steps_, changes_;  // a column per pair
-  Eigen::MatrixXd products_;         // (i, j): s_i . y_j for i not younger than j
+  Eigen::MatrixXd steps_, changes_;  // one column per pair
+  Eigen::MatrixXd products_;         // (i, j): s_i . y_j for i not newer than j
   VectorXd along_;                   // s_i . the last gradient
-  std::deque<Eigen::Index> order_;   // columns in use, the oldest first
-  bool pending_ = false;             // the newest pair's products are still to be found
+  std::deque<Eigen::Index> order_;   // columns in use, oldest first
+  bool pending_ = false;             // products of the newest pair are not computed yet
 };
 
 }  // namespace

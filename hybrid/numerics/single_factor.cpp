@@ -6,14 +6,14 @@
 #include "data/index.h"
 
 namespace vasorod {
-// Columns that share their rows: a triangle and what is under it.
+// A set of columns with the same rows: a dense triangle and the rectangle below it.
 struct SingleFactor::Supernode {
   using Column = Eigen::Map<const Eigen::VectorXf>;
 
   int start, width;
   std::ptrdiff_t height, rest;
   const float* entries;
-  const int* rows;  // of what is under the triangle
+  const int* rows;  // rows of the rectangle below the triangle
 
   float inverse(int j) const { return entries[j * (height + 1)]; }
   Column within(int j) const { return {entries + j * (height + 1) + 1, width - j - 1}; }

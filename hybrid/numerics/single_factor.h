@@ -1,5 +1,5 @@
-// A supernodal Cholesky factor copied into single precision, for preconditioners: a solve waits for
-// memory, and this reads half of it.
+// A supernodal Cholesky factor copied to single precision, for preconditioners. A solve is limited
+// by memory bandwidth, and single precision halves the data it reads.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,25 +10,26 @@ struct cholmod_factor_struct;
 
 namespace vasorod {
 
+/// A single-precision copy of a supernodal Cholesky factor.
 class SingleFactor {
  public:
-  /// Of a factorised supernodal L L^T.
+  /// Copies a factorised supernodal L L^T.
   explicit SingleFactor(const cholmod_factor_struct& factor);
 
-  /// x = A^-1 b for `columns` right-hand sides, column-major; in exact arithmetic symmetric and
-  /// positive.
+  /// x = A^-1 b for `columns` right-hand sides, stored column-major. In exact arithmetic the
+  /// operator is symmetric positive definite.
   void solve(const double* b, double* x, int columns);
 
  private:
   struct Supernode;
   Supernode supernode(std::size_t k) const;
 
-  std::vector<int> first_;           // per supernode and one past them: its first column
-  std::vector<std::ptrdiff_t> row_;  // per supernode and one past them: where its rows start
-  std::vector<std::ptrdiff_t>
-      entry_;  // per supernode: where its columns start, one after the other
+  std::vector<int> first_;           // per supernode, plus an end entry: first column
+  std::vector<std::ptrdiff_t> row_;  // per supernode, plus an end entry: first row index
+  // Per supernode: position of its first entry; columns are stored consecutively.
+  std::vector<std::ptrdiff_t> entry_;
   std::vector<int> rows_, order_;
-  std::vector<float> entries_;  // on the diagonal the inverse
+  std::vector<float> entries_;  // diagonal entries are stored inverted
   Eigen::MatrixXf values_, below_;
 };
 

@@ -1,4 +1,4 @@
-// What every iterative solver takes, and how it is asked to stop.
+// Options common to all iterative solvers, and the check whether a solve should stop.
 #pragma once
 
 #include <chrono>
@@ -11,20 +11,24 @@
 
 namespace vasorod {
 
-/// How far a solver is.
+/// Progress of a solver.
 struct SolverProgress {
   int outer = 0;        ///< multiplier updates so far
-  int iterations = 0;   ///< of all minimisations so far
-  double residual = 0;  ///< of the present state, as the solver measures it
+  int iterations = 0;   ///< sum over all minimisations so far
+  double residual = 0;  ///< of the present state, in the solver's own measure
 };
 
+/// Time limit and callbacks of a solve.
 struct SolverOptions {
-  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds of wall clock
-  std::function<bool()> stop;                            ///< asked once an iteration; true interrupts
-  std::function<void(const SolverProgress&)> progress;   ///< told once an iteration; may be empty
+  /// Wall-clock time limit in seconds.
+  double time_limit = std::numeric_limits<double>::infinity();
+  /// Called once per iteration; returning true interrupts. May be empty.
+  std::function<bool()> stop;
+  /// Called once per iteration. May be empty.
+  std::function<void(const SolverProgress&)> progress;
 };
 
-/// The first sentence that is wrong, of those given in order: {is it right, what to say where not}.
+/// Returns the sentence of the first failed check, in the given order; empty when all pass.
 struct OptionCheck {
   bool good;
   const char* sentence;
@@ -35,7 +39,8 @@ inline std::optional<std::string> first_fault(std::initializer_list<OptionCheck>
   return std::nullopt;
 }
 
-/// Asks whether a solve that began at construction should end: the caller says so, or its time is up.
+/// Decides whether a solve, begun at construction of this object, should stop: because the caller
+/// asks for it or because its time limit is exceeded.
 class StopCheck {
  public:
   explicit StopCheck(const SolverOptions& options) : options_(options) {}
@@ -44,12 +49,12 @@ class StopCheck {
     if (options_.stop && options_.stop()) return true;
     return std::isfinite(options_.time_limit) && seconds() > options_.time_limit;
   }
-  /// The same, after telling how far the solver is.
+  /// The same, after reporting progress.
   bool operator()(const SolverProgress& progress) const {
     if (options_.progress) options_.progress(progress);
     return (*this)();
   }
-  /// Wall clock since construction.
+  /// Wall-clock time since construction, seconds.
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

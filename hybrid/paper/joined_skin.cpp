@@ -15,7 +15,8 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Vertices of the joined bodies under one numbering; a seam's pairs share a representative.
+// Numbering of the vertices of all joined bodies; the two vertices of a seam pair share a
+// representative.
 struct Numbering {
   std::vector<int> offset;  // per body; -1: not joined
   std::vector<int> representative;
@@ -54,7 +55,7 @@ std::vector<Points> joined_skin(const BodyProblem& problem) {
   const Numbering numbering(problem);
   const auto count = static_cast<Eigen::Index>(numbering.representative.size());
   Triplets entries;
-  Points force = Points::Zero(count, 3);  // the constant part of the energies' gradient, halved
+  Points force = Points::Zero(count, 3);  // half the constant part of the gradient
   std::vector<char> fixed(static_cast<size_t>(count), 0);
   Points known = Points::Zero(count, 3);
   for (size_t b = 0; b < problem.bodies.size(); ++b) {

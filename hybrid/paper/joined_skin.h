@@ -1,16 +1,19 @@
-// `skin` with a seam: sections are carried rigidly, and at a seam the surfaces give way as little
-// as the paper's two quadratic energies ask: minimise k_c |p - p'|^2 [7] + k_b |l(p) - R l0(p)|^2
-// [8] with paired vertices made one. One linear solve; no stretching, no contact, so it shows where
-// things go and says nothing of forces.
+// The `skin` fidelity with a seam. Sections move rigidly; at a seam the surfaces deform as little
+// as the paper's two quadratic energies require. Minimised is
+//
+//   k_c |p - p'|^2 [7] + k_b |l(p) - R l0(p)|^2 [8]
+//
+// with the two vertices of each pair identified. One linear solve. There is no stretching and no
+// contact, so the result gives positions but no forces.
 #pragma once
 
 #include "bodies/body_problem.h"
 
 namespace vasorod {
 
-/// Positions of every body: p' (rest where a body has none), changed only on bodies that a seam
-/// joins. Fixed vertices stay at p'; a pair ends in one point exactly. Throws InputError when a
-/// coefficient is not positive.
+/// Positions of every body: p' (rest for a body without p'), changed only on bodies that a seam
+/// joins. Fixed vertices stay at p'. The vertices of a pair coincide exactly. Throws InputError
+/// when a coefficient is not positive.
 std::vector<Points> joined_skin(const BodyProblem& problem);
 
 }  // namespace vasorod

@@ -7,7 +7,7 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// The terms whose Hessian is constant and the same for x, y and z, and a share of the springs'
+// The terms whose Hessian is constant and the same for x, y and z, plus a fraction of the springs'
 // bound.
 Matrix constant_terms(const PaperSystem& system, double spring_share) {
   std::vector<Matrix> blocks;
@@ -118,7 +118,7 @@ Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Po
       if (row < column || (row != column && (is_fixed(row) || is_fixed(column)))) continue;
       for (int c = 0; c < 3; ++c) entries.emplace_back(3 * row + c, 3 * column + c, it.value());
     }
-  // One 3 x 3 block between two vertices, its lower triangle where they are the same.
+  // Adds the 3 x 3 block of two vertices, or its lower triangle if they are the same vertex.
   const auto add = [&](int row, int column, const Mat3& block) {
     if (row < column || is_fixed(row) || is_fixed(column)) return;
     for (int r = 0; r < 3; ++r)

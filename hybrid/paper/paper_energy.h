@@ -1,6 +1,6 @@
-// The paper's surface energy of several bodies at once [6-9]: binding, bending and stretching of
-// each, with the joining springs and the contacts between them. Vertices are stacked body by body;
-// `fixed` ones stay where they are.
+// The paper's surface energy [6-9] of several bodies: binding, bending and stretching of each body,
+// and the joining springs and contacts between bodies. Vertices are stacked body by body; vertices
+// marked `fixed` do not move.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace vasorod {
 
-/// One body's share of the stack: vertices first to first + count - 1.
+/// One body in the stack: vertices first to first + count - 1.
 struct PaperBlock {
   int first = 0, count = 0;
   Coefficients k;
@@ -21,7 +21,7 @@ struct PaperBlock {
   std::vector<Spring> springs;  ///< vertex numbers within the body
 };
 
-/// Everything the energy depends on besides the positions.
+/// All data of the energy except the positions.
 struct PaperSystem {
   std::vector<PaperBlock> blocks;
   Points carried;            ///< p' [6]
@@ -33,39 +33,42 @@ struct PaperSystem {
   int vertex_count() const { return static_cast<int>(carried.rows()); }
 };
 
-/// Appends a body to the stack; returns its block's index.
+/// Appends a body to the stack and returns the index of its block.
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
                 const std::vector<Mat3>& rotations, const Coefficients& k,
                 const std::vector<char>& fixed);
 
+/// Energy term by term, force * length.
 struct PaperTerms {
   double binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
   double total() const { return binding + bending + stretching + joining + contact; }
 };
 
-/// The energy's gradient term by term; kept between evaluations to save the allocations.
+/// Gradient of the energy, term by term, each n x 3. Kept between evaluations to avoid allocations.
 struct PaperGradient {
   Points binding, bending, stretching, joining, contact;
   Points sum() const { return binding + bending + stretching + joining + contact; }
 };
 
+/// Total energy at p (V x 3), force * length.
 double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p);
 
-/// The energies and their gradients; those at fixed vertices are the forces their supports must
-/// give.
+/// Energies and their gradients. The gradient at a fixed vertex is the force required from its
+/// support.
 PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                                  PaperGradient& gradient);
 
-/// A V x V matrix, the same for x, y and z, that bounds the Hessian from above, with the contacts
-/// that press at p. Both triangles. Fixed vertices keep their diagonal only. Its pattern changes
-/// with the contacts alone. With `spring_share` below 1 only that share of the springs' bound
-/// enters, and it bounds no longer.
+/// An upper bound of the Hessian as a V x V matrix, the same for x, y and z, including the contacts
+/// that carry pressure at p. Both triangles are stored. Fixed vertices keep only their diagonal.
+/// The pattern changes only with the contacts. With `spring_share` below 1 only this fraction of
+/// the springs' bound is added, and the matrix is no longer a bound.
 Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system,
                                                const Eigen::Ref<const Points>& p,
                                                double spring_share = 1);
 
-/// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep a positive diagonal only. blend =
-/// 1 replaces the springs' Hessian by its positive bound, blend between 0 and 1 mixes both.
+/// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep only a positive diagonal.
+/// blend = 1 replaces the Hessian of the springs by its positive bound; values between 0 and 1
+/// interpolate.
 Eigen::SparseMatrix<double> paper_energy_hessian(const PaperSystem& system,
                                                  const Eigen::Ref<const Points>& p,
                                                  double blend = 0);

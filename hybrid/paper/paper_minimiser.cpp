@@ -21,9 +21,9 @@ VectorXd flat(const Points& p) {
 
 constexpr int iterations_per_hessian = 15;
 
-// A spring resists along its edge alone: over all directions of its edge's change that is a third
-// of the bound 2 k_s I, which L-BFGS needs not to be a bound. On tubes a half and a quarter take up
-// to a tenth more iterations, the whole bound takes half as many again.
+// A spring resists only along its edge. Averaged over all directions of the edge's change this is a
+// third of the bound 2 k_s I, and L-BFGS does not need a bound. On tubes, shares of 1/2 and 1/4
+// take up to a tenth more iterations, and the full bound takes half as many again.
 constexpr double spring_share = 1.0 / 3;
 
 }  // namespace
@@ -39,8 +39,8 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
   const auto p = points_of(x);
   const double energy = paper_energy_gradient(system_, p, terms_).total();
   auto g = points_of(gradient);
-  Vec3 binding = Vec3::Zero(), bending = Vec3::Zero(),
-       stretching = Vec3::Zero();  // squares, in one sweep
+  // Squared norms, accumulated in one sweep.
+  Vec3 binding = Vec3::Zero(), bending = Vec3::Zero(), stretching = Vec3::Zero();
   for (Eigen::Index i = 0; i < g.rows(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double a = terms_.binding(i, c), b = terms_.bending(i, c), d = terms_.stretching(i, c);

@@ -1,7 +1,8 @@
-// Minimises the paper's energy for given multipliers and contact planes. First L-BFGS
-// preconditioned by a constant matrix (4 to 30 iterations on walls), and where that is slow -
-// compressed edges that buckle, weak binding - L-BFGS preconditioned by the true Hessian of a
-// nearby point, mixed with its positive bound as far as Cholesky demands.
+// Minimises the paper's energy for given multipliers and contact planes.
+//
+// Stage 1: L-BFGS preconditioned by a constant matrix (4 to 30 iterations on walls). Stage 2, where
+// stage 1 is slow (compressed edges that buckle, weak binding): L-BFGS preconditioned by the true
+// Hessian of a nearby point, blended with its positive bound as far as Cholesky requires.
 #pragma once
 
 #include "numerics/kept_factor.h"
@@ -10,45 +11,48 @@
 
 namespace vasorod {
 
+/// Options of PaperMinimiser::minimise().
 struct PaperMinimiserOptions {
-  double tolerance = 1e-8;    ///< on |sum of forces| / sum over the terms of |their forces|
-  int max_iterations = 3000;  ///< of both kinds together
-  int patience =
-      100;  ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  double tolerance = 1e-8;    ///< on |sum of forces| / sum over the terms of |forces of the term|
+  int max_iterations = 3000;  ///< sum over both stages
+  /// Number of iterations for a tenfold reduction of the residual before the true Hessian is tried.
+  int patience = 100;
   int max_factorisations = 40;  ///< of the true Hessian
-  bool reuse_hessian =
-      false;  ///< start with the last true Hessian that was factorised, if there is one
+  /// Start with the last true Hessian that was factorised, if there is one.
+  bool reuse_hessian = false;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
 };
 
-/// Iterations of both kinds.
+/// Iterations of both stages.
 struct PaperMinimiserSummary : StagedSummary {
   int factorisations = 0;  ///< of the true Hessian
 };
 
+/// Minimiser of one PaperSystem; keeps its factors between calls.
 class PaperMinimiser {
  public:
-  /// System and factor must outlive this; the joins' multipliers and the contacts may change
-  /// between calls. `constant` keeps the constant matrix' factor, also for the next system that has
-  /// the same matrix.
+  /// `system` and `constant` must outlive this; the multipliers of the joins and the contacts may
+  /// change between calls. `constant` keeps the factor of the constant matrix, also for a later
+  /// system with the same matrix.
   PaperMinimiser(const PaperSystem& system, KeptFactor& constant)
       : system_(system), constant_(constant) {}
 
-  /// Factorises the constant matrix, paper_energy_bound with the springs' mean share, with the
-  /// contacts that press at p. Needed after the contacts changed, and at first.
+  /// Factorises the constant matrix: paper_energy_bound() with the springs' mean share and the
+  /// contacts that carry pressure at p. Required at first and after the contacts changed.
   void factorise(const Points& p);
 
   PaperMinimiserSummary minimise(Points& p, const PaperMinimiserOptions& options);
 
-  /// One step of the paper's local-global iteration [13]: edges projected to their rest length,
-  /// then the bound solved; the same as descending by the gradient in the bound's metric.
+  /// One step of the paper's local-global iteration [13]: edges are projected to their rest length,
+  /// then a linear system with the bound is solved. This equals a gradient descent step in the
+  /// metric of the bound.
   void local_global_step(Points& p);
 
-  /// The residual of LbfgsSummary at p: |sum of forces on free vertices| / sum over terms |forces|;
-  /// 0 when rounding is all.
+  /// LbfgsSummary::residual at p: |sum of forces on free vertices| / sum over the terms of |forces
+  /// of the term|; 0 when only rounding errors remain.
   double residual(const Points& p);
 
-  /// Whether the Hessian at p is positive definite: a stable minimum.
+  /// Whether the Hessian at p is positive definite, i.e. a minimum at p is stable.
   bool stable(const Points& p);
 
  private:
@@ -59,7 +63,7 @@ class PaperMinimiser {
 
   const PaperSystem& system_;
   KeptFactor& constant_;
-  KeptFactor bound_;  // of the local-global iteration alone
+  KeptFactor bound_;  // for the local-global iteration only
   Cholesky hessian_;
   PaperGradient terms_;
   double largest_diagonal_ = 0;

@@ -29,7 +29,7 @@ std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSyst
     const double net = (mine.binding + mine.support + mine.joining + mine.contact).norm();
     const double largest = std::max(
         {mine.binding.norm(), mine.support.norm(), mine.joining.norm(), mine.contact.norm()});
-    // Rounding: what cancels keeps the last digits of its terms, and of the positions.
+    // Rounding level: terms that cancel leave the last digits of the terms and of the positions.
     const auto size_of = [&](const Points& term) {
       return term.middleRows(start, count).rowwise().norm().sum();
     };

@@ -1,4 +1,4 @@
-// From the solved stack to the bodies' forces, pressures and sums in the problem's units.
+// Converts the solved stack to the bodies' forces, pressures and sums in the problem's units.
 #pragma once
 
 #include "bodies/surface_report.h"
@@ -6,15 +6,16 @@
 
 namespace vasorod {
 
-/// The forces on each body, scaled units, term by term from the energy's gradient at `positions`.
+/// The forces on each body in scaled units, term by term from the gradient of the energy at
+/// `positions`.
 std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSystem& system,
                                      const std::vector<int>& first, const Points& positions);
 
 /// Largest BodySolution::residual.
 double worst_balance(const std::vector<BodySolution>& bodies);
 
-/// Fills the bodies, contacts, energies and seam gaps of `solution`, in the problem's units.
-/// `stacked` is what system.contacts was made of.
+/// Fills the bodies, contacts, energies and seam gaps of `solution` in the problem's units.
+/// `stacked` is the source of system.contacts.
 void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const PaperSystem& system,
                   const std::vector<int>& first, const Points& positions,
                   const StackedContacts& stacked, BodyContacts& contacts,

@@ -1,6 +1,6 @@
 // The outer loop of the `paper` surface solve: minimise, update the multipliers of seams and
-// contacts, find the closest features anew, until gaps are closed, nothing penetrates and forces
-// balance. Bodies enter the unknowns when they are moved, joined or touched.
+// contacts, find the closest features again; repeat until gaps are closed, nothing penetrates and
+// forces balance. Bodies become unknowns when they are moved, joined or touched.
 #include "paper/paper_solver.h"
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 namespace vasorod {
 namespace {
 
-constexpr double first_tolerance = 1e-4;  // while multipliers still move, a rough minimum is enough
+// A rough minimum is sufficient while the multipliers still change.
+constexpr double first_tolerance = 1e-4;
 constexpr double tolerance_step = 0.1;
 constexpr int settling_iterations = 15, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
@@ -106,8 +107,9 @@ class PaperRun {
     int settling_outers = 0;
     for (solution_.outer_iterations = 1;; ++solution_.outer_iterations) {
       inner.tolerance = tolerance;
-      // While contacts still open and close, the matrix that knows them is renewed before the
-      // minimum is refined; what has not settled after that is given to the true Hessian.
+      // While contacts still open and close, the constant matrix, which includes them, is
+      // factorised again before the minimum is refined. If the contacts have not settled after
+      // that, the true Hessian is used.
       const bool pressing = contacts_.pressing(),
                  settling = pressing && settling_outers < most_settling;
       settling_outers += settling ? 1 : 0;
@@ -148,8 +150,8 @@ class PaperRun {
         for (size_t i = 0; i < system_.joins.size(); ++i)
           seam_multipliers_[i] = system_.joins[i].multiplier;
       }
-      // Rough minima while features and multipliers still move much, then step by step to the
-      // tolerance asked for.
+      // Rough minima while features and multipliers still change much; then the tolerance is
+      // reduced step by step to the requested one.
       const double least =
           seam_closed && pressed_right && at_rest ? finest_tolerance : options_.tolerance;
       if (summary.residual <= tolerance) tolerance = std::max(least, tolerance * tolerance_step);

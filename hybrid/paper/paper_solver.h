@@ -1,5 +1,4 @@
-// The surface solve of the `paper` fidelity: joined, touching bodies on rods that were solved
-// before.
+// The surface solve of the `paper` fidelity: joined and touching bodies on rods solved before.
 #pragma once
 
 #include <memory>
@@ -12,25 +11,26 @@ namespace vasorod {
 
 class KeptFactor;
 
-/// `tolerance`: on |sum of forces| / sum over the terms of |their forces|. SurfaceOptions' defaults
-/// are those of `paper`.
+/// Options of the `paper` surface solve. `tolerance` applies to |sum of forces| / sum over the
+/// terms of |forces of the term|. The defaults of SurfaceOptions are those of `paper`.
 struct PaperOptions : SurfaceOptions {
-  int patience =
-      100;  ///< iterations for a tenfold smaller residual before the true Hessian is tried
+  /// Number of iterations for a tenfold reduction of the residual before the true Hessian is tried.
+  int patience = 100;
 
+  /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
 };
 
-/// Keeps the constant matrix' factor between solves: the same bodies carried elsewhere by their
-/// rods are solved without a new factorisation.
+/// Surface solver that keeps the factor of the constant matrix between solves: the same bodies at
+/// other positions of their rods need no new factorisation.
 class PaperSolver {
  public:
   explicit PaperSolver(PaperOptions options = {});
   ~PaperSolver();
 
-  /// Minimises the paper's energies [7-9] of all bodies that something moves, joins or touches.
-  /// Units: any consistent set; lengths and stiffnesses are scaled before solving. Throws
-  /// InputError when sizes do not fit, numbers are not finite or an option is invalid.
+  /// Minimises the paper's energies [7-9] of all bodies that are moved, joined or touched. Units:
+  /// any consistent set; lengths and stiffnesses are scaled before solving. Throws InputError when
+  /// array sizes do not match, numbers are not finite or an option is invalid.
   SurfaceSolution solve(const BodyProblem& problem);
 
  private:
@@ -38,7 +38,7 @@ class PaperSolver {
   std::unique_ptr<KeptFactor> bound_;
 };
 
-/// One solve without anything kept.
+/// A single solve; nothing is kept afterwards.
 SurfaceSolution solve_paper(const BodyProblem& problem, const PaperOptions& options = {});
 
 }  // namespace vasorod

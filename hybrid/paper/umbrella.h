@@ -1,5 +1,5 @@
-// The umbrella Laplacian of a surface: l(p)_i = mean of the neighbours of i, minus p_i. Vertices
-// without neighbours have l = 0.
+// The umbrella Laplacian of a surface: l(p)_i is the mean of the neighbours of i, minus p_i. l = 0
+// at vertices without neighbours.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -9,7 +9,7 @@
 
 namespace vasorod {
 
-/// The neighbours of every vertex, in compressed rows.
+/// The umbrella Laplacian as the neighbours of every vertex in compressed rows.
 class Umbrella {
  public:
   Umbrella() = default;

@@ -12,8 +12,8 @@
 namespace vasorod {
 namespace {
 
-// Below this stretch of the fibre over the axis the section is taken to reach the centre of
-// curvature.
+// Below this ratio of fibre stretch to axis stretch, the section is considered to reach the centre
+// of curvature.
 constexpr double smallest_stretch = 0.02;
 
 std::string place(const Vec3& p) {
@@ -21,7 +21,7 @@ std::string place(const Vec3& p) {
          ")";
 }
 
-// The strain every element has in `poses`.
+// The strain of every element in `poses`.
 std::vector<Vec6> strains(const RodTree& tree, const RodPoses& poses) {
   std::vector<Vec6> strain;
   strain.reserve(tree.elements.size());

@@ -44,7 +44,8 @@ RodStep lowest_mode(RodProblem& problem, const RodState& state) {
     const double middle = 0.5 * (below + above);
     (positive(middle) ? above : below) = middle;
   }
-  // a start that no symmetry makes orthogonal to the mode: fixed numbers without a pattern
+  // Start vector with fixed, irregular entries, so that no symmetry makes it orthogonal to the
+  // mode.
   RodStep mode;
   mode.twist.resize(state.poses.size());
   double seed = 0.5;

@@ -1,5 +1,5 @@
-// What an equilibrium is: the inertia of its Hessian, directions that cost nothing, and the way
-// down from a saddle.
+// Classification of an equilibrium: the inertia of its Hessian, its zero-energy directions, and the
+// descent direction at a saddle.
 #pragma once
 
 #include <string>
@@ -9,22 +9,25 @@
 
 namespace vasorod {
 
+/// Inertia and symmetries of an equilibrium.
 struct RodCertificate {
-  int negative = 0;      ///< directions in which the energy falls
-  int neutral = 0;       ///< directions in which it does not change, to round-off
-  int symmetries = 0;    ///< of those, motions that leave the whole scene as it is (rod/symmetry.h)
-  std::string symmetry;  ///< one of them in words
+  int negative = 0;  ///< number of directions in which the energy falls
+  int neutral = 0;   ///< number of zero-energy directions, to round-off
+  /// Number of neutral directions that are symmetries of the whole scene (rod/symmetry.h).
+  int symmetries = 0;
+  std::string symmetry;  ///< one of the symmetries in words
 
   bool minimum() const { return negative == 0 && neutral <= symmetries; }
 };
 
-/// A direction counts as neutral when a spring of 1e-8 of the weakest link's bending stiffness over
-/// L^4, per length and on every freedom, decides its sign.
+/// Determines the inertia of the Hessian at an equilibrium. A direction is neutral if a spring of
+/// stiffness 1e-8 times the bending stiffness of the weakest link over L^4, per length and on every
+/// freedom, decides its sign.
 RodCertificate certify(RodProblem& problem, const RodState& state);
 
-/// The direction of the lowest curvature relative to the weight of every node, by bisection of the
-/// shift that makes the Hessian positive and inverse iteration there; for a state with negative
-/// directions.
+/// The direction of lowest curvature relative to the node weights. It is found by bisection for the
+/// shift that makes the Hessian positive definite and inverse iteration at that shift. The state
+/// must have negative directions.
 RodStep lowest_mode(RodProblem& problem, const RodState& state);
 
 }  // namespace vasorod

@@ -21,7 +21,7 @@ std::string direction_text(const Vec3& v) {
   return place_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0. : x; }), 3);
 }
 
-/// Scaled to a unit diagonal, so that slenderness does not hide what is indefinite.
+/// Tests the matrix scaled to a unit diagonal, so that slenderness does not hide indefiniteness.
 bool is_positive_definite(const Mat6& c) {
   const Vec6 diagonal = c.diagonal();
   if (!(diagonal.minCoeff() > 0)) return false;
@@ -56,8 +56,8 @@ Pose target_pose(const RodTree& tree, const RodSupport& support, double t) {
 double length_scale(const RodTree& tree) {
   std::vector<double> way(index(tree.node_count()), 0);
   double longest = 0;
-  // elements need not come in order from the root: repeat until nothing changes is avoided by
-  // walking the branches, which are ordered parents first
+  // elements may be listed in any order; the branches are ordered parents first, so one walk along
+  // them suffices
   for (const RodBranch& branch : tree.branches)
     for (std::size_t i = 0; i < branch.elements.size(); ++i) {
       const double end =
@@ -147,7 +147,8 @@ void check_tree(const RodTree& tree, const std::string& where) {
            ": the rod has a closed loop or a reversed element");
     parent[index(element.second)] = element.first;
   }
-  // with one element into every node but the root, what the root does not reach runs in a circle
+  // every node but the root has exactly one incoming element, so nodes not reached from the root
+  // form a cycle
   std::vector<char> reached(index(n), 0);
   reached[0] = 1;
   std::vector<int> way;
@@ -199,9 +200,9 @@ void check_conditions(const RodTree& tree, const RodConditions& conditions,
   const auto motions = free_rigid_motions(tree, conditions, scale);
   for (Eigen::Index k = 0; k < motions.cols(); ++k)
     if (std::abs(motions.col(k).dot(total)) > 1e-9 * size) {
-      // of all free motions, the one the load drives
+      // the free motion that the load drives
       Vec6 driven = motions * (motions.transpose() * total);
-      // plainly a translation where one along the whole force is free
+      // reported as a translation if the direction of the total force is a free translation
       Vec6 translation = Vec6::Zero();
       translation.head<3>() = total.head<3>();
       if ((motions * (motions.transpose() * translation) - translation).norm() < 1e-9 * size &&

@@ -14,11 +14,11 @@
 namespace vasorod {
 namespace {
 
-/// A pivot this small, relative to the link's own stiffness, is round-off.
+/// Pivots below this value, relative to the link's own stiffness, are round-off.
 constexpr double neutral_pivot = 1e-10;
 
-// From the second node's twist space to its parent's: A = (1, -hat(lever); 0, 1), S_i += A^T S A,
-// g_i += A^T g.
+// Transforms from the twist of the second node to that of its parent, A = (1, -hat(lever); 0, 1):
+// S_i += A^T S A, g_i += A^T g.
 void move_to_parent(const Vec3& lever, const Mat6& s, const Vec6& g, bool first, Mat6& to_s,
                     Vec6& to_g) {
   const auto vv = s.topLeftCorner<3, 3>(), vw = s.topRightCorner<3, 3>();
@@ -64,7 +64,8 @@ Columns pull_back(const Mat3& j, const Mat3& b, const Columns& columns) {
   return k;
 }
 
-/// f(0), f(1), ... f(N - 1) with the number as a constant, so that every loop bound in f is one.
+/// Calls f(0), f(1), ... f(N - 1) with the number as a compile-time constant, so that every loop
+/// bound in f is a constant.
 template <class F, int... I>
 [[gnu::always_inline]] inline void unrolled(std::integer_sequence<int, I...>, F&& f) {
   (f(std::integral_constant<int, I>{}), ...);
@@ -101,12 +102,15 @@ RodElimination::RodElimination(std::vector<RodLink> links, std::vector<NodeCondi
   channels_.set_up(links_, conditions_);
 }
 
-// Second-order terms of loads and reactions at a node. In its exponential coordinates a dead force
-// F does the work F.(v + omega x v / 2); that form takes fewest steps. With the force that the
-// links pass to the node in place of F (`from_links`; the same at equilibrium) the coordinates are
-// r and omega instead, in which a dead load adds nothing: an unstressed rod's matrix is then
-// positive. A moment without energy adds an antisymmetric part, -M/2 dead in space, +M/2 in the
-// body.
+// Second-order terms of loads and reactions at a node.
+//
+// In the exponential coordinates of the node, a dead force F does the work F.(v + omega x v / 2).
+// This form takes the fewest Newton steps. With `from_links`, the force that the links pass to the
+// node is used in place of F (the two are equal at equilibrium). This corresponds to the
+// coordinates r and omega, in which a dead load adds no second-order term, so the matrix of an
+// unstressed rod is positive definite.
+//
+// A moment without an energy adds an antisymmetric part: -M/2 if dead in space, +M/2 in body axes.
 void RodElimination::gather_node_terms(const std::vector<Pose>& poses, bool symmetric,
                                        bool from_links) {
   std::fill(begun_.begin(), begun_.end(), 0);
@@ -326,7 +330,7 @@ void RodElimination::eliminate(std::size_t k, const Pose& first, const Pose& sec
   begun_[parent] = 1;
 }
 
-/// Signs of the eigenvalues of T where its pivots alone do not tell them.
+/// Determines the signs of the eigenvalues of T when its pivots do not.
 void RodElimination::check_pivots(std::size_t k, const Mat6& t) {
   const Vec6 scale = links_[k].stiffness.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scale.asDiagonal() * t * scale.asDiagonal(),

@@ -37,7 +37,8 @@ Mat3 right_jacobian_inverse_transposed_derivative(const Vec3& u, const Vec3& n) 
 
 namespace {
 
-// Derivative of right_jacobian_inverse_transposed_derivative(u, n) by u in the direction v.
+// Derivative of right_jacobian_inverse_transposed_derivative(u, n) with respect to u in the
+// direction v.
 Mat3 second_derivative(const Vec3& u, const Vec3& v, const Vec3& n) {
   const LogCoefficients k = log_coefficients(u.squaredNorm());
   const double un = u.dot(n), vn = v.dot(n), uv = u.dot(v);
@@ -53,7 +54,7 @@ Mat3 second_derivative(const Vec3& u, const Vec3& v, const Vec3& n) {
 Mat6 geometric_stiffness(const Vec6& xi, const Vec6& stress) {
   const Vec3 v = xi.head<3>(), u = xi.tail<3>(), n = stress.head<3>(), m = stress.tail<3>();
   const Mat3 xn = right_jacobian_inverse_transposed_derivative(u, n);
-  Mat6 derivative = Mat6::Zero();  // of Jr^-T(xi) stress by xi
+  Mat6 derivative = Mat6::Zero();  // of Jr^-T(xi) stress with respect to xi
   derivative.topRightCorner<3, 3>() = derivative.bottomLeftCorner<3, 3>() = xn;
   derivative.bottomRightCorner<3, 3>() =
       right_jacobian_inverse_transposed_derivative(u, m) + second_derivative(u, v, n);
@@ -66,8 +67,8 @@ Mat12 element_energy_hessian(const RodElement& element, const Pose& first, const
   const Pose h = first.inverse() * second;
   const Vec6 xi = log_motion(element.start.inverse() * h);
   const Mat6 jr = right_jacobian_inverse(xi);
-  // In a = -adjoint(h^-1) eta_first and b = eta_second: h -> h exp(b') with b' = a + b + [a, b] / 2
-  // + ...
+  // With a = -adjoint(h^-1) eta_first and b = eta_second: h -> h exp(b'),
+  //   b' = a + b + [a, b] / 2 + ...
   const Mat6 k =
       jr.transpose() * (element.stiffness / element.length + geometric_stiffness(xi, stress)) * jr;
   const Vec6 wrench = jr.transpose() * stress;

@@ -1,9 +1,12 @@
 // Elastic energy of one rod element [3-5] as a function of its two frames: value, gradient,
-// Hessian.
+// Hessian. With xi = log(start^-1 g_first^-1 g_second) = length * strain and n the natural strain:
 //
-// With xi = log(start^-1 g_first^-1 g_second) = length * strain, U = (xi - L n)^T C (xi - L n) / (2
-// L), n the natural strain. Derivatives are by body increments, g -> g exp(eta), eta = (first node,
-// second node), 12 numbers: d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second.
+//   U = (xi - L n)^T C (xi - L n) / (2 L)
+//
+// Derivatives are with respect to body increments g -> g exp(eta), with eta = (first node, second
+// node), 12 numbers:
+//
+//   d xi = -Jl^-1(xi) eta_first + Jr^-1(xi) eta_second
 #pragma once
 
 #include "rod/rod_tree.h"
@@ -13,25 +16,27 @@ namespace vasorod {
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12>;
 
-/// Strain (v, u) an element has between two frames.
+/// Strain (v, u) of an element between two frames.
 Vec6 element_strain(const RodElement& element, const Pose& first, const Pose& second);
-/// Stress (n, m) in body axes: force and moment resultants C (strain - natural).
+/// Stress (n, m) in body axes, force and moment resultants: C (strain - natural).
 Vec6 element_stress(const RodElement& element, const Vec6& strain);
 
+/// U, force * length (stress * length^3).
 double element_energy(const RodElement& element, const Pose& first, const Pose& second);
+/// dU / d eta.
 Vec12 element_energy_gradient(const RodElement& element, const Pose& first, const Pose& second);
 
 /// B^T C B / L + geometric term at `stress`. With the element's own stress it is the second
-/// derivative of the energy along eta; with the stress predicted by the last linear step it is the
-/// mixed Newton's matrix (Magisano, Leonetti and Garcea 2017).
+/// derivative of the energy along eta. With the stress predicted by the last linear step it is the
+/// matrix of the mixed Newton method (Magisano, Leonetti and Garcea 2017).
 Mat12 element_energy_hessian(const RodElement& element, const Pose& first, const Pose& second,
                              const Vec6& stress);
 
-/// Second derivative of stress . log(h exp(d)) by d, pulled back by Jr: Jr^T G Jr, where log h =
-/// xi.
+/// Second derivative of stress . log(h exp(d)) with respect to d, pulled back by Jr: Jr^T G Jr,
+/// where log h = xi.
 Mat6 geometric_stiffness(const Vec6& xi, const Vec6& stress);
 
-/// Derivative of right_jacobian_inverse(x)^T m by x, m fixed.
+/// Derivative of right_jacobian_inverse(x)^T m with respect to x, at constant m.
 Mat3 right_jacobian_inverse_transposed_derivative(const Vec3& x, const Vec3& m);
 
 }  // namespace vasorod

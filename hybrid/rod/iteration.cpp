@@ -16,8 +16,8 @@ void RodIteration::count() {
   if (stop_({0, summary_.iterations, summary_.residual})) throw Interrupted{};
 }
 
-/// The fraction of the step that goes down the energy enough; the moved state is left in trial_. 0:
-/// none.
+/// Returns the fraction of the step that decreases the energy sufficiently, 0 if there is none. The
+/// moved state is stored in trial_.
 double RodIteration::search() {
   const double energy = problem_.potential(state, state), descent = problem_.slope(state, step_);
   if (!(descent < 0) || !std::isfinite(step_.size())) return 0;
@@ -45,7 +45,7 @@ bool RodIteration::newton() {
     double size = step_.size(), fraction = 1;
     if (problem_.searchable() && size > 0.3) {
       fraction = search();
-      if (fraction < 0.05) {  // not the way down: make it so
+      if (fraction < 0.05) {  // not a descent direction: replace the step
         double shift = 0;
         step_down(shift);
         size = step_.size();
@@ -79,8 +79,8 @@ bool RodIteration::newton() {
   return false;
 }
 
-/// A step that goes down the energy: the Hessian shifted until it is positive definite. The shift
-/// is kept for the next.
+/// A descent step: the Hessian is shifted until it is positive definite. `shift` is kept for the
+/// next step.
 void RodIteration::step_down(double& shift) {
   RodElimination& elimination = problem_.elimination();
   elimination.factor(state.poses, state.strain, state.stress, Purpose::descent, shift);
@@ -103,7 +103,7 @@ bool RodIteration::descend(double cap, double tolerance, int kicks) {
     const double size = step_.size();
     if (!std::isfinite(size)) break;
     if (shift > 0 && size < tolerance && kicks > 0) {
-      // no slope, yet not a minimum: down the lowest mode
+      // zero gradient, but not a minimum: continue along the lowest mode
       --kicks;
       if (!kick()) break;
       continue;
@@ -113,7 +113,7 @@ bool RodIteration::descend(double cap, double tolerance, int kicks) {
     bool accepted = false;
     for (int half = 0; half < 30 && !accepted; ++half, fraction /= 2) {
       problem_.take(state, step_, fraction, trial_);
-      // near the minimum the decrease drowns in round-off; a full step is then as good as proved
+      // near the minimum the decrease is lost in round-off, and a full step is accepted
       const double e = problem_.potential(trial_, state);
       accepted = e < energy || (fraction == 1 && e <= energy + 1e-10 * std::abs(energy));
       if (accepted) {
@@ -129,7 +129,8 @@ bool RodIteration::descend(double cap, double tolerance, int kicks) {
   return calm;
 }
 
-/// Along the lowest mode as far as the energy falls, to the lower side.
+/// Moves along the lowest mode to the side of lower energy, by the largest tried amplitude at which
+/// the energy falls. False: there is none.
 bool RodIteration::kick() {
   const RodStep mode = lowest_mode(problem_, state);
   const double energy = problem_.potential(state, state), size = mode.size();

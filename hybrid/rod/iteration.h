@@ -1,4 +1,5 @@
-// The two ways to an equilibrium: Newton on the mixed functional, and descent of a softened energy.
+// The two methods of finding an equilibrium: Newton on the mixed functional, and descent of a
+// softened energy.
 #pragma once
 
 #include <limits>
@@ -11,6 +12,7 @@ namespace vasorod {
 /// Thrown inside the solver when the caller or the time limit stops it.
 struct Interrupted {};
 
+/// The iterations on one RodProblem, and their present state.
 class RodIteration {
  public:
   RodIteration(RodProblem& problem, const RodOptions& options, RodSummary& summary,
@@ -18,24 +20,27 @@ class RodIteration {
 
   RodState state;
 
-  /// Mixed Newton. Full steps, except that where every node follows the strains the energy is no
-  /// longer stiff and can be searched along a large step. True when the last step was below the
-  /// tolerance.
+  /// Mixed Newton with full steps. When the poses of all nodes follow from the strains, the energy
+  /// is not stiff along the step, and a line search is used for large steps. Returns true when the
+  /// last step was below the tolerance.
   bool newton();
-  /// Goes down the energy with stretch and shear softened to `cap`; true when a full step was below
-  /// `tolerance`. Leaves the true stiffness, and the soft one's stress in the state. A state
-  /// without slope that is no minimum is left down its lowest mode, at most `kicks` times.
+  /// Minimises the energy with stretch and shear stiffness capped at `cap`. Returns true when a
+  /// full step was below `tolerance`. On return the true stiffness is restored and the state holds
+  /// the stress of the softened rod. A stationary state that is no minimum is left along its lowest
+  /// mode, at most `kicks` times.
   bool descend(double cap, double tolerance, int kicks = 0);
-  /// Soft rod first, then the true one with the soft one's forces as stress; where that is too wide
-  /// a jump, tenfold steps.
+  /// Solves a softened rod first, then the true rod with the forces of the softened rod as stress.
+  /// If that jump is too large, the stiffness is raised in tenfold steps.
   bool soft_start();
-  /// Goes down the energies of ever stiffer rods, so that it stays at a minimum, then Newton.
+  /// Minimises the energies of increasingly stiff rods, so that the state stays at a minimum, then
+  /// runs Newton.
   bool minimize();
-  /// To the state nearest to equilibrium of all that Newton saw of the whole problem since
-  /// `forget`, if it saw any.
+  /// Restores the state closest to equilibrium of all that Newton visited on the whole problem
+  /// since `forget`, if there is one.
   void take_best();
   void forget() { best_size_ = std::numeric_limits<double>::infinity(); }
-  /// Newton's states belong to the problem asked for, not to a part of its path or a softened rod.
+  /// Whether the states of Newton belong to the requested problem, not to a part of its path or to
+  /// a softened rod.
   void count_for_best(bool whole) { whole_ = whole; }
 
  private:

@@ -1,5 +1,5 @@
-// What the solver's parts share: elements as links between numbered nodes, and what acts on a node.
-// Scaled units.
+// Data shared by the parts of the solver: elements as links between numbered nodes, and the
+// conditions at a node. Scaled units.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace vasorod {
 
-/// An element between scaled, renumbered nodes: node k + 1 hangs on `parent` by link k.
+/// An element between scaled, renumbered nodes: link k connects node k + 1 to the node `parent`.
 struct RodLink {
   int parent = 0;
   double length = 0;
@@ -23,15 +23,15 @@ inline Pose link_start(const RodLink& link, const Pose& parent) {
   return link.starts_at_node ? parent : parent * link.start;
 }
 
-/// What acts on one node. Forces scaled.
+/// Support and loads of one node. Scaled forces.
 struct NodeCondition {
   int node = 0;
   std::array<bool, 6> fixed{};
   Mat3 frame = Mat3::Identity();
   Pose target;  ///< at the present time of the motion's path
   Vec3 force = Vec3::Zero(), space_moment = Vec3::Zero(), body_moment = Vec3::Zero();
-  /// Force and moment about the node that its links' stresses pass to it; in equilibrium the load
-  /// and the reaction.
+  /// Force and moment about the node that the stresses of its links pass to it. In equilibrium it
+  /// equals the load plus the reaction.
   Vec6 carried = Vec6::Zero();
 
   Vec6 load(const Pose& pose) const;  ///< force and moment in space axes

@@ -6,10 +6,15 @@
 namespace vasorod {
 
 // With p(m) = u x (u x m) = u (u.m) - m z and z = |u|^2:
-//   Jr^-T(u) n = n - u x n / 2 + c p(n), and its derivative by u
-//   X(n) = hat(n)/2 + c (u n^T + (u.n) 1 - 2 n u^T) + c2 p(n) u^T;
-// the moment's derivative is X(m) plus the derivative of X(n) in the direction v (twists are dual
-// numbers).
+//
+//   Jr^-T(u) n = n - u x n / 2 + c p(n)
+//
+// and its derivative with respect to u
+//
+//   X(n) = hat(n)/2 + c (u n^T + (u.n) 1 - 2 n u^T) + c2 p(n) u^T
+//
+// The derivative of the moment is X(m) plus the derivative of X(n) in the direction v (twists are
+// dual numbers).
 VASOROD_VECTORIZED
 LinkGeometry link_geometry(const Vec6& xi, const Vec6& stress) {
   const Vec3 v = xi.head<3>(), u = xi.tail<3>(), n = stress.head<3>(), m = stress.tail<3>();

@@ -17,7 +17,7 @@
 namespace vasorod {
 namespace {
 
-/// The order in which things are tried.
+/// The sequence of solution attempts.
 class Solver {
  public:
   Solver(const RodTree& tree, const RodConditions& conditions, const RodOptions& options,
@@ -53,7 +53,7 @@ void Solver::turn_along(const std::vector<Vec3>& turn) {
   problem_.measure_strains(state);
 }
 
-/// Straight to the end of the path.
+/// Jumps directly to the end of the path.
 bool Solver::jump(const RodPoses* start, bool moved) {
   if (!moved) {
     if (iteration_.newton()) return true;
@@ -62,7 +62,8 @@ bool Solver::jump(const RodPoses* start, bool moved) {
   return iteration_.soft_start();
 }
 
-/// The given poses with a soft rod's stress, or the drawn ones without any.
+/// Starts from the given poses with the stress of a softened rod, or from the drawn poses without
+/// stress.
 void Solver::begin_at(const RodPoses* start) {
   iteration_.state = problem_.state_at(start ? *start : problem_.tree().rest);
   if (!start) return;
@@ -71,11 +72,11 @@ void Solver::begin_at(const RodPoses* start) {
   problem_.harden();
 }
 
-/// In steps along the path, halved where one fails.
+/// Follows the path in steps; a failed step is halved.
 bool Solver::follow_path(int steps) {
   double t = 0, dt = 1. / steps;
-  // no step turns a support by more than a third of a turn, so that the way round stays the meant
-  // one
+  // no step turns a support by more than a third of a turn, so that rotations follow the prescribed
+  // direction
   for (const RodSupport& s : problem_.given().supports)
     dt = std::min(dt, 2 / std::max(2., s.motion.rotate.norm()));
   RodState reached = iteration_.state;
@@ -116,7 +117,8 @@ bool Solver::follow_path(int steps) {
   return true;
 }
 
-/// Down the lowest mode, both ways; keeps the lower end. Repeats while that is a saddle again.
+/// Descends along the lowest mode in both directions and keeps the lower end state. Repeats as long
+/// as that state is a saddle again.
 RodCertificate Solver::leave_saddle(RodCertificate at) {
   for (int round = 0; round < 8 && at.negative > 0; ++round) {
     const RodState saddle = iteration_.state;
@@ -142,8 +144,8 @@ RodCertificate Solver::leave_saddle(RodCertificate at) {
   return at;
 }
 
-/// Where no minimum is found the mesh is often too coarse: an element's strain is one logarithm,
-/// below half a turn.
+/// A sentence on the largest turn of an element. If no minimum is found, the mesh is often too
+/// coarse: the strain of an element is one logarithm, limited to less than half a turn.
 std::string Solver::sharpest_turn() const {
   double turn = 0;
   for (const Vec6& strain : iteration_.state.strain) turn = std::max(turn, strain.tail<3>().norm());

@@ -1,5 +1,5 @@
-// Equilibrium of a rod tree: Newton on the mixed functional, soft start, energy descent behind it,
-// certificate.
+// Equilibrium of a rod tree: Newton on the mixed functional, soft start, energy descent as the
+// fallback, certificate.
 #pragma once
 
 #include <optional>
@@ -14,45 +14,50 @@
 
 namespace vasorod {
 
+/// Options of solve_rod().
 struct RodOptions : SolverOptions {
   /// Stop when the largest step of any node (rotation in radians, translation over the rod's
-  /// length) is below this. Newton is quadratic there: what remains is its square. A force
-  /// criterion would not do, its floor is eps E A.
+  /// length) is below this value. Newton is quadratic there, so the remaining error is its square.
+  /// A force criterion is not suitable, because its floor is eps E A.
   double tolerance = 1e-8;
-  int max_iterations = 40;  ///< of one Newton attempt; one that works takes 5 to 15
-  /// Follow the motions' and loads' path in at least this many equal steps. 1: jump, and follow
-  /// only if that fails.
+  int max_iterations = 40;  ///< per Newton attempt; a successful attempt takes 5 to 15
+  /// Follow the path of motions and loads in at least this many equal steps. 1: jump to the end,
+  /// and follow the path only if that fails.
   int path_steps = 1;
-  bool leave_saddle = true;  ///< go down a negative direction; false: report the equilibrium found
+  /// Leave a saddle along a negative direction; false: report the equilibrium found.
+  bool leave_saddle = true;
 
-  /// Empty where the options are valid; else one sentence that says which is not.
+  /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
 };
 
+/// Status, counts and certificate of a solve.
 struct RodSummary {
   Status status = Status::iteration_limit;
-  int iterations = 0;    ///< linear solves in all
-  double residual = 0;   ///< largest of: out-of-balance nodal force over the largest force; misfit
-                         ///< of strain and stress
+  int iterations = 0;  ///< total number of linear solves
+  /// The larger of: out-of-balance nodal force over the largest force; misfit of strain and stress.
+  double residual = 0;
   double last_step = 0;  ///< as in RodOptions::tolerance
   double energy = 0;     ///< elastic energy, stress * length^3
-  int negative_directions = 0;  ///< of the energy's Hessian at the result
-  int neutral_directions =
-      0;               ///< along which the energy does not change: symmetries where `converged`
-  double seconds = 0;  ///< wall clock, all of it, checks included
-  double sweep_seconds = 0;  ///< of that, linear solves and pose updates
-  std::string message;       ///< one sentence; says what the status cannot
+  /// Of the energy's Hessian at the result.
+  int negative_directions = 0;
+  /// Directions along which the energy does not change; symmetries if `converged`.
+  int neutral_directions = 0;
+  double seconds = 0;        ///< total wall-clock time, checks included
+  double sweep_seconds = 0;  ///< part of it: linear solves and pose updates
+  std::string message;       ///< one sentence beyond what the status says
 
   /// One line: status, counts, residual.
   std::string brief_report() const;
 };
 
-/// What a support does to the rod, about the node's current position.
+/// Force and moment of a support on the rod, about the node's current position, space axes.
 struct RodReaction {
   int node = 0;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), center = Vec3::Zero();
 };
 
+/// Result of solve_rod(), in the units of the tree.
 struct RodSolution {
   RodPoses poses;
   std::vector<Vec6> stress;            ///< (n, m) per element, conjugate to its strain, body axes
@@ -60,8 +65,9 @@ struct RodSolution {
   RodSummary summary;
 };
 
-/// Solves for equilibrium. `start`: poses to begin from (an earlier solution); supports that moved
-/// carry them along. Throws InputError when tree or conditions are wrong.
+/// Solves for equilibrium. `start`: initial poses (an earlier solution); supports that moved since
+/// then move these poses along. Throws InputError when the tree, the conditions or an option is
+/// invalid.
 RodSolution solve_rod(const RodTree& tree, const RodConditions& conditions,
                       const RodOptions& options = {}, const RodPoses* start = nullptr);
 

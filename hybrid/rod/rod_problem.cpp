@@ -53,8 +53,8 @@ std::vector<NodeCondition> RodProblem::node_conditions() const {
     result.back().target = rod_.scaled(tree_.rest[index(node)]);
     return result.back();
   };
-  for (const RodSupport& s :
-       given_.supports) {  // first, so that the conditions begin in the supports' order
+  // Supports first, so that the conditions are in the order of the supports.
+  for (const RodSupport& s : given_.supports) {
     NodeCondition& c = at(s.node);
     c.fixed = s.fixed;
     c.frame = s.frame.value_or(tree_.rest[index(s.node)].rotation);

@@ -17,8 +17,9 @@ double fibre_stretch(const RodElement& e, const Vec3& local) {
   return e.rest_strain[2] + e.rest_strain[3] * local.y() - e.rest_strain[4] * local.x();
 }
 
-// Where in the element the section passes through p, given that the axial coordinate falls through
-// zero inside it. Newton with d(axial)/ds = -fibre stretch, kept inside a shrinking bracket.
+// Finds the section of the element that passes through p, given that the axial coordinate changes
+// from positive to negative within it. Newton with d(axial)/ds = -fibre stretch, inside a shrinking
+// bracket.
 RodCoordinates solve_in_element(const RodTree& tree, int index, const Vec3& p, double first_axial,
                                 double second_axial) {
   const RodElement& e = tree.elements[static_cast<size_t>(index)];
@@ -58,7 +59,7 @@ RodHit RodSearch::find(const Vec3& point, std::span<const int> branches, bool re
                 tree_.radius[static_cast<size_t>(e.second)]);
   };
   auto offer = [&](int branch, const RodCoordinates& at) {
-    // A section through the point is preferred to a node beside it, also where a wider branch ends
+    // A section through the point is preferred to a neighbouring node, even if a wider branch ends
     // at that node.
     const double distance = at.local.norm();
     const double score = distance * scale(at.element) * (at.local.z() == 0 ? 1 : 1.25);

@@ -19,7 +19,7 @@ RodSolution report_solution(RodProblem& problem, const RodState& state, const Ro
   const ScaledRod& rod = problem.rod();
   const std::vector<RodLink>& links = problem.links();
   const std::vector<Pose>& poses = state.poses;
-  // the largest wrench anywhere measures the imbalance
+  // the imbalance is measured relative to the largest wrench
   double largest = 0, unbalanced = 0, misfit = 0, energy = 0;
   std::vector<Vec6> sum(poses.size(), Vec6::Zero());
   for (std::size_t k = 0; k < links.size(); ++k) {

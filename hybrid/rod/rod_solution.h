@@ -1,5 +1,5 @@
-// From the solver's scaled state to what a caller reads: poses, stresses, reactions, energy,
-// residual.
+// Converts the solver's scaled state to the reported quantities: poses, stresses, reactions,
+// energy, residual.
 #pragma once
 
 #include "rod/newton.h"
@@ -7,7 +7,7 @@
 
 namespace vasorod {
 
-/// `summary` as the solver left it; residual and energy are added.
+/// `summary` comes from the solver; residual and energy are added to it.
 RodSolution report_solution(RodProblem& problem, const RodState& state, const RodSummary& summary);
 
 }  // namespace vasorod

@@ -5,30 +5,33 @@
 
 namespace vasorod {
 
-/// One two-node element. Strains are ordered (v1, v2, v3, u1, u2, u3), body frame: v1, v2 shear, v3
-/// stretch, u1, u2 bending, u3 twist. Between its nodes the frame is g(s) = g_first exp(s *
-/// strain), so the strain is constant and length * strain = log(g_first^-1 g_second).
+/// One two-node element. Strains are ordered (v1, v2, v3, u1, u2, u3) in the body frame: v1, v2
+/// shear, v3 stretch, u1, u2 bending, u3 twist. The strain is constant between the nodes:
+///
+/// ```
+/// g(s) = g_first exp(s * strain),   length * strain = log(g_first^-1 g_second)
+/// ```
 struct RodElement {
   int first = 0;                    ///< node at the smaller arc length (towards the tree's root)
   int second = 0;                   ///< node at the larger arc length
   double length = 0;                ///< rest arc length, length unit
   Vec6 rest_strain = Vec6::Zero();  ///< strain of the drawn shape (v = (0,0,1) when drawn along d3)
-  Vec6 natural_strain = Vec6::Zero();  ///< strain at which the element is unstressed [3]; a fitted
-                                       ///< vessel: = rest_strain
-  /// The element's own frame at its first node, in that node's frame. The identity, except where a
-  /// branch of a bare rod leaves its parent's end in another direction: the strains above then
-  /// count from here.
+  /// Strain at which the element is unstressed [3]; equal to rest_strain for a fitted vessel.
+  Vec6 natural_strain = Vec6::Zero();
+  /// The element's own frame at its first node, relative to that node's frame. The identity, except
+  /// where a branch of a bare rod leaves the end of its parent in another direction; the strains
+  /// above are then measured from this frame.
   Pose start;
-  Mat6 stiffness =
-      Mat6::Zero();  ///< energy per length is 1/2 (strain - natural)^T stiffness (strain - natural)
+  /// C: energy per length is 1/2 (strain - natural)^T C (strain - natural).
+  Mat6 stiffness = Mat6::Zero();
 };
 
 /// A branch: a run of nodes and the elements between them, from the parent's end (or the root) to
 /// its own end.
 struct RodBranch {
   std::string name;
-  std::vector<int>
-      nodes;  ///< at least 2; nodes.front() is shared with the parent branch's last node
+  /// At least 2; nodes.front() is the last node of the parent branch.
+  std::vector<int> nodes;
   std::vector<int> elements;  ///< elements[i] joins nodes[i] and nodes[i + 1]
   int parent = -1;            ///< index of the parent branch, -1 for the root branch
 };

@@ -54,7 +54,7 @@ ScaledRod scale(const RodTree& tree) {
 }
 
 Mat6 ScaledRod::stiffness(const RodElement& element) const {
-  Vec6 unit;  // of a strain, over the root of the unit of energy
+  Vec6 unit;  // units of strain over the square root of the unit of energy
   unit << Vec3::Constant(length), Vec3::Ones();
   unit /= std::sqrt(moment * element.length);
   return unit.asDiagonal() * element.stiffness * unit.asDiagonal();

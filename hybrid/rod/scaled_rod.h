@@ -8,13 +8,16 @@
 
 namespace vasorod {
 
+/// Units and node numbering of a scaled rod tree.
 struct ScaledRod {
-  double length = 1;  ///< unit of length: the longest way from the root to a leaf
-  double moment = 1;  ///< unit of moment and energy: mean bending stiffness over that length
-  Vec3 origin = Vec3::Zero();  ///< the root's rest position
-  std::vector<int> node_of,
-      new_of;  ///< tree's node of each of ours (parents first), ours of each of the tree's
-  std::vector<int> element_of;  ///< tree's element of each link
+  /// Unit of length: the longest path from the root to a leaf.
+  double length = 1;
+  /// Unit of moment and energy: mean bending stiffness over that length.
+  double moment = 1;
+  Vec3 origin = Vec3::Zero();  ///< rest position of the root
+  /// node_of: tree node of each scaled node (parents first). new_of: scaled node of each tree node.
+  std::vector<int> node_of, new_of;
+  std::vector<int> element_of;  ///< tree element of each link
 
   double force() const { return moment / length; }
   Pose scaled(const Pose& p) const { return {p.rotation, (p.position - origin) / length}; }
@@ -23,8 +26,9 @@ struct ScaledRod {
   Mat6 stiffness(const RodElement& element) const;
 };
 
+/// Units and numbering for a tree.
 ScaledRod scale(const RodTree& tree);
-/// The elements between the new nodes: link k leads to node k + 1.
+/// The elements as links between the renumbered nodes: link k leads to node k + 1.
 std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod);
 
 /// length * strain of link k.

@@ -1,5 +1,6 @@
-// Stiffness of a wall's annular section [3-5]: diag(k G A, k G A, E A, E I, E I, G J) in the order
-// v1 v2 v3 u1 u2 u3.
+// Stiffness of the annular section of a wall [3-5] in the order v1 v2 v3 u1 u2 u3:
+//
+//   diag(k G A, k G A, E A, E I, E I, G J)
 #pragma once
 
 #include <vasorod/material.h>
@@ -8,7 +9,7 @@
 
 namespace vasorod {
 
-/// A ring.
+/// An annulus.
 struct AnnularSection {
   double radius = 0;     ///< mid-wall radius, length
   double thickness = 0;  ///< length, at most twice the radius
@@ -20,14 +21,15 @@ struct AnnularSection {
   double shear_coefficient(double poisson) const;  ///< Cowper (1966), hollow circle
 };
 
-/// With E = young_axial, G = shear_axial, independent of each other; poisson_tt enters Cowper's
-/// coefficient only. Throws InputError where a number cannot belong to a ring; `where` begins the
-/// sentence.
+/// Stiffness with E = young_axial and G = shear_axial, which are independent of each other;
+/// poisson_tt enters only Cowper's coefficient. Throws InputError when a number is not valid for an
+/// annulus; `where` begins the sentence.
 Mat6 annular_stiffness(const AnnularSection& section, const Material& material,
                        const std::string& where = "section");
 
-/// Gives every element of a tree with `radius` the section at its middle: mean of its nodes'
-/// mid-wall radii and of their thicknesses (one per node). Second order where they taper.
+/// Sets the stiffness of every element of a tree with `radius` from the section at the element's
+/// middle: mean of the mid-wall radii and of the thicknesses of its nodes (`thickness`: one per
+/// node, length). Second-order accurate for tapered walls.
 void set_annular_stiffness(RodTree& tree, const std::vector<double>& thickness,
                            const Material& material, const std::string& where = "rod");
 

@@ -1,11 +1,11 @@
-// Products of 3 x 3 matrices written out, so that they are inlined where Eigen calls a function.
+// Products of 3 x 3 matrices, written out so that they are inlined where Eigen calls a function.
 #pragma once
 
 #include <vasorod/types.h>
 
-/// Functions compiled twice, with and without fused multiply-add and four-wide registers; the
-/// processor's best is taken when the program starts. Only for plain loops: Eigen's own vector
-/// types do not change.
+/// Compiles a function twice, with and without fused multiply-add and four-wide registers; the
+/// version for the processor is selected at program start. Only for plain loops, because Eigen's
+/// own vector types do not change.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__)
 #define VASOROD_VECTORIZED __attribute__((target_clones("fma", "default")))

@@ -18,7 +18,8 @@ std::pair<size_t, size_t> branch_of_element(const RodTree& tree, int element) {
   throw std::logic_error("split_rod: the element is on no branch");
 }
 
-// The tree's nodes and elements numbered along its branches; only what the branches name is kept.
+// Renumbers the tree's nodes and elements along its branches. Only nodes and elements that belong
+// to a branch are kept.
 RodPart renumbered(const RodTree& tree, int cut_node, size_t original_nodes) {
   RodPart part;
   std::vector<int> node_of(tree.rest.size(), -1);
@@ -51,10 +52,11 @@ RodPart renumbered(const RodTree& tree, int cut_node, size_t original_nodes) {
   return part;
 }
 
-// The tree with a node at the cut, not yet renumbered; returns the node.
+// Inserts a node at the cut without renumbering; returns the node.
 int insert_node(RodTree& tree, int element, double s) {
   const RodElement before = tree.elements[index(element)];
-  // A cut closer to a node than round-off is at that node: an element without length has no strain.
+  // A cut within round-off of a node is made at that node, because an element of zero length has no
+  // strain.
   if (s <= 1e-9 * before.length) return before.first;
   if (s >= (1 - 1e-9) * before.length) return before.second;
   const int node = tree.node_count();
@@ -78,7 +80,7 @@ int insert_node(RodTree& tree, int element, double s) {
   return node;
 }
 
-// Whether branch b is `ancestor` or starts somewhere behind it.
+// Whether branch b is `ancestor` or descends from it.
 bool descends(const RodTree& tree, size_t b, size_t ancestor) {
   for (int k = static_cast<int>(b); k >= 0; k = tree.branches[index(k)].parent)
     if (index(k) == ancestor) return true;
@@ -135,7 +137,7 @@ RodSide side_of(const RodTree& tree, int element, double s, int node) {
       const bool away = position > at || (position == at && s <= 0);
       return away ? RodSide::away_from_root : RodSide::towards_root;
     }
-    // A branch behind the cut one begins at its far node, which is on the far side.
+    // A branch that descends from the cut branch starts at its last node, which is on the far side.
     if (descends(tree, k, b)) return RodSide::away_from_root;
   }
   return RodSide::towards_root;

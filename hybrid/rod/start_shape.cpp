@@ -8,8 +8,8 @@
 namespace vasorod {
 namespace {
 
-/// Harmonic along arc length: given at some nodes, no flux elsewhere; zero where nothing is given
-/// at all.
+/// Harmonic interpolation along arc length: values are given at some nodes, no flux elsewhere; zero
+/// if no value is given.
 std::vector<Vec3> spread(const std::vector<RodLink>& links, const std::vector<const Vec3*>& given) {
   const std::size_t n = links.size() + 1;
   std::vector<double> weight(n, 0);

@@ -1,5 +1,5 @@
-// A starting shape for prescribed motions: what moves at the supports is spread over the tree
-// between them.
+// A starting shape for prescribed motions: the motions of the supports are distributed over the
+// tree between them.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace vasorod {
 
-/// Poses carried along by what the supports do: `turn` (rotation vector, space axes, may exceed a
-/// turn) and the target positions of the conditions, per condition. Rotations spread harmonically
-/// along arc length, elements turn with them, and what then misses a held position is spread the
-/// same way. `largest_turn`: of any link, radians.
+/// Moves `poses` with the supports. `turn` (rotation vector per condition, space axes, may exceed a
+/// full turn) and the target positions of the conditions are given. Rotations are distributed
+/// harmonically along arc length and the elements turn with them; the remaining misfit at held
+/// positions is distributed in the same way. `largest_turn`: largest rotation of any link, radians.
 std::vector<Pose> start_shape(const std::vector<RodLink>& links,
                               const std::vector<NodeCondition>& conditions,
                               const std::vector<Vec3>& turn, const std::vector<Pose>& poses,

@@ -35,7 +35,8 @@ std::vector<ElementChange> node_changes(const RodTree& rod,
     if (!elements[e].at_fork)
       for (const int node : {rod.elements[e].first, rod.elements[e].second})
         add(static_cast<size_t>(node), elements[e]);
-  for (size_t e = 0; e < elements.size(); ++e)  // a branch of one element has nothing else
+  // A side branch of one element has no other element at its end node.
+  for (size_t e = 0; e < elements.size(); ++e)
     for (const int node : {rod.elements[e].first, rod.elements[e].second})
       if (count[static_cast<size_t>(node)] == 0) add(static_cast<size_t>(node), elements[e]);
   for (size_t i = 0; i < nodes.size(); ++i) {

@@ -12,8 +12,8 @@
 namespace vasorod {
 namespace {
 
-/// Factors that bring the largest entry of every row and column near one; the signs of eigenvalues
-/// stay.
+/// Scaling factors that bring the largest entry of every row and column close to one; the signs of
+/// the eigenvalues do not change.
 Eigen::VectorXd balance(const Eigen::MatrixXd& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.rows());
   for (int round = 0; round < 8; ++round)
@@ -159,15 +159,15 @@ void SupportChannels::begin(int node, const NodeCondition* support, const Pose& 
   Split held;
   if (join.own > 0) {
     held = split(*support, pose, homogeneous);
-    // what the node's side does along fixed directions is a constant: zeta = open zeta + step
+    // motion along fixed directions is prescribed: zeta = open zeta + step
     const Mat6 open = held.free * held.free.transpose();
     g = open * (g + s * held.step).eval();
     s = open * s * open;
     all.rest -= all.row.transpose() * held.step;
     all.force = (open * all.force).eval();
     all.row = (open * all.row).eval();
-    // a spring along them changes nothing but the reactions, and keeps the branch from buckling as
-    // if it were free
+    // a spring along fixed directions changes only the reactions, and prevents the branch from
+    // buckling as if it were free
     s += softness * held.fixed * held.fixed.transpose();
     g -= softness * held.step;
   }

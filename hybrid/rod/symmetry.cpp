@@ -11,7 +11,7 @@ namespace {
 
 using Vec7 = Eigen::Matrix<double, 7, 1>;
 
-/// Rolling every section by the same angle changes no link's energy.
+/// Whether rolling every section by the same angle changes the energy of no link.
 bool sections_are_isotropic(const std::vector<RodLink>& links) {
   Mat6 roll = Mat6::Zero();
   roll.topLeftCorner<3, 3>() = roll.bottomRightCorner<3, 3>() = exp_rotation({0, 0, 1});
@@ -42,7 +42,7 @@ Pose moved(const RodSymmetry& symmetry, const Pose& pose, double t) {
   return result;
 }
 
-/// Supports still hold and loads do no work, at two angles.
+/// Whether, at two finite angles, the supports still hold and the loads do no work.
 bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& problem,
                             const RodState& state) {
   constexpr double tolerance = 1e-9;
@@ -67,8 +67,8 @@ bool holds_at_finite_angles(const RodSymmetry& symmetry, const RodProblem& probl
   return true;
 }
 
-/// Motions (move, turn, roll) that to first order break no support and do no work, and that move
-/// the state.
+/// Motions (move, turn, roll) that to first order violate no support, do no work, and move the
+/// state.
 std::vector<RodSymmetry> candidates(const RodProblem& problem, const RodState& state,
                                     bool with_roll) {
   std::vector<Vec7> rows;
@@ -136,7 +136,8 @@ std::vector<GaugeSpring> gauge_springs(const RodProblem& problem, const RodState
 std::string describe(const RodProblem& problem, const RodSymmetry& symmetry) {
   if (symmetry.turn.norm() < 1e-6 && symmetry.move.norm() < 1e-6)
     return "turning every section about its own axis";
-  Vec6 twist;  // about the space origin in the tree's own place, lengths scaled
+  // About the space origin in the tree's own coordinates, lengths scaled.
+  Vec6 twist;
   twist << symmetry.move - symmetry.turn.cross(problem.rod().origin / problem.rod().length),
       symmetry.turn;
   return "a " + describe_rigid_motion(twist, problem.rod().length) +

@@ -8,7 +8,8 @@ namespace vasorod {
 
 namespace {
 
-constexpr double least_angle = 1e-6, least_area = 1e-8;  // the stops stay finite
+// These bounds keep the barriers finite.
+constexpr double least_angle = 1e-6, least_area = 1e-8;
 constexpr double least_free_area = 0.5;
 
 }  // namespace

@@ -1,10 +1,15 @@
 // The angle between two triangles over their common edge: gradient and Hessian in closed form.
 //
-// Seen from one triangle with the edge from `tail` to `head` and the apex across: e the edge's unit
-// direction, n the triangle's unit normal, p = e x n the outward direction in its plane, h its
-// height over the edge, f where the apex's foot stands along the edge, w = (1 - f, f, -1) on (tail,
-// head, apex). Then a vertex's part of d theta is (w_i / h) n, and both triangles' parts add up
-// (compare Tamstorf and Grinspun 2013).
+// Seen from one triangle, with the edge from `tail` to `head` and the apex opposite:
+//   e           unit direction of the edge
+//   n           unit normal of the triangle
+//   p = e x n   outward direction in the triangle's plane
+//   h           height of the triangle over the edge
+//   f           position of the apex's foot along the edge
+//   w           (1 - f, f, -1) on (tail, head, apex)
+//
+// The contribution of a vertex to d theta is (w_i / h) n, and the contributions of both triangles
+// add up (compare Tamstorf and Grinspun 2013).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,13 +18,14 @@
 
 namespace vasorod {
 
+/// One of the two triangles at an edge.
 struct HingeSide {
   Vec3 normal, outward, edge;
   double height, length;
   Vec3 weight;  ///< tail, head, apex
 
-  /// `forward`: the triangle runs through the edge from tail to head; else p = n x e. `normal`
-  /// unit, `area2` twice the triangle's area.
+  /// `forward`: the triangle traverses the edge from tail to head; otherwise p = n x e. `normal` is
+  /// a unit vector, `area2` twice the triangle's area.
   HingeSide(const Vec3& tail, const Vec3& head, const Vec3& apex, const Vec3& unit_normal,
             double area2, bool forward)
       : normal(unit_normal), edge(head - tail) {
@@ -33,8 +39,8 @@ struct HingeSide {
 
   Vec3 gradient(int i) const { return (weight[i] / height) * normal; }
 
-  /// This side's part of d2 theta / dx_i dx_j, i and j among (tail, head, apex). The two sides'
-  /// antisymmetric parts cancel, so each is given without its own.
+  /// Contribution of this side to d2 theta / dx_i dx_j, with i and j among (tail, head, apex). The
+  /// antisymmetric parts of the two sides cancel and are omitted.
   Mat3 hessian(int i, int j) const {
     constexpr int along[3] = {-1, 1, 0};
     const double s =

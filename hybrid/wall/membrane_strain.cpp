@@ -7,8 +7,8 @@ namespace vasorod {
 
 namespace {
 
-// The stretch U of C = U U in two dimensions by Cayley and Hamilton: U = (C + det U I) / tr U, no
-// eigenvalues.
+// The stretch U of C = U U in two dimensions by Cayley and Hamilton, without eigenvalues:
+// U = (C + det U I) / tr U.
 struct Stretch {
   double u11, u22, u12, trace, det;
   explicit Stretch(const Vec3& c) {
@@ -21,8 +21,8 @@ struct Stretch {
   }
 };
 
-// The map dC -> dU of U dU + dU U = dC in the storage above: dU = (det U dC + V dC V) / (2 tr U det
-// U), V = tr U I - U the adjugate of U.
+// The map dC -> dU of U dU + dU U = dC in the storage above:
+//   dU = (det U dC + V dC V) / (2 tr U det U),   V = tr U I - U the adjugate of U.
 Mat3 stretch_derivative(const Stretch& s) {
   const double v11 = s.u22, v22 = s.u11, v12 = -s.u12;
   Mat3 d;
@@ -43,8 +43,9 @@ MembraneStrain membrane_strain(Law law, const Vec3& c) {
 
 Mat3 membrane_strain_hessian(Law law, const Vec3& c, const Vec3& stress) {
   if (law == Law::svk) return Mat3::Zero();
-  // With T solving U T + T U = stress: stress : d2U = -2 T : (dU dU), for dC twice the same and d2C
-  // = 0.
+  // With T the solution of U T + T U = stress:
+  //   stress : d2U = -2 T : (dU dU)
+  // for the same dC in both directions and d2C = 0.
   const Stretch s(c);
   const Mat3 d = stretch_derivative(s);
   const Vec3 t(d.col(0).dot(stress), d.col(1).dot(stress), d.col(2).dot(stress) / 2);

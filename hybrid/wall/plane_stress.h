@@ -1,4 +1,4 @@
-// A wall's material as the wall feels it: in plane stress.
+// A wall's material in plane stress.
 #pragma once
 
 #include <vasorod/material.h>
@@ -6,11 +6,14 @@
 
 namespace vasorod {
 
-/// Plane-stress stiffness in the frame (fibre, across), order (11, 22, 2*12): stress.
+/// Plane-stress stiffness in the frame (fibre, across), order (11, 22, 2*12); unit: stress.
 Mat3 plane_stress(const Material& material);
 
-/// The shear modulus of a wall as isotropic as its Young's moduli allow:
-/// sqrt(E_L E_T) / (2 (1 + sqrt(nu_LT nu_TL))), stress.
+/// The shear modulus of a wall that is as isotropic as its Young's moduli permit, stress:
+///
+/// ```
+/// sqrt(E_L E_T) / (2 (1 + sqrt(nu_LT nu_TL)))
+/// ```
 double ordinary_shear(const Material& material);
 
 }  // namespace vasorod

@@ -19,7 +19,8 @@ double ring_softness(const Eigen::Matrix<double, 2, 3>& gradients, const Mat3& b
       1 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
   const Vec3 stress = bending * dyad(x);
   Mat3 outward;
-  Vec3 extent;  // the edges' along x, one after another around the triangle
+  // Extent of the edges along x, in order around the triangle.
+  Vec3 extent;
   for (int k = 0; k < 3; ++k) {
     const Vec2 g = gradients.col(k);
     outward.col(k) = dyad(g.normalized());

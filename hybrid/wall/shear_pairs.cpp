@@ -10,10 +10,11 @@ namespace vasorod {
 
 namespace {
 
-constexpr double defect_steps =
-    20;  // defects closer than this part of an edge are equal: the order decides
+// Defects that differ by less than this fraction of an edge (1/20) count as equal; the order of the
+// edges decides.
+constexpr double defect_steps = 20;
 
-// How far an edge's two triangles are from a parallelogram, in steps.
+// Deviation of an edge's two triangles from a parallelogram, in steps.
 int defect(const Points& points, const Edge& e) {
   const Vec3 middle = (points.row(e.a) + points.row(e.b)).transpose() / 2;
   const Vec3 across = (points.row(e.opposite[0]) + points.row(e.opposite[1])).transpose() / 2;
@@ -42,7 +43,7 @@ std::vector<int> shear_pairs(const TriangleSurface& surface) {
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t i, size_t j) { return defects[i] < defects[j]; });
 
-  std::vector<int> leaves;  // with one free neighbour left
+  std::vector<int> leaves;  // triangles with one free neighbour left
   const auto is_free = [&](int t) { return partner[static_cast<size_t>(t)] < 0; };
   const auto join = [&](int s, int t) {
     partner[static_cast<size_t>(s)] = t;

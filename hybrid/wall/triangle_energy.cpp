@@ -10,8 +10,8 @@ namespace vasorod {
 
 namespace {
 
-// Height over edge k, h = sqrt(det C / (q^T C q)), q = g_k turned by 90 degrees, with the
-// derivatives of ln h.
+// Height over edge k with the derivatives of ln h, q = g_k turned by 90 degrees:
+//   h = sqrt(det C / (q^T C q))
 struct Height {
   Vec3 length_gradient, det_gradient;  // of ln (q^T C q) and of ln det C
   double det, value;
@@ -37,7 +37,7 @@ struct Height {
   }
 };
 
-// What the stop against collapse is multiplied by: about E t A.
+// Factor of the collapse barrier: about E t A.
 double collapse_stiffness(const TriangleRest& rest) {
   return (rest.stiffness(0, 0) + rest.stiffness(1, 1)) / 2;
 }
@@ -88,7 +88,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   e.gradient.head<3>() = membrane.derivative.transpose() * e.stress.head<3>() +
                          collapse_stiffness(rest) * stop.gradient;
 
-  Eigen::Matrix<double, 6, 9> d;  // of y by the nine scalars
+  Eigen::Matrix<double, 6, 9> d;  // of y with respect to the nine scalars
   if (with_hessian) {
     d.setZero();
     d.topLeftCorner<3, 3>() = membrane.derivative;

@@ -1,15 +1,30 @@
 // The wall's energy in one triangle as a function of nine scalars: its metric C, the three angles
 // to its neighbours, the three edge unknowns.
 //
-// Mid-edge normals (Grinspun, Gingold, Reisman and Zorin 2006): on edge k, m_k = N + xi (e x N)
-// with N the unit bisector of the two triangles' normals. Seen from this triangle only its slope
-// over the edge counts, s_k = sin(theta_k / 2) + xi_k cos(theta_k / 2) (and more beyond a right
-// angle), theta_k the angle between the two normals, positive where the surface is convex; the
-// second fundamental form pulled back to the rest triangle is sum_k b_k g_k g_k^T with b_k = 2 h_k
-// s_k, h_k the deformed height over edge k and g_k the rest gradient of the barycentric coordinate.
-// So E = 1/2 y^T K y with y = (strain(C), b_k - b_k at rest): three strains and three bendings. Two
-// partners (shear_pairs.h) together have relief / 2 (y_2 - y_2 of the partner)^2 less, half of it
-// each.
+// Mid-edge normals (Grinspun, Gingold, Reisman and Zorin 2006): on edge k
+//
+//   m_k = N + xi (e x N)
+//
+// with N the unit bisector of the normals of the two triangles. For this triangle only the slope of
+// m_k over the edge matters:
+//
+//   s_k = sin(theta_k / 2) + xi_k cos(theta_k / 2)      (plus a barrier beyond a right angle)
+//
+// theta_k is the angle between the two normals, positive where the surface is convex. The second
+// fundamental form pulled back to the rest triangle is
+//
+//   sum_k b_k g_k g_k^T,   b_k = 2 h_k s_k
+//
+// with h_k the deformed height over edge k and g_k the rest gradient of the barycentric coordinate.
+// The energy is
+//
+//   E = 1/2 y^T K y,   y = (strain(C), b_k - b_k at rest)
+//
+// with three strains and three bendings. From the energy of two partners (shear_pairs.h) together
+//
+//   relief / 2 (y_2 - y_2 of the partner)^2
+//
+// is subtracted, half of it from each.
 #pragma once
 
 #include <array>
@@ -25,43 +40,43 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 
 /// Rest data of a triangle, in a frame of its plane.
 struct TriangleRest {
-  Eigen::Matrix<double, 2, 3>
-      gradients;                  ///< g_k, gradients of the barycentric coordinates, 1/length
+  /// g_k, gradients of the barycentric coordinates, 1/length.
+  Eigen::Matrix<double, 2, 3> gradients;
   double area = 0;                ///< length^2
   Vec3 bending = Vec3::Zero();    ///< b_k at rest, length
-  Mat6 stiffness = Mat6::Zero();  ///< K on (e11, e22, 2 e12, b_0, b_1, b_2), the area included
-  double relief =
-      0;  ///< what it and its partner give back of their shear stiffness, the area included
+  Mat6 stiffness = Mat6::Zero();  ///< K on (e11, e22, 2 e12, b_0, b_1, b_2), times the area
+  /// Shear stiffness that the triangle and its partner give up, times the area.
+  double relief = 0;
 };
 
 /// The nine scalars of a deformed triangle.
 struct TriangleState {
   Vec3 metric;                  ///< C11, C22, C12 in the rest frame
   Vec3 half_sine, half_cosine;  ///< of theta_k / 2; at a free rim theta = 0
-  Vec3 xi;                      ///< edge unknown as this triangle sees it, its sign included
-  double partner_shear = 0;     ///< the partner's 2 e12, where there is a relief
-  /// On a glued rim the section's normal gives b_k itself (length): it takes theta_k's place,
-  /// half_sine holds it.
+  Vec3 xi;                      ///< edge unknowns with the sign seen from this triangle
+  double partner_shear = 0;     ///< the partner's 2 e12, if there is a relief
+  /// On a glued rim the normal of the section gives b_k itself (length); half_sine then holds b_k,
+  /// in place of theta_k.
   std::array<bool, 3> given{};
 };
 
-/// Its energy; and derivatives by (C11, C22, C12, theta_0..2, xi_0..2), the partner's share
-/// included.
+/// The energy of a triangle (force * length) and its derivatives with respect to (C11, C22, C12,
+/// theta_0..2, xi_0..2), including the partner's share.
 struct TriangleEnergy {
   Vec6 strains;  ///< y
-  Vec6 stress;   ///< K y, less the relief
+  Vec6 stress;   ///< K y, minus the relief
   double value;
   Vec9 gradient;
-  Mat9 hessian;  ///< only where asked for
+  Mat9 hessian;  ///< only if requested
 };
 
 TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,
                                bool with_hessian);
 
-/// Its value alone.
+/// The energy only.
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state);
 
-/// y alone.
+/// y only.
 Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& state);
 
 }  // namespace vasorod

@@ -13,15 +13,15 @@ namespace {
 
 using Mat2 = Eigen::Matrix2d;
 
-// Row picking the strain along the unit direction t from (e11, e22, 2 e12).
+// Row that extracts the strain along the unit direction t from (e11, e22, 2 e12).
 Eigen::RowVector3d along(const Vec2& t) {
   return {t[0] * t[0], t[1] * t[1], t[0] * t[1]};
 }
 
 constexpr double largest_strain = 0.1;
 
-// From (e, c) of the facet to (e, c) of the curved piece it stands for, and the ratio of their
-// areas.
+// Maps (e, c) of the facet to (e, c) of the curved piece it represents, and stores the ratio of
+// their areas.
 struct CurvedPiece {
   Mat6 map = Mat6::Identity();
   double area_ratio;
@@ -36,10 +36,11 @@ struct CurvedPiece {
       curvature[k] = facet.row(k).dot(Vec3(b[0], b[1], 2 * b[2]));
     }
     Vec3 bow = square.cwiseProduct(curvature) / 12;  // l^2 k / 12
-    Vec3 stretch = bow.cwiseProduct(curvature);      // of the squared length, chord to arc
-    // The arcs' triangle is the facet stretched by u, to first order in `stretch`.
+    Vec3 stretch = bow.cwiseProduct(curvature);      // of the squared length, from chord to arc
+    // The triangle of the arcs is the facet stretched by u, to first order in `stretch`.
     Vec3 e = facet.inverse() * stretch / 2;
-    // A sliver across the curvature leans out of the surface: there the first order means nothing.
+    // A sliver across the direction of curvature tilts out of the surface; the first-order formula
+    // does not hold there.
     const double excess = e.cwiseAbs().maxCoeff() / largest_strain;
     if (excess > 1) {
       e /= excess;
@@ -57,8 +58,8 @@ struct CurvedPiece {
   }
 };
 
-// The section's stiffness with what mode n = 2 of a ring needs: the wall's shear, less the
-// triangle's softness.
+// The section's stiffness corrected for the mode n = 2 of a ring: the transverse shear of the wall
+// is added, the softness of the triangle is removed.
 Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
   Mat6 stiffness = wall_section_stiffness(section);
   const Mat3 bending = stiffness.bottomRightCorner<3, 3>();
@@ -70,7 +71,7 @@ Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSect
     const double k = principal.eigenvalues()[i];
     const Vec3 unit(d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1]);
     const double softness = ring_softness(gradients, bending, d, k);
-    // stiffer by 1 + softness
+    // negative compliance: stiffer by the factor 1 + softness
     const double stiffer = -softness / ((1 + softness) * unit.dot(bending * unit));
     add_bending_compliance(stiffness, d, shear_compliance(section, d, k) + stiffer);
   }

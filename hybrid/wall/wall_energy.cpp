@@ -27,7 +27,8 @@ WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
     if (edges_[e].rim) continue;
     const Vec3& n0 = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
     const Vec3& n1 = g.normal[static_cast<size_t>(edge_triangle_[e][1])];
-    // Side 0 runs from the lower vertex to the higher: n0 x n1 along the edge is convex.
+    // Side 0 traverses the edge from the lower vertex to the higher: n0 x n1 along the edge is
+    // convex.
     const Vec3 along = point(q, edges_[e].b) - point(q, edges_[e].a);
     g.half_sine[e] = std::copysign((n1 - n0).norm() / 2, n0.cross(n1).dot(along));
     g.half_cosine[e] = (n1 + n0).norm() / 2;
@@ -148,7 +149,7 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     report.membrane += e.value - bend - coupling;
     report.bending += bend;
     report.coupling += coupling;
-    // c = sum_k b_k g_k g_k^T; its conjugate M solves (g_k g_k^T) : M = stress_k / area.
+    // c = sum_k b_k g_k g_k^T. The conjugate M of c solves (g_k g_k^T) : M = stress_k / area.
     Mat3 dyads;
     for (int k = 0; k < 3; ++k) {
       const Vec2 d = rest.gradients.col(k);

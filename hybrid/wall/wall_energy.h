@@ -1,12 +1,20 @@
 // Elastic energy of one vessel's wall: a shell of flat triangles with an unknown normal on every
 // edge.
 //
-// Unknowns q, in this order: the vertices (x, y, z each, length); one number xi per free edge (no
-// unit); the normal m (3 numbers, no unit) of each edge on a glued rim. An edge's normal is m = N +
-// (xi + xi0) (e x N), N the unit bisector of its triangles' normals (a rim's: the one triangle's),
-// e from the edge's lower vertex to the higher, xi0 such that at rest (xi = 0) m is the smooth
-// surface's. A glued rim's normals belong to a rigid section: whoever moves it sets m = R m_rest.
-// Strains, bending and stiffness: triangle_energy.h, wall_section.h.
+// Unknowns q, in this order:
+// - the vertices (x, y, z each, length);
+// - one number xi per free edge (no unit);
+// - the normal m (3 numbers, no unit) of each edge on a glued rim.
+//
+// The normal of a free edge is
+//
+//   m = N + (xi + xi0) (e x N)
+//
+// with N the unit bisector of its triangles' normals (on a rim, the normal of the one triangle), e
+// directed from the edge's lower vertex to the higher, and xi0 chosen so that at rest (xi = 0) m is
+// the normal of the smooth surface. The normals of a glued rim belong to a rigid section; the code
+// that moves the section sets m = R m_rest. Strains, bending and stiffness: triangle_energy.h,
+// wall_section.h.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -22,7 +30,7 @@
 
 namespace vasorod {
 
-/// A wall at rest, stress-free. Lengths in one unit, moduli in one unit.
+/// A stress-free wall at rest. Lengths in one unit, moduli in one unit.
 struct WallInput {
   TriangleSurface rest;       ///< the given surface, outward orientation
   Eigen::VectorXd thickness;  ///< per vertex
@@ -33,28 +41,29 @@ struct WallInput {
   std::string name = "wall";  ///< begins the sentence of an error
 };
 
-/// An edge and where its unknown stands in q.
+/// An edge and the position of its unknown in q.
 struct WallEdge {
   int a = 0, b = 0;  ///< a < b
   bool rim = false;
-  bool glued = false;  ///< a rim between glued vertices: three unknowns, its normal; else one, xi
+  bool glued = false;  ///< a rim between glued vertices: its normal is the unknown; else xi
   int unknown = 0;
 };
 
-/// What the wall stores and carries at a state.
+/// Energies, strains and stresses of the wall in one state.
 struct WallReport {
-  double membrane = 0, bending = 0, coupling = 0;  ///< energies; their sum is the wall's
-  /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12), change
-  /// of the second fundamental form (1/length), and what is conjugate to them per rest area:
-  /// force/length, force.
+  double membrane = 0, bending = 0, coupling = 0;  ///< their sum is the wall's energy
+  /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12); change
+  /// of the second fundamental form (1/length); the conjugate stress resultants per rest area
+  /// (force/length, force).
   std::vector<Vec3> strain, bend, force, moment;
   double sharpest_fold = 0;  ///< angle between two triangles, radians
   Vec3 fold_place = Vec3::Zero();
 };
 
+/// The energy of one wall with gradient and Hessian as functions of q.
 class WallEnergy {
  public:
-  /// Throws InputError: one sentence.
+  /// Throws InputError (one sentence) when the input is invalid.
   explicit WallEnergy(const WallInput& input);
 
   int vertices() const { return vertices_; }
@@ -63,28 +72,32 @@ class WallEnergy {
   int unknowns() const { return static_cast<int>(rest_.size()); }
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
 
-  const Eigen::VectorXd& rest() const {
-    return rest_;
-  }  ///< q at rest: energy and gradient are zero
+  /// q at rest: energy and gradient are zero.
+  const Eigen::VectorXd& rest() const { return rest_; }
 
+  /// The energy at q, force * length.
   double value(const Eigen::VectorXd& q) const;
-  /// Returns the energy and writes its gradient.
+  /// Returns the energy and writes its gradient with respect to q (size unknowns()).
   double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g) const;
-  /// Lower triangle, compressed; the pattern never changes, the values are rewritten in place.
+  /// The Hessian, lower triangle, compressed. The pattern never changes; the values are overwritten
+  /// in place.
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
-  /// Another material on the same wall: the pattern, the rest state and all unknowns stay.
+  /// Replaces the material of the wall. The pattern, the rest state and all unknowns stay.
   void set_material(const Material& material);
 
+  /// Energies, strains and stresses at q.
   WallReport report(const Eigen::VectorXd& q) const;
 
  private:
-  // The edge facing each vertex of a triangle, and how the triangle runs through it.
+  // The edge opposite each vertex of a triangle, and the direction in which the triangle traverses
+  // it.
   struct Sides {
-    std::array<int, 3> edge{}, neighbour{};  // neighbour: its vertex across, -1 at a rim
-    Vec3 sign;                               // +1: from the edge's lower vertex to its higher
+    // neighbour: the vertex across the edge, -1 at a rim.
+    std::array<int, 3> edge{}, neighbour{};
+    Vec3 sign;  // +1: from the edge's lower vertex to its higher
   };
-  // The state of all triangles' normals and edges' angles.
+  // Normals of all triangles and angles of all edges.
   struct Geometry {
     std::vector<Vec3> normal;  // unit, per triangle
     std::vector<double> area2;
@@ -124,12 +137,12 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
-  std::vector<int> partner_;  // per triangle, shear_pairs.h; empty until a material asks for it
-  std::vector<WallSection> sections_;  // geometry alone; the material is put in by set_material
+  std::vector<int> partner_;  // per triangle, shear_pairs.h; empty until a material needs it
+  std::vector<WallSection> sections_;  // geometry only; set_material() adds the material
   Eigen::VectorXd rest_;
   Eigen::SparseMatrix<double> hessian_;
-  // Per triangle: nodes (its vertices, what stands across its edges, its edges' xi; -1: none) and
-  // the place of each pair's block in the matrix.
+  // Per triangle: its nodes (its vertices, the nodes across its edges, the xi of its edges; -1:
+  // none) and the position of each pair's block in the matrix.
   struct Places {
     std::array<int, 9> node{};
     std::array<int, 45> place{};

@@ -1,5 +1,5 @@
-// The wall's Hessian: blocks of nine nodes per triangle (three vertices, what stands across each
-// edge, the edges' xi) added into a fixed pattern.
+// The Hessian of the wall: blocks of nine nodes per triangle (three vertices, the nodes across each
+// edge, the xi of the edges) added into a fixed pattern.
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -19,7 +19,7 @@ constexpr int pair(int i, int j) {
 using Row9 = Eigen::Matrix<double, 1, 9>;
 using Mat69 = Eigen::Matrix<double, 6, 9>;
 
-// d C / d the triangle's vertices.
+// Derivative of C with respect to the triangle's vertices.
 Eigen::Matrix<double, 3, 9> metric_by_vertices(const TriangleRest& rest,
                                                const Eigen::Matrix<double, 3, 2>& f) {
   Eigen::Matrix<double, 3, 9> d;
@@ -84,7 +84,7 @@ struct Adder {
     } else if (row_node < column_node) {
       add_below(row_node, place, block.transpose().eval());
     } else {
-      // The same node seen twice: its diagonal block, of which the lower half is kept.
+      // The same node occurs twice: its diagonal block, of which only the lower half is stored.
       if constexpr (Rows == Columns)
         add_diagonal(row_node, place, (block + block.transpose()).eval());
     }
@@ -112,7 +112,8 @@ struct Adder {
 
 }  // namespace
 
-// d (C, theta or b) / d own vertices, and d theta_k or b_k / d what stands across edge k.
+// Derivatives of (C, theta or b) with respect to the triangle's own vertices, and of theta_k or b_k
+// with respect to the node across edge k.
 struct WallEnergy::TriangleDerivatives {
   Mat69 own = Mat69::Zero();
   std::array<Vec3, 3> across;
@@ -170,7 +171,8 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
   return hessian_;
 }
 
-// One triangle's energy in its nine scalars, in what they depend on.
+// Adds the energy of one triangle, from derivatives in its nine scalars to derivatives in the
+// unknowns.
 void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleDerivatives& d,
                               double* values) const {
   Adder adder{values, node_stride_};
@@ -200,7 +202,7 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
       const Row9 row = half.row(3 + k);
       for (int j = 0; j < 3; ++j) {
         Mat3 b = a * row.segment<3>(3 * j);
-        // b_k is bilinear in the rim's normal and the vertices.
+        // b_k is bilinear in the normal of the rim and the vertices.
         if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
         adder.add<3, 3>(outer, node[static_cast<size_t>(j)],
                         place[static_cast<size_t>(pair(3 + k, j))], b);
@@ -237,7 +239,8 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
   }
 }
 
-// The angles' own second derivatives, which stay within each side's triangle.
+// Adds the second derivatives of the angles themselves. Each side's contribution stays within its
+// own triangle.
 void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
                             const std::vector<double>& by_angle, double* values) const {
   Adder adder{values, node_stride_};
@@ -265,7 +268,7 @@ void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
     }
 }
 
-// Partners' shears times each other.
+// Adds the products of the shears of partners.
 void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
   Adder adder{values, node_stride_};
   const auto by_vertices = [&](size_t t) -> Row9 {
@@ -280,7 +283,8 @@ void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
     const Row9 mine = by_vertices(t), its = by_vertices(other);
     const Places& at = places_[t];
     for (int j = 0; j < 3; ++j) {
-      // All of the partner's vertices are the triangle's own or across its edges.
+      // Each vertex of the partner is either a vertex of the triangle or lies across one of its
+      // edges.
       const int node = triangles_(static_cast<int>(other), j);
       const auto local =
           static_cast<int>(std::find(at.node.begin(), at.node.end(), node) - at.node.begin());

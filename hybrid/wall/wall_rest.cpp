@@ -44,12 +44,12 @@ Vec3 limited(const Vec3& b, double limit) {
   return largest > limit ? Vec3(b * (limit / largest)) : b;
 }
 
-// Where the wall's half thickness comes nearer to the radius of curvature than this, the curvature
-// taken in the thickness integral stops growing: at creases of a coarse mesh, where that curvature
-// means nothing.
+// Upper bound on the ratio of the wall's half thickness to the radius of curvature in the thickness
+// integral. It acts at creases of a coarse mesh, where the curvature is not meaningful.
 constexpr double largest_thickness_ratio = 0.8;
 
-constexpr double least_share = 1e-9;  // rounding's
+// Smaller shares are rounding errors.
+constexpr double least_share = 1e-9;
 
 }  // namespace
 
@@ -69,8 +69,8 @@ void WallEnergy::number_edges(const WallInput& input) {
     return !input.glued.empty() && input.glued[static_cast<size_t>(v)] != 0;
   };
   sides_.resize(static_cast<size_t>(triangles_.rows()));
-  // The corner of a triangle that faces the edge, and whether the triangle runs through it from a
-  // to b.
+  // The corner of a triangle that is opposite the edge, and whether the triangle traverses the edge
+  // from a to b.
   const auto corner = [&](int triangle, int apex) {
     int k = 0;
     while (triangles_(triangle, k) != apex) ++k;
@@ -157,8 +157,8 @@ void WallEnergy::set_rest(const WallInput& input) {
     rest.bending =
         triangle_strains(law_, rest, state(rest_, g, t, deformation(rest_, t))).tail<3>();
 
-    Eigen::Matrix2d turning =
-        Eigen::Matrix2d::Zero();  // of the vertex normals, in the triangle's frame
+    // Gradient of the vertex normals in the frame of the triangle.
+    Eigen::Matrix2d turning = Eigen::Matrix2d::Zero();
     double thickness = 0;
     for (int k = 0; k < 3; ++k) {
       turning +=
@@ -191,10 +191,10 @@ void WallEnergy::set_material(const Material& material) {
   set_relief(1 - ordinary_shear(material) / material.shear_axial);
 }
 
-// Partners keep `share` less of their shear stiffness against each other; in one another's mean
-// they keep all of it.
+// Reduces the stiffness of partners against a difference of their shears by the fraction `share`;
+// the stiffness against their mean shear does not change.
 void WallEnergy::set_relief(double share) {
-  // y_2's stiffness where all other strains follow freely.
+  // Stiffness of y_2 with all other strains free.
   const auto softest = [](const Mat6& k) { return 1 / k.ldlt().solve(Vec6::Unit(2))[2]; };
   for (TriangleRest& rest : triangle_rest_) rest.relief = 0;
   if (share < least_share) return;
@@ -208,8 +208,8 @@ void WallEnergy::set_relief(double share) {
   }
 }
 
-// The smooth surface's normal on an edge: the mean of its ends', turned into the plane across the
-// edge.
+// Normals of the smooth surface on the edges: the mean of the normals at the edge's ends, projected
+// into the plane normal to the edge.
 void WallEnergy::set_rest_normals(const Points& vertex_normal) {
   xi_rest_.assign(edges_.size(), 0);
   const Geometry g = geometry(rest_);

@@ -9,7 +9,8 @@ namespace {
 
 using Mat2 = Eigen::Matrix2d;
 
-// Gauss points on [-1, 1]: five integrate the thin wall exactly and 1/Z to 1e-6 at t/R = 0.5.
+// Gauss points on [-1, 1]: five points integrate the thin wall exactly, and 1/Z to 1e-6 at
+// t/R = 0.5.
 constexpr std::array<double, 5> abscissa{0, 0.5384693101056831, -0.5384693101056831,
                                          0.9061798459386640, -0.9061798459386640};
 constexpr std::array<double, 5> weight{0.5688888888888889, 0.4786286704993665, 0.4786286704993665,

@@ -141,8 +141,8 @@ def times_section(program):
             "The three vessels of the bundled infant have",
             f"{with_heart - infant['heart']:,} vertices ({with_heart:,} with the heart).",
             "The column `vertices` counts the deformed model without the stump; `rod` has no",
-            "surface. The MICCAI 2009 paper states 10 s for 24,393 vertices in the three vessels that it",
-            "counts, on a 2.33 GHz Core 2 Duo.",
+            "surface. The MICCAI 2009 paper states 10 s for 24,393 vertices in the three",
+            "vessels that it counts, on a 2.33 GHz Core 2 Duo.",
         ),
     ]
 

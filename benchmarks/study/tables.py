@@ -1,7 +1,9 @@
-"""CSV files with their provenance in comment lines at the top: what made them, with which programs, at which commits."""
+"""CSV files with their provenance in comment lines at the top: what made them, with which programs,
+at which commits."""
 
 import csv
 import io
+import textwrap
 from pathlib import Path
 
 
@@ -19,18 +21,21 @@ def shown(value):
 
 
 def provenance(records):
-    """One line per program: its hash, the commits it was run at, how many runs, each counted once."""
+    """One line per program: its hash, the commits it was run at, how many different runs."""
     seen = {}
     for record in {record["identity"]: record for record in records}.values():
         entry = seen.setdefault((record["program"], record["program_sha256"][:12]), [set(), 0])
         entry[0].add(record["commit"])
         entry[1] += 1
-    return [f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}" for (name, digest), (commits, count) in sorted(seen.items())]
+    return [
+        f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}"
+        for (name, digest), (commits, count) in sorted(seen.items())
+    ]
 
 
 def provenance_text(notes):
     """A read table's provenance below what is made from it."""
-    return "Made from: " + "; ".join(notes[1:]) + ".\n"
+    return paragraph("Made from: " + "; ".join(notes[1:]) + ".")
 
 
 def write_table(path, rows, notes=()):
@@ -50,14 +55,22 @@ def read_table(path):
     """The rows as dictionaries, numbers as numbers, empty cells as None; and the comment lines."""
     lines = Path(path).read_text().splitlines()
     notes = [line[2:] for line in lines if line.startswith("# ")]
-    rows = [{key: None if text == "" else number(text) for key, text in row.items()}
-            for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    rows = [
+        {key: None if text == "" else number(text) for key, text in row.items()}
+        for row in csv.DictReader(line for line in lines if not line.startswith("#"))
+    ]
     return rows, notes
 
 
 def value_or_range(values, form):
     low, high = form(min(values)), form(max(values))
     return low if low == high else f"{low} to {high}"
+
+
+def paragraph(*parts):
+    """Text of a page in lines of at most 100 columns."""
+    text = " ".join(parts)
+    return textwrap.fill(text, 100, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def markdown(header, rows):

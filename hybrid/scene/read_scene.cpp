@@ -24,7 +24,7 @@ void read_fidelity(const Field& root, Scene& scene) {
   }
   if (!scene.fidelity && !scene.accuracy)
     root.refuse("neither fidelity nor accuracy",
-                "fidelity: rod, skin, paper or coupled, or accuracy: a number");
+                "fidelity: the name of one, or accuracy: a number");
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.rod && scene.fidelity && scene.fidelity != "rod")
       fidelity->refuse(fidelity->found() + " with the bare rod " + in_quotes(vessel.name),

@@ -61,7 +61,11 @@ class Tube:
 
     def add_to(self, occ, spacing=3.0):
         """The tube as an OpenCASCADE solid, lofted through circles about `spacing` apart."""
-        samples = np.linspace(0, len(self.s) - 1, max(4, round(self.length / spacing)) + 1).round().astype(int)
+        samples = (
+            np.linspace(0, len(self.s) - 1, max(4, round(self.length / spacing)) + 1)
+            .round()
+            .astype(int)
+        )
         wires = []
         for k, frame in zip(samples, self.frames(samples)):
             circle = occ.addCircle(0, 0, 0, self.radius[k])
@@ -135,8 +139,12 @@ def skin(bodies, edge):
         gmsh.option.setNumber("Mesh.Algorithm", 6)
         gmsh.model.mesh.generate(2)
         tags, xyz, _ = gmsh.model.mesh.getNodes()
-        walls = [tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) != "Plane"]
-        triangles = np.vstack([gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3) for tag in walls])
+        walls = [
+            tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) != "Plane"
+        ]
+        triangles = np.vstack(
+            [gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3) for tag in walls]
+        )
     finally:
         gmsh.finalize()
     row = np.zeros(int(tags.max()) + 1, int)
@@ -150,7 +158,9 @@ def edges_of(triangles):
     half = np.vstack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
     owner = np.tile(np.arange(len(triangles)), 3)
     opposite = np.concatenate([triangles[:, 0], triangles[:, 1], triangles[:, 2]])
-    edges, inverse, count = np.unique(np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True)
+    edges, inverse, count = np.unique(
+        np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
     if count.max() > 2:
         raise SystemExit("blended_surface: an edge has more than two triangles")
     order = np.argsort(inverse.ravel(), kind="stable")
@@ -237,7 +247,8 @@ def relax(points, triangles, field, sweeps=40):
 
 def surface(bodies, edge, width, start=None):
     """The blended surface of `bodies`, outward oriented, vertices ordered along the bodies (the first body's start comes first).
-    `start`: bodies whose skin is moved onto the blend, where the fused bodies' own has seams that meet at a point."""
+    `start`: bodies whose skin is moved onto the blend, where the fused bodies' own has seams that meet at a point.
+    """
     field = blend(bodies, width)
     points, triangles = relax(*skin(start or bodies, edge), field, 150 if start else 40)
     p = points[triangles]

@@ -80,13 +80,17 @@ def compare(before, after):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
     parser.add_argument("before")
     parser.add_argument("after")
     parser.add_argument("scenes", nargs="*", type=Path)
     parser.add_argument("--keep", help="keep the results below this folder (before/, after/)")
     options = parser.parse_args()
-    scenes = [s.resolve() for s in options.scenes] or sorted(ROOT.glob("benchmarks/cases/**/*.yaml"))
+    scenes = [s.resolve() for s in options.scenes] or sorted(
+        ROOT.glob("benchmarks/cases/**/*.yaml")
+    )
     with tempfile.TemporaryDirectory() as scratch:
         keep = Path(options.keep or scratch)
         before = results(options.before, scenes, keep / "before")

@@ -10,7 +10,10 @@ import shutil
 from runs import Run
 
 PROGRAM = shutil.which("ccx")
-LAYERS = {"S8R": (1,), "C3D20R": (0, 1, 2)}  # of nodes through the wall, in half thicknesses from the inner face
+LAYERS = {
+    "S8R": (1,),
+    "C3D20R": (0, 1, 2),
+}  # of nodes through the wall, in half thicknesses from the inner face
 
 
 def rotation(vector_deg):
@@ -20,7 +23,9 @@ def rotation(vector_deg):
     k = [a / angle for a in v] if angle else [0.0, 0.0, 1.0]
     c, s = math.cos(angle), math.sin(angle)
     cross = [[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]]
-    return [[(i == j) * c + s * cross[i][j] + (1 - c) * k[i] * k[j] for j in range(3)] for i in range(3)]
+    return [
+        [(i == j) * c + s * cross[i][j] + (1 - c) * k[i] * k[j] for j in range(3)] for i in range(3)
+    ]
 
 
 class Mesh:
@@ -42,17 +47,28 @@ class Mesh:
                         continue
                     r, angle = self.radius + (i - 1) * t / 2, math.pi * j / n
                     self.number[i, j, k] = len(self.number) + 1
-                    self.point[i, j, k] = (r * math.cos(angle), r * math.sin(angle), (z[k // 2] + z[(k + 1) // 2]) / 2)
+                    self.point[i, j, k] = (
+                        r * math.cos(angle),
+                        r * math.sin(angle),
+                        (z[k // 2] + z[(k + 1) // 2]) / 2,
+                    )
 
     def element(self, j, k):
         """CalculiX's node order: corners, then mid-edges, of shells with the normal outwards; of bricks bottom before top, uprights last."""
+
         def at(i, dj, dk):
             return self.number[i, (2 * j + dj) % (2 * self.n), 2 * k + dk]
+
         square, edges = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (2, 1), (1, 2), (0, 1)]
         if self.kind == "S8R":
             return [at(1, *p) for p in square + edges]
-        return ([at(*p, 0) for p in square] + [at(*p, 2) for p in square] + [at(*p, 0) for p in edges] + [at(*p, 2) for p in edges]
-                + [at(*p, 1) for p in square])
+        return (
+            [at(*p, 0) for p in square]
+            + [at(*p, 2) for p in square]
+            + [at(*p, 0) for p in edges]
+            + [at(*p, 2) for p in edges]
+            + [at(*p, 1) for p in square]
+        )
 
     def held(self):
         return [key for key in self.number if key[2] <= 2 * self.sleeve]
@@ -62,25 +78,42 @@ class Mesh:
 
     def middle(self):
         """Mid-wall nodes at the elements' corners between the ends, row by row."""
-        return [(1, j, k) for k in range(2 * self.sleeve, 2 * (self.rows - self.sleeve) + 1, 2) for j in range(0, 2 * self.n, 2)]
+        return [
+            (1, j, k)
+            for k in range(2 * self.sleeve, 2 * (self.rows - self.sleeve) + 1, 2)
+            for j in range(0, 2 * self.n, 2)
+        ]
 
 
 def input_text(case, kind, n, m):
     mesh, wall, moved = Mesh(case, kind, n, m), case.wall, case.scene["ends"][1]
     out = ["*NODE, NSET=ALL"]
-    out += [f"{number},{','.join(f'{x:.12g}' for x in mesh.point[key])}" for key, number in mesh.number.items()]
+    out += [
+        f"{number},{','.join(f'{x:.12g}' for x in mesh.point[key])}"
+        for key, number in mesh.number.items()
+    ]
     out.append(f"*ELEMENT, TYPE={kind}, ELSET=WALL")
     for k in range(mesh.rows):
         for j in range(n):
             words = [str(k * n + j + 1), *map(str, mesh.element(j, k))]
-            out += [",".join(words)] if len(words) <= 16 else [",".join(words[:15]) + ",", ",".join(words[15:])]
+            out += (
+                [",".join(words)]
+                if len(words) <= 16
+                else [",".join(words[:15]) + ",", ",".join(words[15:])]
+            )
+
     def node_set(name, keys):
         out.append(f"*NSET, NSET={name}")
         out.extend(f"{mesh.number[key]}," for key in keys)
+
     node_set("END", mesh.moved())
     node_set("MIDDLE", mesh.middle())
     out += ["*MATERIAL, NAME=M", "*ELASTIC", f"{wall['young']},{wall['poisson']}"]
-    out += ["*SHELL SECTION, ELSET=WALL, MATERIAL=M", f"{wall['thickness']}"] if kind == "S8R" else ["*SOLID SECTION, ELSET=WALL, MATERIAL=M"]
+    out += (
+        ["*SHELL SECTION, ELSET=WALL, MATERIAL=M", f"{wall['thickness']}"]
+        if kind == "S8R"
+        else ["*SOLID SECTION, ELSET=WALL, MATERIAL=M"]
+    )
     out += ["*STEP, NLGEOM, INC=200", "*STATIC", "0.25,1.,1e-4,0.5", "*BOUNDARY"]
     out += [f"{mesh.number[key]},1,3" for key in mesh.held()]
     turn, move = rotation(moved.get("rotate_deg", [0, 0, 0])), moved.get("move", [0, 0, 0])
@@ -90,12 +123,24 @@ def input_text(case, kind, n, m):
         for axis in range(3):
             value = sum(turn[axis][c] * local[c] for c in range(3)) - local[axis] + move[axis]
             out.append(f"{mesh.number[key]},{axis + 1},{axis + 1},{value:.12g}")
-    out += ["*NODE PRINT, NSET=MIDDLE, FREQUENCY=1000", "U", "*NODE PRINT, NSET=END, FREQUENCY=1000", "RF", "*END STEP"]
+    out += [
+        "*NODE PRINT, NSET=MIDDLE, FREQUENCY=1000",
+        "U",
+        "*NODE PRINT, NSET=END, FREQUENCY=1000",
+        "RF",
+        "*END STEP",
+    ]
     return "\n".join(out) + "\n"
 
 
 def run(case, kind, n, m):
-    return Run(f"{case.name}/calculix-{kind}-{n}x{m}", "ccx", ("tube",), {"tube.inp": lambda: input_text(case, kind, n, m)}, keep=True)
+    return Run(
+        f"{case.name}/calculix-{kind}-{n}x{m}",
+        "ccx",
+        ("tube",),
+        {"tube.inp": lambda: input_text(case, kind, n, m)},
+        keep=True,
+    )
 
 
 def read_blocks(text):
@@ -111,8 +156,11 @@ def read_blocks(text):
 
 
 def array(name, values, kind="Float64"):
-    return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if kind == "Float64" else 1}" format="ascii">'
-            + " ".join(f"{v:.15g}" for v in values) + "</DataArray>")
+    return (
+        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if kind == "Float64" else 1}" format="ascii">'
+        + " ".join(f"{v:.15g}" for v in values)
+        + "</DataArray>"
+    )
 
 
 def write_result(store, case, one, against):
@@ -139,7 +187,8 @@ def write_result(store, case, one, against):
         f'<PointData>{array("RestPosition", flat(rest))}{array("Displacement", flat(step))}</PointData><CellData></CellData>'
         f'<Points>{array("Points", flat(current))}</Points>'
         f'<Polys>{array("connectivity", triangles, "Int64")}{array("offsets", range(3, len(triangles) + 1, 3), "Int64")}</Polys>'
-        '</Piece></PolyData></VTKFile>\n')
+        "</Piece></PolyData></VTKFile>\n"
+    )
     result = json.loads((store.folder(against.identity) / "result" / "result.json").read_text())
     moved = case.scene["ends"][1]
     center = [x + y for x, y in zip((0, 0, mesh.length), moved.get("move", [0, 0, 0]))]
@@ -150,7 +199,11 @@ def write_result(store, case, one, against):
         f = forces[mesh.number[key]]
         arm = [sum(turn[a][c] * (x, y, z - mesh.length)[c] for c in range(3)) for a in range(3)]
         force = [a + b for a, b in zip(force, f)]
-        moment = [moment[0] + arm[1] * f[2] - arm[2] * f[1], moment[1] + arm[2] * f[0] - arm[0] * f[2], moment[2] + arm[0] * f[1] - arm[1] * f[0]]
+        moment = [
+            moment[0] + arm[1] * f[2] - arm[2] * f[1],
+            moment[1] + arm[2] * f[0] - arm[0] * f[2],
+            moment[2] + arm[0] * f[1] - arm[1] * f[0],
+        ]
     result["program"], result["fidelity"] = "vasorod study, from what CalculiX printed", kind
     result["ends"][1].update(force=force, moment=moment, center=center)
     result["vessels"] = [{"name": "tube", "obstacle": False, "surface": "tube.vtp"}]

@@ -12,9 +12,9 @@ FOLDER = Path(__file__).resolve().parent.parent / "cases" / "tube"
 @dataclass(frozen=True)
 class Case:
     name: str
-    family: str     # stretch, twist, bend, offset, combined, curved, tapered
-    ratio: float    # to the limit the family names: Brazier's curvature, wrinkling; for stretch the stretch itself
-    counted: bool   # False: beyond what the model is for; reported, not part of any mean or aim
+    family: str  # stretch, twist, bend, offset, combined, curved, tapered
+    ratio: float  # to the limit the family names: Brazier's curvature, wrinkling; for stretch the stretch itself
+    counted: bool  # False: beyond what the model is for; reported, not part of any mean or aim
     scene: dict
 
     @property
@@ -49,7 +49,9 @@ def read_case(path):
     if not isinstance(note, dict) or set(note) != {"family", "ratio", "counted"}:
         raise SystemExit(f"{path}: study: found {note}, expected {{family, ratio, counted}}")
     if scene["scene"] != Path(path).stem:
-        raise SystemExit(f"{path}: scene: found {scene['scene']}, expected the file's name {Path(path).stem}")
+        raise SystemExit(
+            f"{path}: scene: found {scene['scene']}, expected the file's name {Path(path).stem}"
+        )
     return Case(scene["scene"], note["family"], float(note["ratio"]), bool(note["counted"]), scene)
 
 

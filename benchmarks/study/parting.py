@@ -30,7 +30,11 @@ def reference_run(thickness):
 
 
 def all_runs():
-    return [run for t in THICKNESSES for run in (*(hybrid_run(t, around) for around in AROUND), reference_run(t))]
+    return [
+        run
+        for t in THICKNESSES
+        for run in (*(hybrid_run(t, around) for around in AROUND), reference_run(t))
+    ]
 
 
 def make_table(store, path):
@@ -44,7 +48,25 @@ def make_table(store, path):
             records += both
             mine, its = result_of(store, run.identity), result_of(store, truth.identity)
             force, of_reference = norm(moved_end(mine)[0]), norm(moved_end(its)[0])
-            rows.append({"load": LOAD, "modulus": MODULUS, "factor": FACTOR, "thickness": t, "around": run.identity.rsplit("-", 1)[1], "force": force,
-                         "force_reference": of_reference, "rms": shapes(store, run.identity, truth.identity, 10, 100)["rms"], **own_error(its)})
+            rows.append(
+                {
+                    "load": LOAD,
+                    "modulus": MODULUS,
+                    "factor": FACTOR,
+                    "thickness": t,
+                    "around": run.identity.rsplit("-", 1)[1],
+                    "force": force,
+                    "force_reference": of_reference,
+                    "rms": shapes(store, run.identity, truth.identity, 10, 100)["rms"],
+                    **own_error(its),
+                }
+            )
     if rows:
-        write_table(path, rows, ["`coupled` against the shell on walls soft in shear, thinner and thinner, law Biot; u_: the reference's own error", *provenance(records)])
+        write_table(
+            path,
+            rows,
+            [
+                "`coupled` against the shell on walls soft in shear, thinner and thinner, law Biot; u_: the reference's own error",
+                *provenance(records),
+            ],
+        )

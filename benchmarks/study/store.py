@@ -20,9 +20,15 @@ def sha256(data):
 
 def commit():
     """The commit of this tree, with a + where tracked files differ from it."""
+
     def git(*words):
-        return subprocess.run(["git", "-C", str(REPOSITORY), *words], capture_output=True, text=True).stdout.strip()
-    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + ("+" if git("status", "--porcelain", "--untracked-files=no") else "")
+        return subprocess.run(
+            ["git", "-C", str(REPOSITORY), *words], capture_output=True, text=True
+        ).stdout.strip()
+
+    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + (
+        "+" if git("status", "--porcelain", "--untracked-files=no") else ""
+    )
 
 
 def solve_seconds(folder, record):
@@ -32,14 +38,20 @@ def solve_seconds(folder, record):
     except FileNotFoundError:
         return None
     # vasorod's stages add up to its total; vasorod-fem counts all of its solving as `solve`, parts of it once more by name
-    solving = seconds["total"] - seconds["read"] - seconds["write"] if record["program"] == "vasorod" else seconds["solve"]
+    solving = (
+        seconds["total"] - seconds["read"] - seconds["write"]
+        if record["program"] == "vasorod"
+        else seconds["solve"]
+    )
     return record["processor_seconds"] * min(1.0, solving / record["wall_seconds"])
 
 
 class Store:
     def __init__(self, results, programs):
         """results: the folder of all runs; programs: {name: path of the executable}."""
-        self.results, self.programs = Path(results).resolve(), {name: Path(path).resolve() for name, path in programs.items()}
+        self.results, self.programs = Path(results).resolve(), {
+            name: Path(path).resolve() for name, path in programs.items()
+        }
         self._hashes = {}
 
     def folder(self, identity):
@@ -72,13 +84,21 @@ class Store:
         """The run's record; of several repeats the one that took least processor time, for times that are compared. A run that takes ENOUGH
         seconds is not repeated: what disturbs it is small beside that."""
         record = None if again else self.fresh(run)
-        if record is not None and (record.get("repeats", 1) >= repeats or record["processor_seconds"] > ENOUGH):
+        if record is not None and (
+            record.get("repeats", 1) >= repeats or record["processor_seconds"] > ENOUGH
+        ):
             return record
         records = [self._execute(run)]
         while len(records) < repeats and records[0]["processor_seconds"] <= ENOUGH:
             records.append(self._execute(run))
         record = min(records, key=lambda one: one["processor_seconds"])
-        record.update(repeats=len(records), solve_seconds=min((one["solve_seconds"] for one in records if one["solve_seconds"] is not None), default=None))
+        record.update(
+            repeats=len(records),
+            solve_seconds=min(
+                (one["solve_seconds"] for one in records if one["solve_seconds"] is not None),
+                default=None,
+            ),
+        )
         (self.folder(run.identity) / "record.json").write_text(json.dumps(record, indent=1) + "\n")
         return record
 
@@ -94,15 +114,27 @@ class Store:
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         with open(folder / "output.txt", "wb") as output:
             begin = time.perf_counter()
-            child = subprocess.Popen(words, cwd=folder, stdout=output, stderr=subprocess.STDOUT, env=environment)
+            child = subprocess.Popen(
+                words, cwd=folder, stdout=output, stderr=subprocess.STDOUT, env=environment
+            )
             _, status, usage = os.wait4(child.pid, 0)
             wall = time.perf_counter() - begin
             child.returncode = os.waitstatus_to_exitcode(status)
         lines = (folder / "output.txt").read_text(errors="replace").strip().splitlines()
-        record = {"identity": run.identity, "key": run.key(), "program": run.program, "command": [run.program, *run.arguments],
-                  "program_sha256": self.program_hash(run.program), "commit": commit(), "started": started, "exit": child.returncode,
-                  "sentence": lines[-1] if child.returncode != 0 and lines else "", "wall_seconds": wall,
-                  "processor_seconds": usage.ru_utime + usage.ru_stime, "user_seconds": usage.ru_utime,
-                  "peak_bytes": usage.ru_maxrss * 1024}
+        record = {
+            "identity": run.identity,
+            "key": run.key(),
+            "program": run.program,
+            "command": [run.program, *run.arguments],
+            "program_sha256": self.program_hash(run.program),
+            "commit": commit(),
+            "started": started,
+            "exit": child.returncode,
+            "sentence": lines[-1] if child.returncode != 0 and lines else "",
+            "wall_seconds": wall,
+            "processor_seconds": usage.ru_utime + usage.ru_stime,
+            "user_seconds": usage.ru_utime,
+            "peak_bytes": usage.ru_maxrss * 1024,
+        }
         record["solve_seconds"] = solve_seconds(folder, record)
         return record

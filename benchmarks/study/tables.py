@@ -25,7 +25,10 @@ def provenance(records):
         entry = seen.setdefault((record["program"], record["program_sha256"][:12]), [set(), 0])
         entry[0].add(record["commit"])
         entry[1] += 1
-    return [f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}" for (name, digest), (commits, count) in sorted(seen.items())]
+    return [
+        f"{name} {digest}: {count} runs at {', '.join(sorted(commits))}"
+        for (name, digest), (commits, count) in sorted(seen.items())
+    ]
 
 
 def provenance_text(notes):
@@ -50,8 +53,10 @@ def read_table(path):
     """The rows as dictionaries, numbers as numbers, empty cells as None; and the comment lines."""
     lines = Path(path).read_text().splitlines()
     notes = [line[2:] for line in lines if line.startswith("# ")]
-    rows = [{key: None if text == "" else number(text) for key, text in row.items()}
-            for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    rows = [
+        {key: None if text == "" else number(text) for key, text in row.items()}
+        for row in csv.DictReader(line for line in lines if not line.startswith("#"))
+    ]
     return rows, notes
 
 

@@ -19,5 +19,9 @@ with tempfile.TemporaryDirectory() as scratch:
     for name, bodies, edge, width, start in PARTS:
         old_points, old_triangles = read_vtp(meshes / "infant" / f"{name}.vtp")
         points, triangles = read_vtp(Path(scratch) / f"{name}.vtp")
-        assert abs(len(points) - len(old_points)) <= 0.01 * len(old_points), f"{name}: {len(points)} vertices, {len(old_points)} committed"
-        assert abs(blend(bodies, width)(old_points)[0]).max() < 1e-2, f"{name}: the committed points are not on the described surface"
+        assert abs(len(points) - len(old_points)) <= 0.01 * len(
+            old_points
+        ), f"{name}: {len(points)} vertices, {len(old_points)} committed"
+        assert (
+            abs(blend(bodies, width)(old_points)[0]).max() < 1e-2
+        ), f"{name}: the committed points are not on the described surface"

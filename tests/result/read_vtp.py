@@ -22,7 +22,7 @@ def block(offset):
     at += (3 + count) * size
     parts = []
     for length in sizes:
-        parts.append(zlib.decompress(data[at:at + length]))
+        parts.append(zlib.decompress(data[at : at + length]))
         at += length
     return b"".join(parts)
 
@@ -34,4 +34,12 @@ for section in head.find("PolyData").find("Piece"):
         values = struct.unpack(f"<{len(raw) // struct.calcsize(code)}{code}", raw)
         if values:
             components = int(array.get("NumberOfComponents", "1"))
-            print(section.tag, array.get("Name"), array.get("type"), components, len(values) // components, repr(values[0]), repr(values[-1]))
+            print(
+                section.tag,
+                array.get("Name"),
+                array.get("type"),
+                components,
+                len(values) // components,
+                repr(values[0]),
+                repr(values[-1]),
+            )

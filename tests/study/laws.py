@@ -23,6 +23,12 @@ with tempfile.TemporaryDirectory() as scratch:
 
 for case in map(case_named, laws.CASES):
     runs = laws.all_runs(case)
-    assert len({run.identity for run in runs}) == len(runs) == len(laws.LAWS) + len(laws.HYBRID_LAWS), case.name
-    assert [run.arguments[run.arguments.index("--law") + 1] for run in runs if run.program == "vasorod-fem"] == list(laws.LAWS)
+    assert (
+        len({run.identity for run in runs}) == len(runs) == len(laws.LAWS) + len(laws.HYBRID_LAWS)
+    ), case.name
+    assert [
+        run.arguments[run.arguments.index("--law") + 1]
+        for run in runs
+        if run.program == "vasorod-fem"
+    ] == list(laws.LAWS)
 assert laws.all_runs(case_named("bend_t2_0.9")) == []

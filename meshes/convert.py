@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""A triangle surface from any format meshio reads (VTU, VTK, STL, PLY, OBJ, MSH, INP, ...) to VTP, or to any format meshio writes.
+"""A triangle surface from any format meshio reads (VTU, VTK, STL, PLY, OBJ, MSH, INP, ...) to VTP,
+or to any format meshio writes.
 
-Quadrilaterals are split, of volume meshes the boundary is taken, points of equal coordinates are merged, unused ones left out.
+Quadrilaterals are split, volume meshes give their boundary, points of equal coordinates are merged
+and unused points left out.
 Usage: convert.py IN OUT [--scale FACTOR] [--flip]. Needs meshio, numpy.
 """
 
@@ -50,7 +52,8 @@ def boundary(cells, faces):
 
 
 def triangles_of(mesh):
-    """The mesh's surface: its volume cells' boundary if it has any, else its triangles and quadrilaterals."""
+    """The mesh's surface: its volume cells' boundary if it has any, else its triangles and
+    quadrilaterals."""
     solid = [
         t
         for block in mesh.cells

@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
-"""The bundled infant anatomy: superior vena cava, pulmonary artery, aorta and heart of a child of 3 to 6 months (body surface about
-0.30 m^2), before a Glenn operation. Drawn, not scanned: sizes from the literature (meshes/README.md), outer walls, in mm.
+"""The bundled infant anatomy: superior vena cava, pulmonary artery, aorta and heart of a child of 3
+to 6 months (body surface about 0.30 m^2), before a Glenn operation. Drawn, not scanned: sizes from
+the literature (meshes/README.md), outer walls, in mm.
 
-Frame: x to the patient's left, y to the back, z to the head (LPS); the origin lies in the ascending aorta at the height of the right
-pulmonary artery. Usage: infant_anatomy.py [FOLDER], default the folder `infant` beside this file. Needs gmsh, numpy, scipy.
+Frame: x to the patient's left, y to the back, z to the head (LPS); the origin lies in the ascending
+aorta at the height of the right pulmonary artery.
+
+Usage: infant_anatomy.py [FOLDER], by default the folder `infant` beside this file.
+Needs gmsh, numpy, scipy.
 """
 
 import sys
@@ -14,7 +18,8 @@ import numpy as np
 from blended_surface import Ellipsoid, Tube, corner_angles, edges_of, surface
 from vtp import write_vtp
 
-# Control points of the centerlines: x, y, z and the outer radius there. The first point of the first tube is the file's first end.
+# Control points of the centerlines: x, y, z and the outer radius there. The first point of the
+# first tube is the file's first end.
 SVC = Tube(
     [  # from the innominate veins to the right atrium, gently convex to the right
         (-9.2, 2.7, 31, 3.3),
@@ -62,7 +67,8 @@ PULMONARY_ARTERY = [
         ]
     ),
     Tube(
-        [  # right branch, behind the ascending aorta and the superior vena cava, falling towards the right
+        # right branch, behind the ascending aorta and the superior vena cava, falling to the right
+        [
             (11.5, 4.5, 0.6, 3.1),
             (7, 8, 1.4, 3.1),
             (1.5, 9.4, 1.1, 3.1),
@@ -83,7 +89,8 @@ HEART = [
 ]  # left atrium
 HEART_START = [Ellipsoid((2, -2, -30), (22, 20, 22))]
 
-# name, bodies, target edge (mm; sets the vertex counts of README.md), width of the blend at the crotches (mm), start of the mesh
+# name, bodies, target edge (mm; sets the vertex counts of README.md), width of the blend at the
+# crotches (mm), start of the mesh
 PARTS = [
     ("svc", [SVC], 0.4218, 0, None),
     ("pulmonary_artery", PULMONARY_ARTERY, 0.4788, 2.0, None),
@@ -97,8 +104,10 @@ def report(name, points, triangles):
     length = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
     angle = np.degrees(corner_angles(points, triangles))
     print(
-        f"{name}: {len(points)} vertices, {len(triangles)} triangles, {np.sum(sides[:, 1] < 0)} edges on ends, edge {length.mean():.3f} "
-        f"({length.min():.3f} to {length.max():.3f}) mm, smallest angle {angle.min():.1f}, largest {angle.max():.1f} degrees"
+        f"{name}: {len(points)} vertices, {len(triangles)} triangles,"
+        f" {np.sum(sides[:, 1] < 0)} edges on ends, edge {length.mean():.3f} ({length.min():.3f} to"
+        f" {length.max():.3f}) mm, smallest angle {angle.min():.1f}, largest"
+        f" {angle.max():.1f} degrees"
     )
 
 

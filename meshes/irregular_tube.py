@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Irregular triangle surfaces of straight or bent tubes, as segmented vessels have them: what a wall model must not notice.
+"""Irregular triangle surfaces of straight or bent tubes, as segmented vessels have them. A wall
+model's answer must not depend on them.
 
-  blue-noise   Delaunay triangles of points thrown at random, none nearer to another than 0.76 edges
+  blue-noise   Delaunay triangles of random points at least 0.76 edges apart
   jittered     staggered rows, every point inside shifted by up to a quarter of an edge both ways
   stretched    staggered rows, edges along the axis `--aspect` times as long as around
 
-Points lie on the exact mid-wall surface; the rims are regular. The centerline starts at the origin along +z and turns towards +x, as a
-scene's `tube:` does with its default normal. The same arguments and seed give the same file.
+Points lie on the exact mid-wall surface; the rims are regular. The centerline starts at the origin
+along +z and turns towards +x, as a scene's `tube:` does with its default normal. The same arguments
+and seed give the same file.
 """
 
 import argparse
@@ -25,7 +27,8 @@ MISSES = 4000  # darts that missed one after the other until the sheet counts as
 
 
 def rows_of(around, length, edge, aspect):
-    """Staggered rows on the unrolled tube: points (along the circle, along the axis) and triangles, counter-clockwise from outside."""
+    """Staggered rows on the unrolled tube: points (along the circle, along the axis) and triangles,
+    counter-clockwise from outside."""
     rows = max(2, 2 * round(length / (edge * math.sqrt(3) / 2 * aspect) / 2))
     points = np.array(
         [
@@ -122,7 +125,8 @@ def rolled(sheet, radius, length, bend):
 
 
 def irregular_tube(kind, length, radius, around, *, bend=0.0, aspect=5.0, seed=1):
-    """(points, triangles) of one of KINDS; `around` counts points on a rim, `bend` is in radians."""
+    """(points, triangles) of one of KINDS; `around` counts points on a rim, `bend` is in
+    radians."""
     edge, random = 2 * math.pi * radius / around, np.random.default_rng(seed)
     if kind == "blue-noise":
         sheet = thrown(around, length, edge, random)
@@ -181,7 +185,8 @@ def main():
     )
     write_vtp(given.out, points, triangles)
     print(
-        f"{given.out}: {len(points)} points, {len(triangles)} triangles, smallest angle {smallest_angle(points, triangles):.1f} degrees"
+        f"{given.out}: {len(points)} points, {len(triangles)} triangles, smallest angle"
+        f" {smallest_angle(points, triangles):.1f} degrees"
     )
 
 

@@ -5,9 +5,10 @@
   quad      quadrilaterals of the mid-wall surface                       (finite-element shell)
   triangle  near-equilateral triangles of the mid-wall surface           (hybrid model)
 
-The centerline starts at the origin along +z and turns towards +x, as a scene's `tube:` does with its default normal. Written by the file's ending:
-.msh (gmsh 4.1, or 2.2 with --msh2; deal.II's GridIn::read_msh reads both) or, triangles only, .vtp. Physical tags: cells 10, start 1,
-end 2; of hexahedra also inner 3 and outer wall 4. Lengths in whatever unit the numbers are in.
+The centerline starts at the origin along +z and turns towards +x, as a scene's `tube:` does with
+its default normal. Written by the file's ending: .msh (gmsh 4.1, or 2.2 with --msh2; deal.II's
+GridIn::read_msh reads both) or, triangles only, .vtp. Physical tags: cells 10, start 1, end 2; of
+hexahedra also inner 3 and outer wall 4. Lengths in whatever unit the numbers are in.
 """
 
 import argparse
@@ -143,7 +144,8 @@ def straight_triangle(given):
 
 
 def shaped(points, given):
-    """Straight, even tube -> its taper and bend: (radial share of the wall, angle, z) keep their meaning."""
+    """Straight, even tube -> its taper and bend: (radial share of the wall, angle, z) keep their
+    meaning."""
     rho, phi = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
     f = points[:, 2] / given.length
     depth = (rho - given.radius) / given.thickness if given.cells == "hex" else 0 * rho

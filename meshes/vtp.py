@@ -1,4 +1,5 @@
-"""Triangle surfaces as VTK XML PolyData (.vtp): inline binary with zlib, the encoding VTK, ParaView, Slicer and VMTK all read."""
+"""Triangle surfaces as VTK XML PolyData (.vtp): inline binary with zlib, the encoding VTK,
+ParaView, Slicer and VMTK all read."""
 
 import base64
 import struct
@@ -12,7 +13,8 @@ _TYPES = {"f8": "Float64", "f4": "Float32", "i4": "Int32", "i8": "Int64"}
 
 
 def _data_array(name, values, components=1):
-    """One <DataArray>: a header (blocks, block size, last block's size, compressed sizes) and the blocks, each in base64."""
+    """One <DataArray>: a header (blocks, block size, last block's size, compressed sizes) and the
+    blocks, each in base64."""
     values = np.ascontiguousarray(values)
     raw = values.tobytes()
     blocks = [raw[k : k + _BLOCK] for k in range(0, len(raw), _BLOCK)]
@@ -21,8 +23,8 @@ def _data_array(name, values, components=1):
     header = struct.pack(f"<{3 + len(packed)}I", len(packed), _BLOCK, last, *map(len, packed))
     text = base64.b64encode(header) + base64.b64encode(b"".join(packed))
     return (
-        f'<DataArray type="{_TYPES[values.dtype.str[1:]]}" Name="{name}" NumberOfComponents="{components}" '
-        f'format="binary">\n{text.decode()}\n</DataArray>\n'
+        f'<DataArray type="{_TYPES[values.dtype.str[1:]]}" Name="{name}"'
+        f' NumberOfComponents="{components}" format="binary">\n{text.decode()}\n</DataArray>\n'
     )
 
 
@@ -35,10 +37,11 @@ def write_vtp(path, points, triangles):
     offsets = np.arange(3, 3 * len(triangles) + 1, 3, dtype="<i4")
     with open(path, "w", encoding="ascii") as out:
         out.write(
-            '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" '
-            'header_type="UInt32" compressor="vtkZLibDataCompressor">\n<PolyData>\n'
-            f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
-            f'NumberOfPolys="{len(triangles)}">\n<Points>\n'
+            '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1"'
+            ' byte_order="LittleEndian" header_type="UInt32"'
+            ' compressor="vtkZLibDataCompressor">\n<PolyData>\n<Piece'
+            f' NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0"'
+            f' NumberOfStrips="0" NumberOfPolys="{len(triangles)}">\n<Points>\n'
         )
         out.write(_data_array("Points", points, 3))
         out.write("</Points>\n<Polys>\n")

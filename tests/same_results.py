@@ -4,9 +4,9 @@
     tests/same_results.py BEFORE AFTER [SCENE...]
 
 BEFORE and AFTER are programs (vasorod), or folders that an earlier run of this script filled
-(--keep DIR). Every scene below benchmarks/cases is solved with one thread; result.json must be equal in
-every key and number but `seconds`, `program` and `environment`, and so must exit codes. Results may gain
-keys; none may go. Words that differ (notes, refusals) are listed, for a person to judge.
+(--keep DIR). Every scene below benchmarks/cases is solved with one thread; result.json must be
+equal in every key and number but `seconds`, `program` and `environment`, and so must exit codes.
+Results may gain keys; none may be lost. Words that differ (notes, refusals) are listed for review.
 """
 
 import argparse

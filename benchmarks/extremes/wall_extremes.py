@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Runs `vasorod` on tubes at the ends of what a scene can ask of a wall, and counts how each run ends.
+"""Runs `vasorod` on tubes with extreme walls and loads, and counts how the runs end.
 
-    wall_extremes.py build/bin/vasorod [--fidelity paper coupled] [--only NAME] [--time-limit S] [--csv FILE]
+    wall_extremes.py build/bin/vasorod [--fidelity paper coupled] [--only NAME]
+                     [--time-limit S] [--csv FILE]
 
-A case is certified when its status is `converged`; another status is a named ending, as is a refusal with one
-sentence. Anything else (a crash, a number that is not finite in the result) is a failure, and the exit code says so.
+A case is certified when its status is `converged`. Another status is a named ending, and so is a
+refusal with one sentence. Anything else (a crash, a number in the result that is not finite) is a
+failure; the exit code is then 1.
 """
 import argparse
 import csv
@@ -37,7 +39,8 @@ class Case:
 
 
 def brazier(thickness, poisson=0.3):
-    """Curvature at the Brazier limit of a long tube, 1/length (design: k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)))."""
+    """Curvature at the Brazier limit of a long tube, 1/length:
+    k_cr = 0.471 t / (R^2 sqrt(1 - nu^2))."""
     return 0.471 * thickness / (RADIUS**2 * math.sqrt(1 - poisson**2))
 
 
@@ -51,13 +54,13 @@ def scene(
     stretch=1.0,
     coefficients=None,
 ):
-    """A tube held at its start; its end follows the arc of `bend` radians, turned by `twist` radians, length times
-    `stretch`."""
+    """A tube held at its start; its end follows the arc of `bend` radians, turned by `twist`
+    radians, length times `stretch`."""
     arc = LENGTH * stretch
     x, z = (arc / bend * (1 - math.cos(bend)), arc / bend * math.sin(bend)) if bend else (0.0, arc)
     ends = [
-        f"  - {{vessel: tube, end: end, rotate_deg: [0, {math.degrees(bend):.10g}, {math.degrees(twist):.10g}], "
-        f"move: [{x:.10g}, 0, {z - LENGTH:.10g}]}}"
+        f"  - {{vessel: tube, end: end, rotate_deg: [0, {math.degrees(bend):.10g},"
+        f" {math.degrees(twist):.10g}], move: [{x:.10g}, 0, {z - LENGTH:.10g}]}}"
     ]
     lines = [
         "scene: extreme",
@@ -84,7 +87,10 @@ def cases():
     factors = (1e-6, 1e-3, 1.0, 1e3, 1e6)
     for e in factors:
         for g in factors:
-            wall = f"young: {e:g}, shear: {g / 2.6:.10g}, transverse: {{young: {e:g}, poisson: 0.3, coupling: 0.0}}"
+            wall = (
+                f"young: {e:g}, shear: {g / 2.6:.10g},"
+                f" transverse: {{young: {e:g}, poisson: 0.3, coupling: 0.0}}"
+            )
             yield Case(
                 "moduli",
                 f"E x {e:g}, G x {g:g}",
@@ -215,7 +221,8 @@ def main():
             )
             writer.writerows((*row[:4], f"{row[4]:.2f}", f"{row[5]:.0f}", *row[6:]) for row in rows)
     print(
-        "\n| fidelity | family | runs | converged | named otherwise | failed | most seconds | most MB |"
+        "\n| fidelity | family | runs | converged"
+        " | named otherwise | failed | most seconds | most MB |"
     )
     print("|---|---|---|---|---|---|---|---|")
     for key in dict.fromkeys((row[0], row[1]) for row in rows):

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""Instruction counts of the kernels, free of the noise of clocks: kernel_instructions under valgrind's callgrind, three runs
-less one, halved.
+"""Instruction counts of the kernels, which do not vary as times do: kernel_instructions under
+valgrind's callgrind; three runs minus one run, divided by two.
 
-  instructions.py PROGRAM             prints the counts beside the baseline's; exit code 1 where one is more than 2 % above it
-  instructions.py PROGRAM --write     adds a line per kernel to the baseline, with the date and the compiler
+  instructions.py PROGRAM             prints the counts beside the baseline's; exit code 1 where
+                                      one is more than 2 % above it
+  instructions.py PROGRAM --write     adds a line per kernel to the baseline, with the date and
+                                      the compiler
 
-The baseline (benchmarks/baselines/instructions.csv) is a history: the last line of a kernel is what counts. Counts of another
-compiler or C library differ by more than 2 %: compare on one machine, base and head built alike."""
+The baseline (benchmarks/baselines/instructions.csv) is a history: the last line of a kernel is what
+counts. Counts of another compiler or C library differ by more than 2 %: compare on one machine,
+base and head built alike."""
 import argparse
 import csv
 import datetime

@@ -1,4 +1,5 @@
-"""The accuracy table: every fidelity at three resolutions, and the shell, against the solid on every case."""
+"""The accuracy table: every fidelity at three resolutions, and the shell, against the solid on
+every case."""
 
 from measure import converged, failure_of, outcome, result_of
 from runs import AROUND, FIDELITIES, accuracy_reference, accuracy_shell, hybrid
@@ -21,7 +22,7 @@ DEMANDS = ("demand_stretch", "demand_twist", "demand_bend", "demand_press")
 
 
 def demand_of(store, case):
-    """What the case asks of a vessel, as the hybrid's rod sees it: see hybrid/judge/accuracy_table.h."""
+    """What the case asks of a vessel as its rod sees it: see hybrid/judge/accuracy_table.h."""
     run = hybrid(case, "skin", 48)
     if not converged(store, store.record(run.identity)):
         return {name: None for name in DEMANDS}
@@ -48,8 +49,8 @@ def chosen_reference(store, case):
 
 
 def measured(store, cases, runs_of, records):
-    """Every finished run of the cases that have a reference: (case, what runs_of(case) calls it, run, its record, reference). `records` takes
-    the runs' and the references'."""
+    """Every finished run of the cases that have a reference: (case, what runs_of(case) calls it,
+    run, its record, reference). `records` takes the runs' and the references'."""
     for case in cases:
         reference, reference_record = chosen_reference(store, case)
         for name, run in runs_of(case).items():
@@ -60,8 +61,8 @@ def measured(store, cases, runs_of, records):
 
 
 def rows_of(store, case, records):
-    """One row per run of the case; a run that failed keeps its sentence instead of numbers. Beyond the model's range there may be no
-    reference that converged: then only how each run ended is told."""
+    """One row per run of the case. A run that failed has its sentence instead of numbers. Beyond
+    the model's range there may be no converged reference: then the rows say only how runs ended."""
     reference, record = chosen_reference(store, case)
     if reference is None and case.counted:
         return []
@@ -93,9 +94,11 @@ def rows_of(store, case, records):
         if reference is None:
             row.update(
                 {name: None for name in COLUMNS},
-                failure="nothing to compare with"
-                if converged(store, record)
-                else failure_of(store, record),
+                failure=(
+                    "nothing to compare with"
+                    if converged(store, record)
+                    else failure_of(store, record)
+                ),
             )
         else:
             row.update(outcome(store, case, run, reference, COLUMNS))

@@ -1,7 +1,8 @@
-"""CalculiX (ccx) on a case's straight tube: what a user would take instead. Eight-node shells (S8R) or one layer of C3D20R bricks, S = C : E
-by NLGEOM. Both ends are glued to rigid disks whose points move on straight paths. Of a shell that means displacements alone: its rim's
-directors are held by a sleeve, one row of elements as long as the wall is thick, that moves with the disk (with rotations prescribed on the rim,
-ccx 2.20 cut its steps below the smallest)."""
+"""CalculiX (ccx), a program a user might choose instead, on a case's straight tube: eight-node
+shells (S8R) or one layer of C3D20R bricks, S = C : E by NLGEOM. Both ends are glued to rigid disks
+whose points move on straight paths. For a shell only displacements are prescribed: a sleeve, one
+row of elements as long as the wall is thick, moves with the disk and holds the rim's directors.
+(With rotations prescribed on the rim, ccx 2.20 cut its steps below the smallest.)"""
 
 import json
 import math
@@ -29,7 +30,8 @@ def rotation(vector_deg):
 
 
 class Mesh:
-    """Nodes on a half-step grid (layer, around 0..2n, along 0..2 rows); quadratic elements have none with two odd indices."""
+    """Nodes on a half-step grid (layer, around 0..2n, along 0..2 rows); quadratic elements have
+    none with two odd indices."""
 
     def __init__(self, case, kind, n, m):
         tube, t = case.tube, case.wall["thickness"]
@@ -54,7 +56,8 @@ class Mesh:
                     )
 
     def element(self, j, k):
-        """CalculiX's node order: corners, then mid-edges, of shells with the normal outwards; of bricks bottom before top, uprights last."""
+        """CalculiX's node order: corners, then mid-edges, of shells with the normal outwards; of
+        bricks bottom before top, uprights last."""
 
         def at(i, dj, dk):
             return self.number[i, (2 * j + dj) % (2 * self.n), 2 * k + dk]
@@ -157,14 +160,16 @@ def read_blocks(text):
 
 def array(name, values, kind="Float64"):
     return (
-        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if kind == "Float64" else 1}" format="ascii">'
+        f'<DataArray type="{kind}" Name="{name}"'
+        f' NumberOfComponents="{3 if kind == "Float64" else 1}" format="ascii">'
         + " ".join(f"{v:.15g}" for v in values)
         + "</DataArray>"
     )
 
 
 def write_result(store, case, one, against):
-    """A result folder `vasorod compare` reads: mid-wall points as triangles, reactions of the moved end about its centre."""
+    """A result folder `vasorod compare` reads: mid-wall points as triangles, reactions of the moved
+    end about its centre."""
     kind, size = one.identity.rsplit("-", 2)[1:]
     mesh = Mesh(case, kind, *(int(w) for w in size.split("x")))
     n, m = mesh.n, mesh.rows - 2 * mesh.sleeve
@@ -182,11 +187,15 @@ def write_result(store, case, one, against):
     current = [[p + u for p, u in zip(point, by)] for point, by in zip(rest, step)]
     flat = lambda rows: [x for row in rows for x in row]  # noqa: E731
     (folder / "tube.vtp").write_text(
-        '<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
-        f'<Piece NumberOfPoints="{len(rest)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(triangles) // 3}">'
-        f'<PointData>{array("RestPosition", flat(rest))}{array("Displacement", flat(step))}</PointData><CellData></CellData>'
+        '<?xml version="1.0"?><VTKFile type="PolyData" version="0.1"'
+        ' byte_order="LittleEndian"><PolyData>'
+        f'<Piece NumberOfPoints="{len(rest)}" NumberOfVerts="0" NumberOfLines="0"'
+        f' NumberOfStrips="0" NumberOfPolys="{len(triangles) // 3}">'
+        f'<PointData>{array("RestPosition", flat(rest))}{array("Displacement", flat(step))}'
+        "</PointData><CellData></CellData>"
         f'<Points>{array("Points", flat(current))}</Points>'
-        f'<Polys>{array("connectivity", triangles, "Int64")}{array("offsets", range(3, len(triangles) + 1, 3), "Int64")}</Polys>'
+        f'<Polys>{array("connectivity", triangles, "Int64")}'
+        f'{array("offsets", range(3, len(triangles) + 1, 3), "Int64")}</Polys>'
         "</Piece></PolyData></VTKFile>\n"
     )
     result = json.loads((store.folder(against.identity) / "result" / "result.json").read_text())

@@ -33,7 +33,7 @@ def save(figure, path):
 
 
 def errors_picture(rows, path):
-    """RMS distance per case, all models on the middle mesh, with the reference's own error as a floor."""
+    """RMS distance per case, all models on the middle mesh, above the reference's own error."""
     plt = plotting()
     cases = sorted({row["case"] for row in rows if row["counted"]})
     figure, axis = plt.subplots(figsize=(10, 0.28 * len(cases) + 1.6))
@@ -71,7 +71,7 @@ def errors_picture(rows, path):
 
 
 def limits_picture(rows, path):
-    """Bland and Altman: signed reaction difference of each case, with bias and limits of agreement."""
+    """Bland-Altman plot: signed reaction difference per case, bias and limits of agreement."""
     plt = plotting()
     models = [
         m
@@ -116,7 +116,8 @@ def agreement(values):
 
 
 def sensitivity_picture(rows, path):
-    """Shape variation and reaction against the factor, a column per load; the reference with its own error as bars."""
+    """Shape variation and reaction against the factor, a column per load; the reference with its
+    own error as bars."""
     plt = plotting()
     loads = [
         load

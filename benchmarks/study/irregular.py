@@ -1,4 +1,5 @@
-"""`coupled` on surfaces as segmented vessels have them (meshes/irregular_tube.py), against the reference of the same case."""
+"""`coupled` on surfaces as segmented vessels have them (meshes/irregular_tube.py), against the
+reference of the same case."""
 
 import math
 import sys
@@ -94,7 +95,10 @@ def make_table(store, cases, path):
             path,
             rows,
             [
-                "`coupled` on irregular surfaces against the finite-element reference, law Biot; u_: the reference's own error",
+                (
+                    "`coupled` on irregular surfaces against the finite-element reference, law"
+                    " Biot; u_: the reference's own error"
+                ),
                 *provenance(records),
             ],
         )

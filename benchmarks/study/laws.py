@@ -1,5 +1,6 @@
-"""What the wall's law changes, apart from what the hybrid's kinematics change: `coupled` against the shell of the same law, and the shell of
-another law against the shell of Biot's. The two are never added up."""
+"""Separates the effect of the wall's law from that of the hybrid's kinematics: `coupled` against
+the shell of the same law, and the shell of another law against the shell of Biot's. The two are
+never added up."""
 
 from cases import case_named
 from measure import outcome
@@ -65,7 +66,10 @@ def make_table(store, path):
             path,
             rows,
             [
-                "Kinematics: coupled against the shell of the same law. Law: the shell of that law against the shell of Biot's",
+                (
+                    "Kinematics: coupled against the shell of the same law. Law: the shell of that"
+                    " law against the shell of Biot's"
+                ),
                 *provenance(records),
             ],
         )

@@ -1,4 +1,5 @@
-"""How far one result is from the reference's: `vasorod compare` for shapes, result.json for reactions and sections."""
+"""How far one result is from the reference's: `vasorod compare` for shapes, result.json for
+reactions and sections."""
 
 import json
 import math
@@ -27,14 +28,16 @@ def norm(vector):
 
 
 def moved_end(result):
-    """Force and moment (about that end's centre) of the support at the moved end: the second of a case's ends."""
+    """Force and moment (about that end's centre) of the support at the moved end: the second of a
+    case's ends."""
     end = result["ends"][1]
     return end["force"], end["moment"]
 
 
 def reactions(result, reference, radius):
-    """Force and moment differences over S = max(|F|, |M|/R) of the reference, and the signed relative difference of the whole reaction
-    along the reference's own: positive where the model is stiffer."""
+    """Force and moment differences over S = max(|F|, |M|/R) of the reference, and the signed
+    relative difference of the whole reaction along the reference's own: positive where the model is
+    stiffer."""
     (f, m), (F, M) = moved_end(result), moved_end(reference)
     scale = max(norm(F), norm(M) / radius)
     a, b = [*f, *(x / radius for x in m)], [*F, *(x / radius for x in M)]
@@ -47,7 +50,8 @@ def reactions(result, reference, radius):
 
 
 def own_error(reference):
-    """The reference's own numerical error as it states it: of displacements (RMS over R) and of reactions (relative)."""
+    """The reference's own numerical error as it states it: of displacements (RMS over R) and of
+    reactions (relative)."""
     notes = " ".join(reference["certificate"]["notes"])
 
     def value(what):
@@ -58,7 +62,8 @@ def own_error(reference):
 
 
 def shapes(store, a, b, radius, length):
-    """RMS and largest distance of material points over R (None without a surface), of the centerline over L."""
+    """RMS and largest distance of material points over R (None without a surface), of the
+    centerline over L."""
     done = subprocess.run(
         [
             str(store.programs["vasorod"]),
@@ -98,7 +103,8 @@ def compared(store, case, run, reference_run):
 
 
 def outcome(store, case, run, other, columns):
-    """These columns of one run's errors against another's and `failure`: the sentence of the one that did not converge, and then no numbers."""
+    """These columns of one run's errors against another's, and `failure`: where one of the two did
+    not converge its sentence, and no numbers."""
     failed = next(
         (
             record

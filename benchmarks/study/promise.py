@@ -1,5 +1,6 @@
-"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is made from pulled, twisted and bent
-straight tubes; all other cases check that its promise is kept (see held_out)."""
+"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is
+made from pulled, twisted and bent straight tubes; all other cases check that its promise is kept
+(see held_out)."""
 
 import math
 
@@ -10,7 +11,8 @@ from tables import provenance, read_table, write_table
 
 FIDELITIES = ("skin", "paper", "coupled")
 KINDS = ("stretch", "twist", "bend")
-SAFETY = 1.5  # on what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %
+# On what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %.
+SAFETY = 1.5
 HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
 // clang-format off
 #include "judge/accuracy_table.h"
@@ -47,14 +49,16 @@ def up(value):
 
 
 def mean_edge(around, length=10.0, along_ratio=88 / 48):
-    """Mean edge over R of a generated tube with `around` points around (staggered rows), length over R as given, 1 % added."""
+    """Mean edge over R of a generated tube with `around` points around (staggered rows), length
+    over R as given, 1 % added."""
     row = length / (around * along_ratio)
     half = 2 * math.sin(math.pi / (2 * around))
     return 1.01 * (2 * math.sin(math.pi / around) + 2 * math.hypot(row, half)) / 3
 
 
 def promise_rows(accuracy):
-    """(fidelity, kind, edge, demand, error) sorted; the error is SAFETY times the largest measured over all walls, the reference's own added."""
+    """(fidelity, kind, edge, demand, error) sorted; the error is SAFETY times the largest measured
+    over all walls with the reference's own added."""
     made_from = [
         row
         for row in accuracy
@@ -108,7 +112,8 @@ def source_text(accuracy, source):
 
 
 def promised(rows, fidelity, around, demands):
-    """As hybrid/judge/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds of load; None where the table ends."""
+    """As hybrid/judge/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds
+    of load; None where the table ends."""
     total = 0.0
     for kind in KINDS:
         mine = [
@@ -138,7 +143,8 @@ def pressed(row):
 
 
 def held_out(accuracy, within=True):
-    """Every measured result the table was not made from, within its scope: (row, what it says the error is); else those that are pressed."""
+    """Every measured result the table was not made from, within its scope: (row, what it says the
+    error is); else those that are pressed."""
     rows = promise_rows(accuracy)
     out = []
     for row in accuracy:
@@ -185,7 +191,8 @@ def all_runs(case):
 
 
 def make_table(store, cases, path):
-    """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and how far that is from the reference."""
+    """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and
+    how far that is from the reference."""
     rows, records = [], []
     for case, wanted, run, record, reference in measured(store, cases, runs_of, records):
         chosen = result_of(store, run.identity)["fidelity"] if converged(store, record) else None
@@ -202,7 +209,10 @@ def make_table(store, cases, path):
             path,
             rows,
             [
-                "What accuracy: x chose on cases its table was not made from; rms: measured distance over R",
+                (
+                    "What accuracy: x chose on cases its table was not made from; rms: measured"
+                    " distance over R"
+                ),
                 *provenance(records),
             ],
         )

@@ -1,5 +1,5 @@
-"""Baselines: has a curve moved? `check` repeats the runs of a baseline and names every number that drifted beyond the tolerance;
-`accept` takes the new numbers, with a reason that stays in the file."""
+"""Baselines: has a curve moved? `check` repeats the runs of a baseline and names every number that
+drifted beyond the tolerance. `accept` takes the new numbers and writes the reason into the file."""
 
 import time
 
@@ -26,7 +26,8 @@ def key(row):
 
 
 def drifts(old_rows, new_rows, tolerance=TOLERANCE):
-    """[(key, quantity, old, new, drift)] beyond the tolerance; a number that came or went has drift None."""
+    """[(key, quantity, old, new, drift)] beyond the tolerance; a number that came or went has drift
+    None."""
     old = {key(row): row for row in old_rows}
     largest = {}
     for row in old_rows:
@@ -105,11 +106,13 @@ def check(store, baselines, quick=False, again=False, image=None):
     found = drifts(old_rows, rows)
     if not found:
         print(
-            f"{len(rows)} points of {FILE}: no quantity moved by more than {TOLERANCE:.1%} of its curve's largest value"
+            f"{len(rows)} points of {FILE}: no quantity moved by more than {TOLERANCE:.1%} of its"
+            " curve's largest value"
         )
         return True
     print(
-        f"{len(found)} numbers of {FILE} moved by more than {TOLERANCE:.1%} of their curve's largest value:"
+        f"{len(found)} numbers of {FILE} moved by more than {TOLERANCE:.1%} of their curve's"
+        " largest value:"
     )
     for (load, modulus, fidelity, factor), quantity, a, b, drift in sorted(
         found, key=lambda f: -abs(f[4]) if f[4] is not None else float("-inf")
@@ -142,8 +145,10 @@ def accept(store, baselines, reason):
         path,
         rows,
         [
-            "Moduli alone: variation is the RMS distance of material points to factor 1's shape over R, force and moment those "
-            "at the moved end; law Biot",
+            (
+                "Moduli alone: variation is the RMS distance of material points to factor 1's shape"
+                " over R, force and moment those at the moved end; law Biot"
+            ),
             *provenance(records),
             *earlier,
             line,

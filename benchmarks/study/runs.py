@@ -1,4 +1,5 @@
-"""Every run of the study by its identity, CASE/PROGRAM-SETTINGS: what is written beside it and how the program is called."""
+"""Every run of the study by its identity, CASE/PROGRAM-SETTINGS: what is written beside it and how
+the program is called."""
 
 import json
 from dataclasses import dataclass, field
@@ -53,7 +54,7 @@ def hybrid(case, fidelity, around, *, tag=""):
 
 
 def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(0.34, 1.0)):
-    """vasorod-fem; kept through rebuilds, as it is dear: its record says which program it was."""
+    """vasorod-fem; kept when the program is rebuilt, as runs are long: the record says which."""
     return Run(
         f"{case.name}{tag}/{model}-p{degree}-{cells[0]}x{cells[1]}-r{refine}-{law}",
         "vasorod-fem",
@@ -85,7 +86,7 @@ def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(
 
 
 def accuracy_reference(case):
-    """What every fidelity is measured against: p = 4 solid, 8 x 12 cells and those refined by 3/2."""
+    """Every fidelity is measured against it: p = 4 solid, 8 x 12 cells and those refined by 3/2."""
     return reference(
         case,
         "solid",

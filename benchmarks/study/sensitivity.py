@@ -1,5 +1,6 @@
-"""How shapes and reactions follow E and G: the wall transversely isotropic about the tube's axis, the sweep of E scaling E_axial and E_T
-together, that of G scaling G_axial alone (design.md, section 3). Base: the isotropic wall's moduli with nu_LT = 0."""
+"""How shapes and reactions follow E and G. The wall is transversely isotropic about the tube's
+axis; the sweep of E scales E_axial and E_T together, that of G scales G_axial alone. Base: the
+isotropic wall's moduli with nu_LT = 0."""
 
 from cases import case_named
 from measure import converged, failure_of, moved_end, norm, own_error, result_of, shapes
@@ -11,7 +12,8 @@ REFERENCE_FACTORS = tuple(FACTORS[k] for k in (0, 3, 7, 10, 13, 17, 20))
 MODULI = ("E", "G")
 FIDELITIES = ("skin", "paper", "coupled")
 AROUND = 48
-TWIST_DEG = 0.1  # t / R = 0.1 wrinkles at 20 degrees, at 0.2 with E / G a hundredth of that; surface shear 1.7e-4
+# t / R = 0.1 wrinkles at 20 degrees, at 0.2 with E / G a hundredth of that; surface shear 1.7e-4
+TWIST_DEG = 0.1
 LOADS = {
     "twist": ("twist_t1_0.5", {"rotate_deg": [0, 0, TWIST_DEG]}),
     "bend": ("bend_t1_0.5", None),
@@ -47,7 +49,8 @@ def hybrid_run(load, modulus, factor, fidelity, around=AROUND):
 
 
 def reference_run(load, modulus, factor):
-    """The shell: t / R = 0.1 is thin enough for it, and forty runs of it cost what five of the solid do."""
+    """The shell: t / R = 0.1 is thin enough for it, and forty runs of it cost what five of the
+    solid do."""
     return reference(
         varied(load, modulus, factor), "shell", 4, (8, 12), 1, tag=tag(load, modulus, factor)
     )

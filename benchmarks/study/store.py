@@ -1,6 +1,7 @@
-"""Runs programs once and keeps what they cost: a folder per run with its scene, its result and record.json (command, commit, hashes,
-wall and processor time, peak memory, exit code, the sentence of a failure). A finished run is not repeated while its command, scene
-and - unless `keep` says the program is trusted to stay - its program are the same."""
+"""Runs each program once and records the cost: a folder per run with its scene, its result and
+record.json (command, commit, hashes, wall and processor time, peak memory, exit code, the sentence
+of a failure). A finished run is not repeated while its command and scene are the same, and its
+program too unless the run says `keep`."""
 
 import hashlib
 import json
@@ -32,12 +33,13 @@ def commit():
 
 
 def solve_seconds(folder, record):
-    """Processor time of a run without reading, pictures and writing: its share of the wall time, as the result counts it; None without one."""
+    """Processor time of a run's solving, without reading, pictures and writing: in proportion to
+    the wall times that the result states; None where there is no result."""
     try:
         seconds = json.loads((folder / "result" / "result.json").read_text())["seconds"]
     except FileNotFoundError:
         return None
-    # vasorod's stages add up to its total; vasorod-fem counts all of its solving as `solve`, parts of it once more by name
+    # vasorod's stages add up to its total; vasorod-fem's `solve` is all of its solving
     solving = (
         seconds["total"] - seconds["read"] - seconds["write"]
         if record["program"] == "vasorod"
@@ -81,8 +83,9 @@ class Store:
         return record
 
     def ensure(self, run, again=False, repeats=1):
-        """The run's record; of several repeats the one that took least processor time, for times that are compared. A run that takes ENOUGH
-        seconds is not repeated: what disturbs it is small beside that."""
+        """The run's record. Where times are compared, a run is repeated and the one that took the
+        least processor time counts; runs of ENOUGH seconds are not repeated, as disturbances are
+        small in comparison."""
         record = None if again else self.fresh(run)
         if record is not None and (
             record.get("repeats", 1) >= repeats or record["processor_seconds"] > ENOUGH

@@ -1,4 +1,5 @@
-"""CSV files with their provenance in comment lines at the top: what made them, with which programs, at which commits."""
+"""CSV files with their provenance in comment lines at the top: what made them, with which programs,
+at which commits."""
 
 import csv
 import io
@@ -19,7 +20,7 @@ def shown(value):
 
 
 def provenance(records):
-    """One line per program: its hash, the commits it was run at, how many runs, each counted once."""
+    """One line per program: its hash, the commits it was run at, how many different runs."""
     seen = {}
     for record in {record["identity"]: record for record in records}.values():
         entry = seen.setdefault((record["program"], record["program_sha256"][:12]), [set(), 0])

@@ -1,5 +1,5 @@
-"""Time and memory against error on one case: every fidelity and resolution, shell and solid at several refinements, and CalculiX where it is
-installed, which is what a user would take instead."""
+"""Time and memory against error on one case: every fidelity and resolution, shell and solid at
+several refinements, and CalculiX where it is installed."""
 
 from functools import lru_cache
 
@@ -143,7 +143,10 @@ def make_table(store, path):
             path,
             rows,
             [
-                f"Case {CASE}: processor time and peak memory of the whole program against its error",
+                (
+                    f"Case {CASE}: processor time and peak memory of the whole program against its"
+                    " error"
+                ),
                 *provenance(records),
             ],
         )

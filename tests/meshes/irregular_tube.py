@@ -1,4 +1,5 @@
-"""Every kind of irregular tube is a tube: closed around, open at two regular rims, on the exact surface, outwards, as irregular as it says.
+"""Every kind of irregular tube is a tube: closed around, open at two regular rims, on the exact
+surface, oriented outwards, as irregular as its kind says.
 Usage: irregular_tube.py MESHES_FOLDER."""
 
 import math

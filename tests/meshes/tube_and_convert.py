@@ -1,4 +1,5 @@
-"""tube.py and convert.py against closed forms: volumes and areas (Pappus), tags, orientation, what a conversion must not change.
+"""tube.py and convert.py against closed forms: volumes and areas (Pappus), tags, orientation, and
+what a conversion must not change.
 Usage: tube_and_convert.py MESHES_FOLDER."""
 
 import math
@@ -39,7 +40,8 @@ def area(points, triangles):
 with tempfile.TemporaryDirectory() as scratch:
     scratch = Path(scratch)
     shape = ["--length", 100, "--radius", 10, "--end-radius", 6, "--bend-deg", 90]
-    # A bent wall's volume is 2 pi times the integral of R t along the centerline, its section's centroid lying on that (Pappus).
+    # A bent wall's volume is 2 pi times the integral of R t along the centerline, its section's
+    # centroid lying on that (Pappus).
     wall = ["--thickness", 2, "--end-thickness", 1, "--layers", 2, "--around", 64, "--along", 80]
     s = (np.arange(20000) + 0.5) / 20000
     volume = 2 * math.pi * 100 * np.mean((10 - 4 * s) * (2 - s))
@@ -56,7 +58,8 @@ with tempfile.TemporaryDirectory() as scratch:
         assert abs(enclosed(points, triangles) / volume - 1) < 3e-3, (
             enclosed(points, triangles) / volume
         )
-    # The mid-wall surface, as quadrilaterals and as triangles: area 2 pi int R (1 + slope^2)^(1/2) on the straight tube.
+    # The mid-wall surface, as quadrilaterals and as triangles: area 2 pi int R (1 + slope^2)^(1/2)
+    # on the straight tube.
     straight = ["--length", 50, "--radius", 5, "--end-radius", 3, "--around", 60]
     exact = math.pi * (5 + 3) * math.hypot(50, 2)
     must("tube.py", scratch / "quad.msh", "--cells", "quad", *straight)

@@ -1,5 +1,5 @@
-"""Reads a VTP file (appended raw, zlib) by the format's description alone, without VTK: prints one line per array with its
-section, name, type, components, tuples, first and last value."""
+"""Reads a VTP file (appended raw, zlib) by the format's description alone, without VTK: prints one
+line per array with its section, name, type, components, tuples, first and last value."""
 import struct
 import sys
 import zlib

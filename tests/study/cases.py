@@ -1,5 +1,6 @@
-"""Every committed case is the load its note says, found here by other means than the formula its file was written with: the arc is
-integrated, angles are measured on frames. Usage: cases.py SOURCE_FOLDER VASOROD."""
+"""Every committed case is the load its note says, by other means than the formula its file was
+written with: the arc is integrated, angles are measured on frames.
+Usage: cases.py SOURCE_FOLDER VASOROD."""
 
 import math
 import subprocess
@@ -12,7 +13,8 @@ from cases import all_cases, read_case  # noqa: E402
 
 
 def end_of_arc(length, start_angle, angle, steps=20000):
-    """Where an axis that starts at start_angle from z (towards x) and turns evenly by `angle` ends: midpoint rule."""
+    """Where an axis that starts at start_angle from z (towards x) and turns evenly by `angle` ends:
+    midpoint rule."""
     x = z = 0.0
     for k in range(steps):
         a = start_angle + angle * (k + 0.5) / steps
@@ -37,7 +39,8 @@ def matrix(rotation_deg):
 
 
 def cubic(length, start, end):
-    """Curvature at both ends of a slender beam clamped at its start, its other end at offset `start` and slope `end`: w = a s^2 + b s^3."""
+    """Curvature at both ends of a slender beam clamped at its start, its other end at offset
+    `start` and slope `end`: w = a s^2 + b s^3."""
     a, b = 3 * start / length**2 - end / length, (end - 2 * start / length) / length**2
     return 2 * a, 2 * a + 6 * b * length
 
@@ -57,7 +60,8 @@ def check_fresh(case, limit, tangent, turned, move, length):
         ), case.name  # one plane
         x, z = end_of_arc(length * (1.03 if what == "mixed" else 1), 0, bent)
         assert abs(x - side) < 1e-5 and abs(z - length - move[2]) < 1e-5, (case.name, move, x, z)
-        # d1 undone by the bend alone (about the horizontal axis across the tangent) is what the twist left
+        # d1 undone by the bend alone (about the horizontal axis across the tangent) is what the
+        # twist left
         across = [-tangent[1] / tilt, tangent[0] / tilt, 0]
         back = matrix([-math.degrees(bent) * a for a in across])
         d1 = [row[0] for row in turned]

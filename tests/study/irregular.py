@@ -1,4 +1,5 @@
-"""Surfaces that are read give what the generated tube gives, the wall's middle taken for it. Usage: irregular.py SOURCE_FOLDER VASOROD."""
+"""Surfaces read from a file, taken as the wall's middle, give what the generated tube gives.
+Usage: irregular.py SOURCE_FOLDER VASOROD."""
 
 import sys
 import tempfile
@@ -25,7 +26,8 @@ with tempfile.TemporaryDirectory() as scratch:
         )
         there, here = (result_of(store, one.identity) for one in (structured, run))
         assert here["model"]["vertices"] > 3000, kind
-        # 2 % of the displacement's scale: an outer surface taken for the middle would answer 20 % stiffer
+        # 2 % of the displacement's scale: an outer surface taken for the middle would answer 20 %
+        # stiffer
         assert abs(norm(moved_end(here)[1]) / norm(moved_end(there)[1]) - 1) < 0.02, kind
         assert shapes(store, run.identity, structured.identity, 10, 100)["rms"] < 2e-3, kind
 

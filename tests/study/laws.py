@@ -1,4 +1,5 @@
-"""The law reaches the solver and is told apart from the kinematics: a pulled tube answers by S = C:E as a bar does. Usage: laws.py SOURCE_FOLDER VASOROD."""
+"""The wall's law reaches the solver: a tube pulled with S = C:E answers as a bar of that law does.
+Usage: laws.py SOURCE_FOLDER VASOROD."""
 
 import sys
 import tempfile

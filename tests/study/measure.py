@@ -1,4 +1,5 @@
-"""Errors between two results with known differences: `skin` of a tube against the same tube computed by hand.
+"""Errors between two results with known differences: `skin` of a tube against the same tube
+computed by hand.
 Usage: measure.py SOURCE_FOLDER VASOROD."""
 
 import sys
@@ -65,7 +66,8 @@ with tempfile.TemporaryDirectory() as scratch:
     for run in runs:
         record = store.ensure(run)
         assert record["exit"] == 0, record
-    # the second is pulled twice as far: displacements differ by 5 z / L, so by 5 at the end and 5 / sqrt(3) RMS; R = 10, L = 100
+    # the second is pulled twice as far: displacements differ by 5 z / L, by 5 at the end and
+    # 5 / sqrt(3) RMS; R = 10, L = 100
     errors = shapes(store, runs[0].identity, runs[1].identity, 10, 100)
     assert (
         abs(errors["largest"] - 0.5) < 1e-9 and abs(errors["rms"] * 10 * 3**0.5 / 5 - 1) < 1e-3

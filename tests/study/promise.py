@@ -1,5 +1,6 @@
-"""The table behind `accuracy: x`: never less than what was measured, nothing beyond a failure, and the committed table is the one that follows
-from the committed measurements. Usage: promise.py SOURCE_FOLDER VASOROD."""
+"""The table behind `accuracy: x`: never less than what was measured, nothing beyond a failure, and
+the committed table follows from the committed measurements.
+Usage: promise.py SOURCE_FOLDER VASOROD."""
 
 import sys
 from pathlib import Path
@@ -75,6 +76,7 @@ assert beyond == {"fresh_press_t0.6"} and not beyond & {
     measured["case"] for measured, _ in kept
 }, beyond  # pressed tubes are out of scope
 for measured, error in kept:
-    assert (
-        measured["rms"] <= error
-    ), f"{measured['case']}, {measured['model']}-{measured['around']:.0f}: promised {error}, measured {measured['rms']}"
+    assert measured["rms"] <= error, (
+        f"{measured['case']}, {measured['model']}-{measured['around']:.0f}: promised {error},"
+        f" measured {measured['rms']}"
+    )

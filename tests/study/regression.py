@@ -1,5 +1,6 @@
-"""The regression command: silent on the same program, and a 2 % change of one coefficient is named, with a picture where matplotlib is there.
-The change is made by a program in front of vasorod that alters the wall or the energies' coefficients of the scene it is given.
+"""The regression command finds nothing on the same program and names a 2 % change of one
+coefficient, with a picture where matplotlib is installed. A script in place of vasorod changes the
+wall or the energies' coefficients of its scene, then calls vasorod.
 Usage: regression.py SOURCE_FOLDER VASOROD."""
 
 import contextlib
@@ -76,9 +77,8 @@ with tempfile.TemporaryDirectory() as scratch:
         image = scratch / f"{name}.png"
         altered = Store(scratch / f"results-{name}", {"vasorod": program})
         ok, said = told(lambda: regression.check(altered, baselines, image=image))
-        if (
-            name == "shear"
-        ):  # bending along the inextensible arc has no shear: this change moves nothing, and is not called a drift
+        if name == "shear":
+            # bending along the inextensible arc has no shear: nothing moves, so nothing is found
             assert ok, said
             continue
         assert (

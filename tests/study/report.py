@@ -1,4 +1,5 @@
-"""The report says what its tables say: aims held and missed, the cheapest at equal error, fresh cases apart, extremes counted.
+"""The report says what its tables say: aims held and missed, the cheapest at equal error, fresh
+cases apart, extremes counted.
 Usage: report.py SOURCE_FOLDER VASOROD."""
 
 import sys
@@ -54,8 +55,10 @@ text = report.aims(
 assert (
     "48 points around: 3 runs, 96 points around: 1 runs, irregular surfaces: 2 runs" in text
 ), text
-assert line(text, "| RMS over R, up to") == (
-    "| RMS over R, up to Brazier ratio 0.5 | 0.2 % | 0.210 % (b): missed | 0.100 % (e): held | 0.100 % (i, stretched): held |"
+assert (
+    line(text, "| RMS over R, up to")
+    == "| RMS over R, up to Brazier ratio 0.5 | 0.2 % | 0.210 % (b): missed | 0.100 % (e): held |"
+    " 0.100 % (i, stretched): held |"
 ), text
 assert (
     line(text, "| RMS over R, from")
@@ -115,9 +118,10 @@ assert table == [
 ], table
 
 groups = extremes.rod_rows(
-    "| what | range | cases | certified | most iterations | processor seconds | other endings |\n|---|---|---|---|---|---|---|\n"
-    "| elements | 1 to 1e5 | 9 | 8 | 111 (2 elements) | 2.015 | 1 unstable (2 elements: no minimum) |\n| size | small | 6 | 6 | 7 (one) | 0.1 | - |\n"
-    "\n15 cases: 14 certified\n"
+    "| what | range | cases | certified | most iterations | processor seconds | other endings"
+    " |\n|---|---|---|---|---|---|---|\n| elements | 1 to 1e5 | 9 | 8 | 111 (2 elements) | 2.015 |"
+    " 1 unstable (2 elements: no minimum) |\n| size | small | 6 | 6 | 7 (one) | 0.1 | - |\n\n15"
+    " cases: 14 certified\n"
 )
 assert [(g["cases"], g["certified"], g["other"]) for g in groups] == [
     (9, 8, "1 unstable (2 elements: no minimum)"),

@@ -1,4 +1,5 @@
-"""The store runs once, again when something changed, measures what a child used, and keeps the sentence of a failure.
+"""The store runs once, again when something changed, measures what a child used, and keeps the
+sentence of a failure.
 Usage: store.py SOURCE_FOLDER VASOROD."""
 
 import json

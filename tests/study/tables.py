@@ -1,4 +1,5 @@
-"""Tables come back as they were written, with their provenance. Usage: tables.py SOURCE_FOLDER VASOROD."""
+"""Tables are read as they were written, with their provenance.
+Usage: tables.py SOURCE_FOLDER VASOROD."""
 
 import sys
 import tempfile

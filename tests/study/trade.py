@@ -1,5 +1,6 @@
-"""The CalculiX side and the Pareto front: bricks of positive volume, shells whose normals point outwards, ends that move as rigid disks, ccx's print
-read back; nothing on the front is beaten. Usage: trade.py SOURCE_FOLDER VASOROD."""
+"""The CalculiX side and the Pareto front: bricks of positive volume, shells whose normals point
+outwards, ends that move as rigid disks, ccx's print read back; nothing on the front is beaten.
+Usage: trade.py SOURCE_FOLDER VASOROD."""
 
 import math
 import sys
@@ -13,7 +14,7 @@ from report import front_of  # noqa: E402
 case = case_named("bend_t1_0.5")
 n, m = 16, 12
 bricks = calculix.Mesh(case, "C3D20R", n, m)
-# corners and mid-edges of a ring of bricks: 20-node counting by Euler, 4 corner columns' worth of edges
+# corners and mid-edges of a ring of 20-node bricks
 corners, edges = 2 * n * (m + 1), n * (m + 1) + 2 * n * (m + 1) + 2 * n * m
 assert len(bricks.number) == corners + edges, (len(bricks.number), corners + edges)
 point = {number: bricks.point[key] for key, number in bricks.number.items()}

@@ -20,10 +20,10 @@ import calculix  # noqa: E402
 import extremes  # noqa: E402
 import irregular  # noqa: E402
 import laws  # noqa: E402
-import parting  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
+import shear_gap  # noqa: E402
 import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
@@ -44,7 +44,7 @@ SWEEPS = {
     "sensitivity": sensitivity.runs,
     "sensitivity-reference": sensitivity.reference_runs,
 }  # per load
-WHOLE = {"extremes": extremes.all_runs, "parting": parting.all_runs}  # of no case
+WHOLE = {"extremes": extremes.all_runs, "shear-gap": shear_gap.all_runs}  # of no case
 
 
 def open_store(arguments):
@@ -94,7 +94,10 @@ def run(arguments):
     for one in runs_of(arguments):
         record = store.ensure(one, arguments.again, repeats_of(one))
         print(
-            f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s, {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}",
+            (
+                f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s,"
+                f" {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}"
+            ),
             flush=True,
         )
 
@@ -106,7 +109,7 @@ def tables(arguments):
     irregular.make_table(store, all_cases(), arguments.baselines / "irregular.csv")
     laws.make_table(store, arguments.baselines / "laws.csv")
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
-    parting.make_table(store, arguments.baselines / "parting.csv")
+    shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     extremes.make_tables(store, arguments.baselines)
     if not (
         arguments.baselines / regression.FILE

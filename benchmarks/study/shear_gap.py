@@ -1,5 +1,6 @@
-"""Why the curves of `coupled` and the shell part where a wall is soft in shear: G_axial is also the shell's shear through its thickness,
-which `coupled`, whose normals stay normal, does not have. If that is the reason, the gap closes as the wall gets thinner."""
+"""Why `coupled` and the shell differ where a wall is soft in shear: G_axial is also the shell's
+shear modulus through the thickness, and the normals of `coupled` stay normal. If that is the
+reason, the gap closes as the wall gets thinner."""
 
 from measure import converged, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference
@@ -18,7 +19,7 @@ def thinner(thickness):
 
 
 def tag(thickness):
-    return f"-parting-t{thickness:g}"
+    return f"-shear-gap-t{thickness:g}"
 
 
 def hybrid_run(thickness, around):
@@ -66,7 +67,10 @@ def make_table(store, path):
             path,
             rows,
             [
-                "`coupled` against the shell on walls soft in shear, thinner and thinner, law Biot; u_: the reference's own error",
+                (
+                    "`coupled` against the shell on walls soft in shear, thinner and thinner, law"
+                    " Biot; u_: the reference's own error"
+                ),
                 *provenance(records),
             ],
         )

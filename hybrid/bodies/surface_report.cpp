@@ -9,7 +9,8 @@ namespace vasorod {
 
 void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
                      const std::vector<ContactPoint>& points, const Points& positions,
-                     const StackedContacts& stacked, BodyContacts& contacts, SurfaceSolution& solution) {
+                     const StackedContacts& stacked, BodyContacts& contacts,
+                     SurfaceSolution& solution) {
   for (size_t p = 0; p < problem.contacts.size(); ++p) {
     ContactSolution& mine = solution.contacts.emplace_back();
     mine.a = problem.contacts[p].first;
@@ -32,7 +33,8 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
     solution.bodies[slave].pressure[stacked.slave[c]] += real;
     const Vec3 force = contact.area * pressure * contact.normal;
     for (size_t k = 0; k < 3; ++k)
-      handed[master].row(stacked.master[c][k]) -= contact.weight[static_cast<int>(k)] * force.transpose();
+      handed[master].row(stacked.master[c][k]) -=
+          contact.weight[static_cast<int>(k)] * force.transpose();
     pair.force += (pair.a == static_cast<int>(slave) ? 1 : -1) * force * scaled.force();
     pair.area += contact.area * scaled.length * scaled.length;
     pair.largest_pressure = std::max(pair.largest_pressure, real);
@@ -40,7 +42,8 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
   for (size_t b = 0; b < scaled.bodies.size(); ++b) {
     BodySolution& mine = solution.bodies[b];
     for (int i = 0; i < mine.pressure.size(); ++i) {
-      if (areas[b][i] > 0) mine.pressure[i] += handed[b].row(i).norm() / areas[b][i] * scaled.pressure();
+      if (areas[b][i] > 0)
+        mine.pressure[i] += handed[b].row(i).norm() / areas[b][i] * scaled.pressure();
       if (mine.pressure[i] > 0) mine.contact_area += areas[b][i] * scaled.length * scaled.length;
     }
     mine.largest_pressure = mine.pressure.maxCoeff();
@@ -55,8 +58,8 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
   }
 }
 
-void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins, const Points& positions,
-                 SurfaceSolution& solution) {
+void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins,
+                 const Points& positions, SurfaceSolution& solution) {
   double sum = 0;
   for (const Join& join : joins) {
     const double gap = (positions.row(join.a) - positions.row(join.b)).norm() * scaled.length;

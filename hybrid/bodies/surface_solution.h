@@ -16,10 +16,11 @@ struct BodySolution {
   Points positions;
   Eigen::VectorXd pressure;  ///< contact, stress, per vertex; exactly 0 when apart
   Points support_force;      ///< per vertex: what holds a fixed vertex
-  Points binding_force;      ///< per vertex: what the rod does to the surface; the rod feels the opposite
+  Points
+      binding_force;  ///< per vertex: what the rod does to the surface; the rod feels the opposite
   Vec3 support = Vec3::Zero(), binding = Vec3::Zero(), joining = Vec3::Zero(),
        contact = Vec3::Zero();  ///< sums
-  double residual = 0;          ///< |sum of the four| / the largest of them; 0 where all are rounding
+  double residual = 0;  ///< |sum of the four| / the largest of them; 0 where all are rounding
   double contact_area = 0, largest_pressure = 0;
 };
 
@@ -29,13 +30,14 @@ struct ContactSolution {
   bool within_reach = false;  ///< false: the pair never came near; the numbers below are zero
   Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;
-  int swallowed = 0;      ///< vertices so deep in the other body that contact no longer knows their side:
-                          ///< the sections were carried through it, and the pressure is too small
-  double held_depth = 0;  ///< how deep rigid ends of the two are held inside each other: no wall can
-                          ///< yield there, contact beside them is left out
+  int swallowed = 0;  ///< vertices so deep in the other body that contact no longer knows their
+                      ///< side: the sections were carried through it, and the pressure is too small
+  double held_depth = 0;  ///< how deep rigid ends of the two are held inside each other: no wall
+                          ///< can yield there, contact beside them is left out
   double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< between outer walls, counted from rest where they
-                                                ///< overlap there; infinite where no walls face
+      std::numeric_limits<double>::infinity();  ///< between outer walls, counted from rest where
+                                                ///< they overlap there; infinite where no walls
+                                                ///< face
 };
 
 struct SurfaceSolution {

@@ -50,7 +50,8 @@ std::string listed(const std::vector<std::string>& words) {
   return out;
 }
 
-std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known) {
+std::optional<std::string> nearest_word(const std::string& word,
+                                        const std::vector<std::string>& known) {
   std::optional<std::string> best;
   int least = 3;
   if (word.size() > 100) return best;

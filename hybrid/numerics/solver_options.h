@@ -20,8 +20,8 @@ struct SolverProgress {
 
 struct SolverOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds of wall clock
-  std::function<bool()> stop;                            ///< asked once an iteration; true interrupts
-  std::function<void(const SolverProgress&)> progress;   ///< told once an iteration; may be empty
+  std::function<bool()> stop;  ///< asked once an iteration; true interrupts
+  std::function<void(const SolverProgress&)> progress;  ///< told once an iteration; may be empty
 };
 
 /// The first sentence that is wrong, of those given in order: {is it right, what to say where not}.
@@ -35,7 +35,8 @@ inline std::optional<std::string> first_fault(std::initializer_list<OptionCheck>
   return std::nullopt;
 }
 
-/// Asks whether a solve that began at construction should end: the caller says so, or its time is up.
+/// Asks whether a solve that began at construction should end: the caller says so, or its time is
+/// up.
 class StopCheck {
  public:
   explicit StopCheck(const SolverOptions& options) : options_(options) {}

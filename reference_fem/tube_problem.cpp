@@ -26,7 +26,6 @@ std::string quoted(const std::string& text) {
 const VesselSpec& only_tube(const Scene& scene) {
   const std::string can = "one generated tube (`tube:`) with conditions at its ends";
   if (scene.glenn) refuse(scene, "a surgery", can);
-  if (scene.explore) refuse(scene, "an exploration", can);
   if (scene.vessels.size() != 1)
     refuse(scene, std::to_string(scene.vessels.size()) + " vessels", can);
   const VesselSpec& vessel = scene.vessels.front();

@@ -1,5 +1,6 @@
-"""How far each solver can be pushed: the rod's groups as `rod_extremes` prints them, the walls' scenes of extremes/wall_extremes.py one run each,
-and how the reference's runs of the sensitivity sweeps and beyond the model's range ended. Written to docs/extremes.md."""
+"""How far each solver can be pushed: the rod's groups as `rod_extremes` prints them, the walls'
+scenes of extremes/wall_extremes.py one run each, and how the reference's runs of the sensitivity
+sweeps and beyond the model's range ended. Written to docs/extremes.md."""
 
 import re
 import sys
@@ -156,7 +157,10 @@ def rod_section(rows, notes):
     )
     return [
         "## Rod\n",
-        f"Certified: {share(certified, cases)}. Certified means `converged`: the residual and the inertia of the true Hessian say minimum.\n",
+        (
+            f"Certified: {share(certified, cases)}. Certified means `converged`: the residual and"
+            " the inertia of the true Hessian say minimum.\n"
+        ),
         markdown(
             (
                 "group",
@@ -221,8 +225,12 @@ def wall_section(rows, notes):
     )
     return [
         "## Walls\n",
-        f"Whole programs on a tube with L / R = 10; `converged`: {share(good, len(rows))}. Past Brazier's curvature or the wrinkling twist `buckled` and "
-        "`unstable` are the right answers. Named otherwise: another status, or a refusal with one sentence; failed: a crash, or a number that is not finite.\n",
+        (
+            f"Whole programs on a tube with L / R = 10; `converged`: {share(good, len(rows))}. Past"
+            " Brazier's curvature or the wrinkling twist `buckled` and `unstable` are the right"
+            " answers. Named otherwise: another status, or a refusal with one sentence; failed: a"
+            " crash, or a number that is not finite.\n"
+        ),
         markdown(
             (
                 "fidelity",
@@ -245,7 +253,8 @@ def wall_section(rows, notes):
 
 
 def reference_section(sensitivity, accuracy):
-    """The shell over the moduli's sweep, and every reference run of a case beyond the model's range that ended at all."""
+    """The shell over the moduli's sweep, and every reference run of a case beyond the model's range
+    that ended at all."""
     shell = [row for row in sensitivity if row["fidelity"] == "shell"]
     if not shell:
         return []
@@ -281,7 +290,10 @@ def reference_section(sensitivity, accuracy):
     )
     text = [
         "## Reference\n",
-        "The 7-parameter shell over the moduli alone: how many of its runs converged on both meshes, and the largest error of the reaction it states.\n",
+        (
+            "The 7-parameter shell over the moduli alone: how many of its runs converged on both"
+            " meshes, and the largest error of the reaction it states.\n"
+        ),
         markdown(
             (
                 "load",
@@ -307,8 +319,10 @@ def reference_section(sensitivity, accuracy):
 def write_page(baselines, docs):
     text = [
         "# How far the solvers can be pushed\n",
-        "Written by `./run report` from `benchmarks/baselines`; no number here is typed by hand. What the statuses mean: "
-        "[guide.md](guide.md).\n",
+        (
+            "Written by `./run report` from `benchmarks/baselines`; no number here is typed by"
+            " hand. What the statuses mean: [guide.md](guide.md).\n"
+        ),
     ]
     for name, section in (("extremes_rod.csv", rod_section), ("extremes_wall.csv", wall_section)):
         if (baselines / name).exists():

@@ -1,4 +1,5 @@
-"""docs/comparison.md from the tables in benchmarks/baselines: no number in it is typed. A section without its table is absent."""
+"""docs/comparison.md from the tables in benchmarks/baselines: no number in it is typed. A section
+without its table is absent."""
 
 import figures
 import promise
@@ -59,7 +60,8 @@ def flattening_share(row):
 
 
 def aims(accuracy, irregular):
-    """What issue and design ask of `coupled`, and the worst that was measured on each kind of surface."""
+    """What issue and design ask of `coupled`, and the worst that was measured on each kind of
+    surface."""
     groups = [
         (
             f"{around} points around",
@@ -172,11 +174,14 @@ def irregular_section(rows, notes):
             [
                 case,
                 *(
-                    f"{percent(of[m]['rms'], 3)} / {percent(max(of[m]['force'], of[m]['moment']))}"
-                    if m in of and of[m]["rms"] is not None
-                    else of[m]["failure"]
-                    if m in of
-                    else "-"
+                    (
+                        f"{percent(of[m]['rms'], 3)} /"
+                        f" {percent(max(of[m]['force'], of[m]['moment']))}"
+                        if m in of and of[m]["rms"] is not None
+                        else of[m]["failure"]
+                        if m in of
+                        else "-"
+                    )
                     for m in meshes
                 ),
             ]
@@ -184,9 +189,14 @@ def irregular_section(rows, notes):
     return "\n".join(
         [
             "## Irregular surfaces\n",
-            "`coupled` on surfaces read from a file, as a segmented vessel's would be: the centerline is fitted, the section's frames are the fit's. "
-            "`meshes/irregular_tube.py` makes them: points thrown at random (blue-noise), rows shifted by up to a quarter of an edge (jittered), triangles five times "
-            "as long along the axis as they are wide (stretched). Tapered walls are left out: a surface that is read has one thickness.\n",
+            (
+                "`coupled` on surfaces read from a file, as a segmented vessel's would be: the"
+                " centerline is fitted, the section's frames are the fit's."
+                " `meshes/irregular_tube.py` makes them: points thrown at random (blue-noise), rows"
+                " shifted by up to a quarter of an edge (jittered), triangles five times as long"
+                " along the axis as they are wide (stretched). Tapered walls are left out: a"
+                " surface that is read has one thickness.\n"
+            ),
             markdown(
                 (
                     "mesh",
@@ -234,8 +244,12 @@ def laws_section(rows, notes):
     return "\n".join(
         [
             "## Kinematics and law apart\n",
-            "Kinematics: `coupled`, 48 points around, against the 7-parameter shell of the same law. Law: the shell of another law against the "
-            "shell of Biot's, on the same cells. The second says how much the choice of a law matters on a scene; no model is at fault for it, and the two are not to be added.\n",
+            (
+                "Kinematics: `coupled`, 48 points around, against the 7-parameter shell of the same"
+                " law. Law: the shell of another law against the shell of Biot's, on the same"
+                " cells. The second says how much the choice of a law matters on a scene; no model"
+                " is at fault for it, and the two are not to be added.\n"
+            ),
             "### RMS distance, % of R\n",
             table(lambda row: percent(row["rms"], 3)),
             "### Reaction along the other's, minus one, %\n",
@@ -254,10 +268,15 @@ def accuracy_section(rows, notes, irregular):
     references = sorted({row["reference"] for row in rows if row["reference"]})
     text = [
         "## Accuracy\n",
-        "Material points against the finite-element reference, Biot law on both sides: `vasorod compare` finds each rest point of the model "
-        "on the reference's rest surface and takes the distance of the displacements. The reference of each case is the 7-parameter shell or the "
-        f"solid, p = 4, on two meshes ({', '.join(references)}); its own error is the grid convergence index it states with assumed order 2 and a safety factor of 3. "
-        "It is a comparison with a higher-fidelity model, not a validation by experiment.\n",
+        (
+            "Material points against the finite-element reference, Biot law on both sides:"
+            " `vasorod compare` finds each rest point of the model on the reference's rest surface"
+            " and takes the distance of the displacements. The reference of each case is the"
+            f" 7-parameter shell or the solid, p = 4, on two meshes ({', '.join(references)}); its"
+            " own error is the grid convergence index it states with assumed order 2 and a safety"
+            " factor of 3. It is a comparison with a higher-fidelity model, not a validation by"
+            " experiment.\n"
+        ),
         "### RMS distance, % of R, 48 points around\n",
         case_table(counted, surfaces, "rms", lambda row: percent(row["rms"], 3)),
         f"![RMS distance]({IMAGES}/accuracy.png)\n",
@@ -291,9 +310,13 @@ def accuracy_section(rows, notes, irregular):
                     len(mine),
                     percent((sum(v * v for v in rms) / len(rms)) ** 0.5, 3) if rms else "-",
                     percent(max(rms), 3) if rms else "-",
-                    percent(max(row["largest"] for row in mine if row["largest"] is not None), 2)
-                    if rms
-                    else "-",
+                    (
+                        percent(
+                            max(row["largest"] for row in mine if row["largest"] is not None), 2
+                        )
+                        if rms
+                        else "-"
+                    ),
                     percent(max(line_bias), 3) if line_bias else "-",
                     f"{signed(bias)} ± {100 * spread:.2f}",
                 ]
@@ -313,8 +336,11 @@ def accuracy_section(rows, notes, irregular):
             ),
             lines,
         ),
-        "Bias is the mean of (model / reference - 1) along the reference's own reaction; the limits are 1.96 standard deviations over the cases. "
-        "`rod`, `skin` and `paper` report the rod's reactions, so theirs are equal.\n",
+        (
+            "Bias is the mean of (model / reference - 1) along the reference's own reaction; the"
+            " limits are 1.96 standard deviations over the cases. `rod`, `skin` and `paper` report"
+            " the rod's reactions, so theirs are equal.\n"
+        ),
         f"![Limits of agreement]({IMAGES}/agreement.png)\n",
     ]
     flat = [
@@ -339,7 +365,10 @@ def accuracy_section(rows, notes, irregular):
                 ]
             )
         text += [
-            "### Flattening (largest relative loss of a diameter), where the reference's is above 0.005\n",
+            (
+                "### Flattening (largest relative loss of a diameter), where the reference's is"
+                " above 0.005\n"
+            ),
             markdown(("case", *models, "reference"), lines),
         ]
     beyond = [row for row in rows if not row["counted"] and row["around"] in (48, None)]
@@ -397,23 +426,32 @@ def promise_section(rows, asked):
     fresh = [pair for pair in kept if pair[0]["family"] == "fresh"]
     text = [
         "## `accuracy: x`\n",
-        "The table behind it (`hybrid/judge/accuracy_table.cpp`) is made from the pulled, twisted and bent straight tubes "
-        "above: at each level the largest error over their walls plus the reference's own, "
-        f"times {promise.SAFETY}. Between levels it is interpolated linearly, over kinds of load summed. Tubes curved at rest it does not cover, nor "
-        "pressed ones: of those it promised too much until a fresh case, the one that presses its tube, showed it.\n",
+        (
+            "The table behind it (`hybrid/judge/accuracy_table.cpp`) is made from the pulled,"
+            " twisted and bent straight tubes above: at each level the largest error over their"
+            f" walls plus the reference's own, times {promise.SAFETY}. Between levels it is"
+            " interpolated linearly, over kinds of load summed. Tubes curved at rest it does not"
+            " cover, nor pressed ones: of those it promised too much until a fresh case, the one"
+            " that presses its tube, showed it.\n"
+        ),
     ]
     if fresh:
         held = sum(row["rms"] <= error for row, error in fresh)
         text += [
             "### On cases that tuned nothing\n",
-            "Other walls, planes and combinations, written down before they were first run and after the margin was fixed: "
-            f"kept {held} of {len(fresh)}.\n",
+            (
+                "Other walls, planes and combinations, written down before they were first run and"
+                f" after the margin was fixed: kept {held} of {len(fresh)}.\n"
+            ),
             promise_table(fresh),
         ]
     beyond = promise.held_out(rows, within=False)
     if beyond:
         text += [
-            "Pressed tubes, of which nothing is promised any more: what the table of pulled tubes would have said.\n",
+            (
+                "Pressed tubes, of which nothing is promised any more: what the table of pulled"
+                " tubes would have said.\n"
+            ),
             promise_table(beyond),
         ]
     if asked:
@@ -428,13 +466,19 @@ def promise_section(rows, asked):
             for row in asked[0]
         ]
         text += [
-            "The same cases with `accuracy: x` in the scene: what was chosen and how far it is from the reference. A refusal names the least that is promised.\n",
+            (
+                "The same cases with `accuracy: x` in the scene: what was chosen and how far it is"
+                " from the reference. A refusal names the least that is promised.\n"
+            ),
             markdown(("case", "x, % R", "chosen", "measured, % R", ""), lines),
             provenance_text(asked[1]),
         ]
     text += [
         "### On the cases the margin was set with\n",
-        "The table was not made from these, but the margin was raised until all of them kept it, so they are no independent test of it.\n",
+        (
+            "The table was not made from these, but the margin was raised until all of them kept"
+            " it, so they are no independent test of it.\n"
+        ),
         promise_table([pair for pair in kept if pair[0]["family"] != "fresh"]),
     ]
     return "\n".join(text)
@@ -445,7 +489,8 @@ def reaction_of(row):
 
 
 def sensitivity_lines(rows, models):
-    """Per curve where it is farthest from the shell's: in the reaction, beyond the reference's own error, and in the shape."""
+    """Per curve where it is farthest from the shell's: in the reaction, beyond the reference's own
+    error, and in the shape."""
     reference = {
         (row["load"], row["modulus"], f"{row['factor']:.3g}"): row
         for row in rows
@@ -510,7 +555,7 @@ def sensitivity_failures(rows):
     ]
 
 
-def sensitivity_section(rows, notes, parted):
+def sensitivity_section(rows, notes, gap_table):
     models = [
         m
         for m in ("skin", "paper", "coupled")
@@ -518,9 +563,14 @@ def sensitivity_section(rows, notes, parted):
     ]
     text = [
         "## Moduli alone\n",
-        "The wall transversely isotropic about the tube's axis; E scales E_axial and E_T together, G scales G_axial alone. t / R = 0.1, L / R = 10, Biot law. "
-        "Variation: RMS distance of material points to the shape at factor 1, over R. The twist is a tenth of a degree (surface shear 1.7e-4): at E / G a hundredth "
-        "of the base the tube wrinkles at 0.2 degrees. Shapes under prescribed motions depend on E / G alone. Aim: reactions within the reference's own error plus 1 %.\n",
+        (
+            "The wall transversely isotropic about the tube's axis; E scales E_axial and E_T"
+            " together, G scales G_axial alone. t / R = 0.1, L / R = 10, Biot law. Variation: RMS"
+            " distance of material points to the shape at factor 1, over R. The twist is a tenth of"
+            " a degree (surface shear 1.7e-4): at E / G a hundredth of the base the tube wrinkles"
+            " at 0.2 degrees. Shapes under prescribed motions depend on E / G alone. Aim: reactions"
+            " within the reference's own error plus 1 %.\n"
+        ),
         f"![Sensitivity]({IMAGES}/sensitivity.png)\n",
     ]
     lines = sensitivity_lines(rows, models)
@@ -543,15 +593,22 @@ def sensitivity_section(rows, notes, parted):
     if failures:
         text += [
             "### Not converged\n",
-            "A wall soft in shear wrinkles earlier, by (G / G0)^(1/2): half of Brazier's curvature is past that where E is more than four times the base.\n",
+            (
+                "A wall soft in shear wrinkles earlier, by (G / G0)^(1/2): half of Brazier's"
+                " curvature is past that where E is more than four times the base.\n"
+            ),
             markdown(("load", "modulus", "model", "at factors", "ended"), failures),
         ]
     text.append(provenance_text(notes))
-    if parted:
+    if gap_table:
         text += [
             "### Where the curves part\n",
-            f"In `{parted[0][0]['load']}` at {parted[0][0]['modulus']} x {parted[0][0]['factor']:g}, where the wall is softest in shear. G_axial is also the "
-            "shell's shear through its thickness; the normals of `coupled` stay normal. What is left of the gap on a fine mesh goes with the thickness:\n",
+            (
+                f"In `{gap_table[0][0]['load']}` at {gap_table[0][0]['modulus']} x"
+                f" {gap_table[0][0]['factor']:g}, where the wall is softest in shear. G_axial is"
+                " also the shell's shear through its thickness; the normals of `coupled` stay"
+                " normal. What is left of the gap on a fine mesh goes with the thickness:\n"
+            ),
             markdown(
                 (
                     "thickness / R",
@@ -572,10 +629,10 @@ def sensitivity_section(rows, notes, parted):
                         percent(row["rms"], 3),
                         percent(row["u_reaction"], 3),
                     ]
-                    for row in parted[0]
+                    for row in gap_table[0]
                 ],
             ),
-            provenance_text(parted[1]),
+            provenance_text(gap_table[1]),
         ]
     return "\n".join(text)
 
@@ -594,7 +651,8 @@ def settings_text(value):
 
 
 def time_ratios(rows):
-    """Per resolution of `coupled`: the cheapest of another program's runs that is at least as near to its reference, over `coupled`'s time."""
+    """Per resolution of `coupled`: the cheapest of another program's runs that is at least as near
+    to its reference, over `coupled`'s time."""
     lines = []
     for row in sorted(
         (row for row in rows if row["model"] == "coupled"), key=lambda r: r["seconds"]
@@ -673,16 +731,22 @@ def trade_section(rows, notes):
         for row in sorted(rows, key=lambda r: r["seconds"])
     ]
     references = "; ".join(
-        f"{', '.join(sorted({row['model'] for row in rows if row['reference'] == reference}))}: {reference}"
+        f"{', '.join(sorted({row['model'] for row in rows if row['reference'] == reference}))}:"
+        f" {reference}"
         for reference in dict.fromkeys(row["reference"] for row in rows)
     )
     own = max(row["reference_rms"] for row in rows)
     return "\n".join(
         [
             "## Time against error\n",
-            f"Case `{rows[0]['case']}`. Processor time and peak memory, one thread, the least of {value_or_range([row['repeats'] for row in rows], lambda v: f'{v:.0f}')} runs each on "
-            "a shared machine: of the whole program, and of solving alone (its share of the wall time, without reading, pictures and writing; CalculiX does not say). "
-            f"Error against the converged reference of the same law ({references}), whose own error is up to {percent(own, 3)} % of R.\n",
+            (
+                f"Case `{rows[0]['case']}`. Processor time and peak memory, one thread, the least"
+                f" of {value_or_range([row['repeats'] for row in rows], lambda v: f'{v:.0f}')} runs"
+                " each on a shared machine: of the whole program, and of solving alone (its share"
+                " of the wall time, without reading, pictures and writing; CalculiX does not say)."
+                f" Error against the converged reference of the same law ({references}), whose own"
+                f" error is up to {percent(own, 3)} % of R.\n"
+            ),
             f"![Trade]({IMAGES}/trade.png)\n",
             markdown(
                 (
@@ -710,8 +774,10 @@ def table_if_there(path):
 def write_report(baselines, docs):
     text = [
         "# How far the hybrid is from finite elements, and what it costs\n",
-        "Written by `./run report` from the tables in `benchmarks/baselines`; no number here is typed by hand. "
-        "How to add a case: [adding_a_case.md](adding_a_case.md).\n",
+        (
+            "Written by `./run report` from the tables in `benchmarks/baselines`; no number here is"
+            " typed by hand. How to add a case: [adding_a_case.md](adding_a_case.md).\n"
+        ),
     ]
     images = docs / IMAGES
     accuracy, notes = read_table(baselines / "accuracy.csv")

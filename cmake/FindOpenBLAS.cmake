@@ -1,5 +1,5 @@
-# The library itself, not the system's BLAS alternative, which on Debian may be the reference one: linked before CHOLMOD's own
-# dependency it serves CHOLMOD's calls too. Gives OpenBLAS::OpenBLAS.
+# The library itself, not the system's BLAS alternative, which on Debian may be the reference one:
+# linked before CHOLMOD's own dependency it serves CHOLMOD's calls too. Gives OpenBLAS::OpenBLAS.
 find_library(OpenBLAS_LIBRARY openblas)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenBLAS REQUIRED_VARS OpenBLAS_LIBRARY)

@@ -1,4 +1,4 @@
-# One way to declare a library, a test and a program, so that every folder's CMakeLists stays a few lines.
+# One way to declare a library, a test and a program: a folder's CMakeLists.txt is then a few lines.
 
 # The warnings every one of our targets is compiled with.
 add_library(vasorod_warnings INTERFACE)
@@ -13,10 +13,11 @@ if(VASOROD_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
-# Eigen and the Lie-group kernels are only fast when inlined; -fno-math-errno keeps IEEE results and lets sqrt inline.
+# Eigen and the Lie-group kernels are only fast when inlined; -fno-math-errno keeps IEEE results and
+# lets sqrt inline.
 add_compile_options(-fno-math-errno)
 
-# vasorod_library(<folder> SOURCES ... LINKS ... [PRIVATE_LINKS ...]): the library vasorod::<folder>.
+# vasorod_library(<folder> SOURCES ... LINKS ... [PRIVATE_LINKS ...]): library vasorod::<folder>.
 function(vasorod_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(vasorod_${name} STATIC ${ARG_SOURCES})
@@ -31,11 +32,12 @@ function(vasorod_library name)
   set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
 endfunction()
 
-# vasorod_test(<folder> SOURCES ... LINKS ...): the program test_<folder>, its cases known to ctest one by one.
+# vasorod_test(<folder> SOURCES ... LINKS ...): the program test_<folder>; ctest knows each case.
 function(vasorod_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
-  target_link_libraries(test_${name} PRIVATE ${ARG_LINKS} vasorod_warnings GTest::gtest GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE
+    ${ARG_LINKS} vasorod_warnings GTest::gtest GTest::gtest_main)
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE VASOROD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(VASOROD_REAL_ANATOMY)
@@ -43,6 +45,6 @@ function(vasorod_test name)
   else()
     set(filter "-*RealAnatomy*")
   endif()
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER ${filter} DISCOVERY_TIMEOUT 300 NO_PRETTY_VALUES
-    PROPERTIES LABELS ${name})
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER ${filter}
+    DISCOVERY_TIMEOUT 300 NO_PRETTY_VALUES PROPERTIES LABELS ${name})
 endfunction()

@@ -1,5 +1,6 @@
-"""Smooth triangle surfaces of blended bodies: gmsh's OpenCASCADE lofts and fuses them and meshes the skin; the skin is then moved onto
-the smooth union of the bodies' distance fields (which rounds every crotch) and relaxed there."""
+"""Smooth triangle surfaces of blended bodies: gmsh's OpenCASCADE lofts and fuses them and meshes
+the skin; the skin is then moved onto the smooth union of the bodies' distance fields (which rounds
+every crotch) and relaxed there."""
 
 import gmsh
 import numpy as np
@@ -9,8 +10,8 @@ from scipy.spatial.transform import Rotation
 
 
 class Tube:
-    """A tube about a spline through control points (x, y, z, radius). Its ends are planar, normal to the centerline; a branch starts
-    inside another tube."""
+    """A tube about a spline through control points (x, y, z, radius). Its ends are planar, normal
+    to the centerline; a branch starts inside another tube."""
 
     def __init__(self, control, branch=False, step=0.02):
         self.branch = branch
@@ -32,8 +33,8 @@ class Tube:
         return self.s[self._tree.query(points)[1]]
 
     def field(self, points):
-        """Distance to the tube's wall (negative inside) and its gradient, the tube going on straight beyond its ends; a branch begins
-        with a half ball."""
+        """Distance to the tube's wall (negative inside) and its gradient, the tube going on
+        straight beyond its ends; a branch begins with a half ball."""
         k = self._tree.query(points)[1]
         d = points - self.x[k]
         along = np.sum(d * self.t[k], axis=1)
@@ -44,7 +45,8 @@ class Tube:
         return rho - self.radius[k], d / np.maximum(rho, 1e-12)[:, None]
 
     def frames(self, samples):
-        """Twist-free frames (columns: two normals, tangent) at the given samples, by double reflection."""
+        """Twist-free frames (columns: two normals, tangent) at the given samples, by double
+        reflection."""
         normal = np.cross(self.t[samples[0]], np.eye(3)[np.argmin(abs(self.t[samples[0]]))])
         normal /= np.linalg.norm(normal)
         result = []
@@ -61,7 +63,11 @@ class Tube:
 
     def add_to(self, occ, spacing=3.0):
         """The tube as an OpenCASCADE solid, lofted through circles about `spacing` apart."""
-        samples = np.linspace(0, len(self.s) - 1, max(4, round(self.length / spacing)) + 1).round().astype(int)
+        samples = (
+            np.linspace(0, len(self.s) - 1, max(4, round(self.length / spacing)) + 1)
+            .round()
+            .astype(int)
+        )
         wires = []
         for k, frame in zip(samples, self.frames(samples)):
             circle = occ.addCircle(0, 0, 0, self.radius[k])
@@ -104,7 +110,8 @@ class Ellipsoid:
 
 
 def blend(bodies, width):
-    """The smooth union: minimum of the fields, lowered by up to width / 6 where two differ by less than `width` (cubic, so C2)."""
+    """The smooth union: minimum of the fields, lowered by up to width / 6 where two differ by less
+    than `width` (cubic, so C2)."""
 
     def field(points):
         value, slope = bodies[0].field(points)
@@ -120,7 +127,7 @@ def blend(bodies, width):
 
 
 def skin(bodies, edge):
-    """gmsh's frontal mesh of the fused bodies' surface without planar end caps: points, triangles."""
+    """gmsh's frontal mesh of the fused bodies' surface without end caps: points, triangles."""
     gmsh.initialize()
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -135,8 +142,12 @@ def skin(bodies, edge):
         gmsh.option.setNumber("Mesh.Algorithm", 6)
         gmsh.model.mesh.generate(2)
         tags, xyz, _ = gmsh.model.mesh.getNodes()
-        walls = [tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) != "Plane"]
-        triangles = np.vstack([gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3) for tag in walls])
+        walls = [
+            tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) != "Plane"
+        ]
+        triangles = np.vstack(
+            [gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3) for tag in walls]
+        )
     finally:
         gmsh.finalize()
     row = np.zeros(int(tags.max()) + 1, int)
@@ -146,11 +157,14 @@ def skin(bodies, edge):
 
 
 def edges_of(triangles):
-    """Undirected edges (sorted pairs), and for each its one or two triangles and their opposite vertices (-1 where none)."""
+    """Undirected edges (sorted pairs), and for each its one or two triangles and their opposite
+    vertices (-1 where none)."""
     half = np.vstack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
     owner = np.tile(np.arange(len(triangles)), 3)
     opposite = np.concatenate([triangles[:, 0], triangles[:, 1], triangles[:, 2]])
-    edges, inverse, count = np.unique(np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True)
+    edges, inverse, count = np.unique(
+        np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
     if count.max() > 2:
         raise SystemExit("blended_surface: an edge has more than two triangles")
     order = np.argsort(inverse.ravel(), kind="stable")
@@ -175,7 +189,8 @@ def corner_angles(points, triangles):
 
 
 def flip_edges(points, triangles):
-    """One sweep of Delaunay flips (opposite angles above 180 degrees together), each triangle touched at most once."""
+    """One sweep of Delaunay flips (opposite angles above 180 degrees together), each triangle
+    touched at most once."""
     edges, sides, across = edges_of(triangles)
     angle = corner_angles(points, triangles)
     inner = sides[:, 1] >= 0
@@ -192,7 +207,7 @@ def flip_edges(points, triangles):
     for e in np.argsort(-total, kind="stable"):
         if total[e] <= np.pi + 1e-6:
             break
-        (i, j), (s, t), (c, d) = edges[e], sides[e], across[e]
+        (s, t), (c, d) = sides[e], across[e]
         if taken[s] or taken[t] or (min(c, d), max(c, d)) in known:
             continue
         k = int(np.argmax(triangles[s] == c))
@@ -213,7 +228,8 @@ def project(points, field, steps=8):
 
 
 def relax(points, triangles, field, sweeps=40):
-    """Moves inner vertices onto field = 0 and, along it, towards the mean of their neighbours, flipping edges between; ends stay put."""
+    """Moves inner vertices onto field = 0 and, along it, towards the mean of their neighbours,
+    flipping edges between; ends stay put."""
     edges, sides, _ = edges_of(triangles)
     fixed = np.zeros(len(points), bool)
     fixed[edges[sides[:, 1] < 0].ravel()] = True
@@ -236,8 +252,10 @@ def relax(points, triangles, field, sweeps=40):
 
 
 def surface(bodies, edge, width, start=None):
-    """The blended surface of `bodies`, outward oriented, vertices ordered along the bodies (the first body's start comes first).
-    `start`: bodies whose skin is moved onto the blend, where the fused bodies' own has seams that meet at a point."""
+    """The blended surface of `bodies`, outward oriented, vertices ordered along the bodies (the
+    first body's start comes first). `start`: the bodies that are meshed at first, where the skin of
+    the fused `bodies` has seams that meet at a point.
+    """
     field = blend(bodies, width)
     points, triangles = relax(*skin(start or bodies, edge), field, 150 if start else 40)
     p = points[triangles]

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Prints the path of a Python 3 that has the modules named as arguments (without any: those the generators need); exit 1 where there is
-# none. The `python3` first in PATH may be another one than Debian's, which has the packaged modules. VASOROD_PYTHON overrides.
+# Prints the path of a Python 3 that has the modules named as arguments (by default those that the
+# generators need); exit 1 where there is none. The first `python3` in PATH may not be Debian's,
+# which has the packaged modules. VASOROD_PYTHON overrides.
 [ $# -gt 0 ] || set -- gmsh meshio numpy scipy
 modules=$(echo "$@" | tr ' ' ',')
 for candidate in "$VASOROD_PYTHON" python3 /usr/bin/python3; do

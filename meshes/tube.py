@@ -5,9 +5,10 @@
   quad      quadrilaterals of the mid-wall surface                       (finite-element shell)
   triangle  near-equilateral triangles of the mid-wall surface           (hybrid model)
 
-The centerline starts at the origin along +z and turns towards +x, as a scene's `tube:` does with its default normal. Written by the file's ending:
-.msh (gmsh 4.1, or 2.2 with --msh2; deal.II's GridIn::read_msh reads both) or, triangles only, .vtp. Physical tags: cells 10, start 1,
-end 2; of hexahedra also inner 3 and outer wall 4. Lengths in whatever unit the numbers are in.
+The centerline starts at the origin along +z and turns towards +x, as a scene's `tube:` does with
+its default normal. Written by the file's ending: .msh (gmsh 4.1, or 2.2 with --msh2; deal.II's
+GridIn::read_msh reads both) or, triangles only, .vtp. Physical tags: cells 10, start 1, end 2; of
+hexahedra also inner 3 and outer wall 4. Lengths in whatever unit the numbers are in.
 """
 
 import argparse
@@ -22,7 +23,9 @@ CELLS, START, END, INNER, OUTER = 10, 1, 2, 3, 4
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("out", help="file to write: .msh or .vtp")
     parser.add_argument("--cells", choices=["hex", "quad", "triangle"], default="hex")
     parser.add_argument("--length", type=float, required=True, help="of the centerline")
@@ -30,7 +33,9 @@ def arguments():
     parser.add_argument("--thickness", type=float, default=0, help="of the wall (hex only)")
     parser.add_argument("--end-radius", type=float, help="default: --radius")
     parser.add_argument("--end-thickness", type=float, help="default: --thickness")
-    parser.add_argument("--bend-deg", type=float, default=0, help="total angle of the circular centerline")
+    parser.add_argument(
+        "--bend-deg", type=float, default=0, help="total angle of the circular centerline"
+    )
     parser.add_argument("--around", type=int, default=16, help="cells around, a multiple of 4")
     parser.add_argument("--along", type=int, default=16, help="cells along (hex and quad)")
     parser.add_argument("--layers", type=int, default=1, help="cells through the wall (hex)")
@@ -43,10 +48,19 @@ def arguments():
     if min(given.length, given.radius, given.end_radius) <= 0:
         parser.error("--length and radii must be positive")
     if given.cells == "hex":
-        for radius, thickness in ((given.radius, given.thickness), (given.end_radius, given.end_thickness)):
+        for radius, thickness in (
+            (given.radius, given.thickness),
+            (given.end_radius, given.end_thickness),
+        ):
             if not 0 < thickness < 2 * radius:
-                parser.error(f"a wall of thickness {thickness} does not fit mid-wall radius {radius}")
-    if given.out.endswith(".vtp") and given.cells != "triangle" or not given.out.endswith((".vtp", ".msh")):
+                parser.error(
+                    f"a wall of thickness {thickness} does not fit mid-wall radius {radius}"
+                )
+    if (
+        given.out.endswith(".vtp")
+        and given.cells != "triangle"
+        or not given.out.endswith((".vtp", ".msh"))
+    ):
         parser.error("write .msh, or .vtp with --cells triangle")
     return given
 
@@ -54,7 +68,9 @@ def arguments():
 def circle(geo, radius):
     """Four quarter arcs about the origin in the plane z = 0, and their start points."""
     center = geo.addPoint(0, 0, 0)
-    points = [geo.addPoint(radius * x, radius * y, 0) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    points = [
+        geo.addPoint(radius * x, radius * y, 0) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))
+    ]
     return [geo.addCircleArc(points[k], center, points[(k + 1) % 4]) for k in range(4)], points
 
 
@@ -73,8 +89,16 @@ def straight_hex(given):
         face = geo.addPlaneSurface([loop])
         geo.mesh.setTransfiniteSurface(face)
         geo.mesh.setRecombine(2, face)
-        top, volume, _, wall, _, lumen = geo.extrude([(2, face)], 0, 0, given.length, [given.along], recombine=True)
-        for tag, entity in ((START, face), (END, top[1]), (INNER, lumen[1]), (OUTER, wall[1]), (CELLS, volume[1])):
+        top, volume, _, wall, _, lumen = geo.extrude(
+            [(2, face)], 0, 0, given.length, [given.along], recombine=True
+        )
+        for tag, entity in (
+            (START, face),
+            (END, top[1]),
+            (INNER, lumen[1]),
+            (OUTER, wall[1]),
+            (CELLS, volume[1]),
+        ):
             groups[tag].append(entity)
     geo.synchronize()
     for tag, entities in groups.items():
@@ -87,7 +111,9 @@ def straight_quad(given):
     arcs, _ = circle(geo, given.radius)
     for curve in arcs:
         geo.mesh.setTransfiniteCurve(curve, given.around // 4 + 1)
-    swept = [geo.extrude([(1, arc)], 0, 0, given.length, [given.along], recombine=True) for arc in arcs]
+    swept = [
+        geo.extrude([(1, arc)], 0, 0, given.length, [given.along], recombine=True) for arc in arcs
+    ]
     geo.synchronize()
     gmsh.model.addPhysicalGroup(2, [s[1][1] for s in swept], CELLS)
     gmsh.model.addPhysicalGroup(1, arcs, START)
@@ -103,7 +129,9 @@ def straight_triangle(given):
     gmsh.option.setNumber("Mesh.MeshSizeMin", edge)
     gmsh.option.setNumber("Mesh.MeshSizeMax", edge)
     gmsh.option.setNumber("Mesh.Algorithm", 6)
-    walls = [tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) == "Cylinder"]
+    walls = [
+        tag for _, tag in gmsh.model.getEntities(2) if gmsh.model.getType(2, tag) == "Cylinder"
+    ]
     rims = {START: [], END: []}
     for _, tag in gmsh.model.getEntities(1):
         box = gmsh.model.getBoundingBox(1, tag)
@@ -116,17 +144,28 @@ def straight_triangle(given):
 
 
 def shaped(points, given):
-    """Straight, even tube -> its taper and bend: (radial share of the wall, angle, z) keep their meaning."""
+    """Straight, even tube -> its taper and bend: (radial share of the wall, angle, z) keep their
+    meaning."""
     rho, phi = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
     f = points[:, 2] / given.length
     depth = (rho - given.radius) / given.thickness if given.cells == "hex" else 0 * rho
-    rho = given.radius + f * (given.end_radius - given.radius) + depth * (given.thickness + f * (given.end_thickness - given.thickness))
+    rho = (
+        given.radius
+        + f * (given.end_radius - given.radius)
+        + depth * (given.thickness + f * (given.end_thickness - given.thickness))
+    )
     theta = f * math.radians(given.bend_deg)
     x, z = 0 * theta, points[:, 2]
     if given.bend_deg:
         turn = given.length / math.radians(given.bend_deg)
         x, z = turn * (1 - np.cos(theta)), turn * np.sin(theta)
-    return np.column_stack([x + rho * np.cos(phi) * np.cos(theta), rho * np.sin(phi), z - rho * np.cos(phi) * np.sin(theta)])
+    return np.column_stack(
+        [
+            x + rho * np.cos(phi) * np.cos(theta),
+            rho * np.sin(phi),
+            z - rho * np.cos(phi) * np.sin(theta),
+        ]
+    )
 
 
 def main():
@@ -140,8 +179,12 @@ def main():
     for tag, point in zip(tags, points):
         gmsh.model.mesh.setNode(tag, point, [])
     if given.out.endswith(".vtp"):
-        cells = np.vstack([gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3)
-                           for tag in gmsh.model.getEntitiesForPhysicalGroup(2, CELLS)])
+        cells = np.vstack(
+            [
+                gmsh.model.mesh.getElementsByType(2, tag)[1].reshape(-1, 3)
+                for tag in gmsh.model.getEntitiesForPhysicalGroup(2, CELLS)
+            ]
+        )
         used, triangles = np.unique(cells, return_inverse=True)
         row = {int(tag): k for k, tag in enumerate(tags)}
         points, triangles = points[[row[int(tag)] for tag in used]], triangles.reshape(-1, 3)

@@ -1,4 +1,5 @@
-"""Triangle surfaces as VTK XML PolyData (.vtp): inline binary with zlib, the encoding VTK, ParaView, Slicer and VMTK all read."""
+"""Triangle surfaces as VTK XML PolyData (.vtp): inline binary with zlib, the encoding VTK,
+ParaView, Slicer and VMTK all read."""
 
 import base64
 import struct
@@ -12,16 +13,19 @@ _TYPES = {"f8": "Float64", "f4": "Float32", "i4": "Int32", "i8": "Int64"}
 
 
 def _data_array(name, values, components=1):
-    """One <DataArray>: a header (blocks, block size, last block's size, compressed sizes) and the blocks, each in base64."""
+    """One <DataArray>: a header (blocks, block size, last block's size, compressed sizes) and the
+    blocks, each in base64."""
     values = np.ascontiguousarray(values)
     raw = values.tobytes()
-    blocks = [raw[k:k + _BLOCK] for k in range(0, len(raw), _BLOCK)]
+    blocks = [raw[k : k + _BLOCK] for k in range(0, len(raw), _BLOCK)]
     packed = [zlib.compress(block, 9) for block in blocks]
     last = len(blocks[-1]) % _BLOCK if blocks else 0
     header = struct.pack(f"<{3 + len(packed)}I", len(packed), _BLOCK, last, *map(len, packed))
     text = base64.b64encode(header) + base64.b64encode(b"".join(packed))
-    return (f'<DataArray type="{_TYPES[values.dtype.str[1:]]}" Name="{name}" NumberOfComponents="{components}" '
-            f'format="binary">\n{text.decode()}\n</DataArray>\n')
+    return (
+        f'<DataArray type="{_TYPES[values.dtype.str[1:]]}" Name="{name}"'
+        f' NumberOfComponents="{components}" format="binary">\n{text.decode()}\n</DataArray>\n'
+    )
 
 
 def write_vtp(path, points, triangles):
@@ -32,10 +36,13 @@ def write_vtp(path, points, triangles):
     triangles = np.asarray(triangles, dtype="<i4")
     offsets = np.arange(3, 3 * len(triangles) + 1, 3, dtype="<i4")
     with open(path, "w", encoding="ascii") as out:
-        out.write('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" '
-                  'header_type="UInt32" compressor="vtkZLibDataCompressor">\n<PolyData>\n'
-                  f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
-                  f'NumberOfPolys="{len(triangles)}">\n<Points>\n')
+        out.write(
+            '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1"'
+            ' byte_order="LittleEndian" header_type="UInt32"'
+            ' compressor="vtkZLibDataCompressor">\n<PolyData>\n<Piece'
+            f' NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0"'
+            f' NumberOfStrips="0" NumberOfPolys="{len(triangles)}">\n<Points>\n'
+        )
         out.write(_data_array("Points", points, 3))
         out.write("</Points>\n<Polys>\n")
         out.write(_data_array("connectivity", triangles.ravel()))
@@ -50,13 +57,13 @@ def read_vtp(path):
 
     def array(name, dtype):
         start = text.index(">", text.index(f'Name="{name}"')) + 1
-        body = text[start:text.index("</DataArray>", start)].strip()
+        body = text[start : text.index("</DataArray>", start)].strip()
         blocks = struct.unpack("<I", base64.b64decode(body[:8])[:4])[0]
         chars = 4 * ((4 * (3 + blocks) + 2) // 3)  # base64 length of the header
         sizes = struct.unpack(f"<{3 + blocks}I", base64.b64decode(body[:chars]))[3:]
         packed, raw, at = base64.b64decode(body[chars:]), b"", 0
         for size in sizes:
-            raw += zlib.decompress(packed[at:at + size])
+            raw += zlib.decompress(packed[at : at + size])
             at += size
         return np.frombuffer(raw, dtype).reshape(-1, 3)
 

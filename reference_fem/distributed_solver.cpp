@@ -14,7 +14,7 @@ void check(PetscErrorCode code) {
 
 class Mumps final : public LinearSolver::Method {
  public:
-  explicit Mumps(const Team& team) : team_(team) {}
+  explicit Mumps(const Processes& processes) : processes_(processes) {}
   ~Mumps() override {
     VecScatterDestroy(&gather_);
     VecDestroy(&whole_);
@@ -97,7 +97,7 @@ class Mumps final : public LinearSolver::Method {
     // never too little
     Eigen::VectorXd entries = Eigen::VectorXd::Zero(n);
     for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k) entries[matrix.innerIndexPtr()[k]] += 1;
-    team_.sum(entries.data(), static_cast<std::size_t>(n));
+    processes_.sum(entries.data(), static_cast<std::size_t>(n));
     PetscInt begin = 0, end = 0;
     check(MatSetUp(matrix_));
     check(MatGetOwnershipRange(matrix_, &begin, &end));
@@ -113,7 +113,7 @@ class Mumps final : public LinearSolver::Method {
     check(VecScatterCreateToAll(left_, &gather_, &whole_));
   }
 
-  Team team_;
+  Processes processes_;
   Mat matrix_ = nullptr, factor_ = nullptr;
   Vec right_ = nullptr, left_ = nullptr, whole_ = nullptr;
   VecScatter gather_ = nullptr;
@@ -122,8 +122,8 @@ class Mumps final : public LinearSolver::Method {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver::Method> distributed_method(const Team& team) {
-  return std::make_unique<Mumps>(team);
+std::unique_ptr<LinearSolver::Method> distributed_method(const Processes& processes) {
+  return std::make_unique<Mumps>(processes);
 }
 
 }  // namespace vasorod::fem

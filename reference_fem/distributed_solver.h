@@ -9,6 +9,6 @@ namespace vasorod::fem {
 /// Symmetric matrices are factorised as L D L^T, whose count of negative pivots (Sylvester's
 /// inertia) says whether they are positive definite on `multipliers` constraints: exactly that many
 /// are then negative.
-std::unique_ptr<LinearSolver::Method> distributed_method(const Team& team);
+std::unique_ptr<LinearSolver::Method> distributed_method(const Processes& processes);
 
 }  // namespace vasorod::fem

@@ -87,8 +87,9 @@ class OneProcess final : public LinearSolver::Method {
 
 }  // namespace
 
-LinearSolver::LinearSolver(const Team& team)
-    : method_(team.size() > 1 ? distributed_method(team) : std::make_unique<OneProcess>()) {}
+LinearSolver::LinearSolver(const Processes& processes)
+    : method_(processes.size() > 1 ? distributed_method(processes)
+                                   : std::make_unique<OneProcess>()) {}
 LinearSolver::~LinearSolver() = default;
 
 bool LinearSolver::factor(const Sparse& matrix, bool symmetric, int multipliers,

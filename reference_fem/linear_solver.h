@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <memory>
 
-#include "reference_fem/team.h"
+#include "reference_fem/processes.h"
 
 namespace vasorod::fem {
 
@@ -16,14 +16,14 @@ class LinearSolver {
  public:
   enum class Fallback { umfpack, none };
 
-  explicit LinearSolver(const Team& team = {});
+  explicit LinearSolver(const Processes& processes = {});
   ~LinearSolver();
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
   /// Factorises; the pattern must stay the same from call to call. False when the matrix is
-  /// singular. The last `multipliers` unknowns are those of constraints (zero diagonal block). In a
-  /// team the matrix is the sum of what the processes give.
+  /// singular. The last `multipliers` unknowns are those of constraints (zero diagonal block). With
+  /// several processes the matrix is the sum of what they give.
   bool factor(const Sparse& matrix, bool symmetric, int multipliers = 0,
               Fallback fallback = Fallback::umfpack);
   /// Whether the last factor() found the matrix positive definite on its constraints (only

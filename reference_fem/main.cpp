@@ -47,8 +47,8 @@ int solve(Arguments& arguments) {
   using namespace vasorod;
   const double start = fem::now();
   set_blas_threads(arguments.threads);
-  const fem::Team& team = arguments.options.team;
-  if (team.first()) require_replaceable(arguments.output);
+  const fem::Processes& processes = arguments.options.processes;
+  if (processes.first()) require_replaceable(arguments.output);
   const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
   const double read = fem::now() - start;
   fem::SolveOptions& options = arguments.options;
@@ -57,10 +57,10 @@ int solve(Arguments& arguments) {
     options.along = arguments.cells[1];
   }
   options.stepper.interrupted = [&] {
-    return team.any(stop_asked ||
-                    (arguments.time_limit > 0 && fem::now() - start > arguments.time_limit));
+    return processes.any(stop_asked ||
+                         (arguments.time_limit > 0 && fem::now() - start > arguments.time_limit));
   };
-  const bool talk = team.first() && !arguments.quiet && isatty(STDERR_FILENO) != 0;
+  const bool talk = processes.first() && !arguments.quiet && isatty(STDERR_FILENO) != 0;
   if (talk) options.progress = [](const std::string& line) { std::cerr << line << std::endl; };
 
   Result result = fem::solve_scene(scene, options);
@@ -69,10 +69,11 @@ int solve(Arguments& arguments) {
   result.environment.threads = arguments.threads;
   result.seconds["read"] = read;
   result.seconds["total"] = fem::now() - start;
-  if (team.size() > 1)
-    result.certificate.notes.push_back("solved by " + std::to_string(team.size()) + " processes");
+  if (processes.size() > 1)
+    result.certificate.notes.push_back("solved by " + std::to_string(processes.size()) +
+                                       " processes");
   const int code = result.status == Status::converged ? 0 : 1;
-  if (!team.first()) return code;
+  if (!processes.first()) return code;
   write_result_folder(result, arguments.output);
   if (arguments.json)
     std::cout << to_json(result) << std::flush;
@@ -151,9 +152,9 @@ int main(int argc, char** argv) {
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   if (launched_as_team()) {
     mpi.emplace(argc, argv, 1);
-    arguments.options.team = vasorod::fem::Team::world();
+    arguments.options.processes = vasorod::fem::Processes::world();
   }
-  const bool speaks = arguments.options.team.first();
+  const bool speaks = arguments.options.processes.first();
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   try {

@@ -11,7 +11,7 @@ namespace vasorod::fem {
 /// `corners` as in Mesh, by active cell index; all cells of `tria` on one level.
 template <int dim>
 Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners,
-               const Chart& chart, bool closed, int degree, const Team& team);
+               const Chart& chart, bool closed, int degree, const Processes& processes);
 
 /// Multilinear interpolation of a cell's corners at a point of the unit cell.
 inline Vec3 inside(const Eigen::Matrix3Xd& corners, const Vec3& unit) {

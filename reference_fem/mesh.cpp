@@ -83,21 +83,21 @@ void share_out(dealii::Triangulation<dim, 3>& tria, const std::vector<Eigen::Mat
 }
 
 template <int dim>
-Mesh make(const Block& block, const Chart& chart, const Team& team) {
+Mesh make(const Block& block, const Chart& chart, const Processes& processes) {
   for (int d = 0; d < dim; ++d)
     if (block.cells[static_cast<size_t>(d)] < (d == 0 && block.closed ? 3 : 1))
       throw InputError("mesh: found " + std::to_string(block.cells[static_cast<size_t>(d)]) +
                        " cells in one direction; expected at least 1, and 3 around a tube");
   dealii::Triangulation<dim, 3> tria;
   std::vector<Eigen::Matrix3Xd> corners = triangulate<dim>(block, chart, tria);
-  return make_mesh<dim>(tria, std::move(corners), chart, block.closed, block.degree, team);
+  return make_mesh<dim>(tria, std::move(corners), chart, block.closed, block.degree, processes);
 }
 
 }  // namespace
 
 template <int dim>
 Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners,
-               const Chart& chart, bool closed, int p, const Team& team) {
+               const Chart& chart, bool closed, int p, const Processes& processes) {
   if (p < 1 || p > 8) throw InputError("degree: found " + std::to_string(p) + "; expected 1 to 8");
   const auto degree = static_cast<unsigned>(p);
   const dealii::FE_Q<dim, 3> fe(degree);
@@ -113,11 +113,11 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
     }
     return points;
   });
-  if (team.size() > 1) share_out<dim>(tria, corners, team.size());
+  if (processes.size() > 1) share_out<dim>(tria, corners, processes.size());
   dealii::DoFHandler<dim, 3> dofs(tria);
   dofs.distribute_dofs(fe);
   // a process then owns most of the rows its cells add to
-  if (team.size() > 1) dealii::DoFRenumbering::subdomain_wise(dofs);
+  if (processes.size() > 1) dealii::DoFRenumbering::subdomain_wise(dofs);
 
   Mesh mesh;
   mesh.dim = dim;
@@ -151,11 +151,11 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
       mesh.parameters.row(numbers[a]) = at;
     }
     mesh.cell_nodes.push_back(std::move(numbers));
-    mesh.owner.push_back(team.size() > 1 ? static_cast<int>(cell->subdomain_id()) : 0);
+    mesh.owner.push_back(processes.size() > 1 ? static_cast<int>(cell->subdomain_id()) : 0);
     Eigen::VectorXd weights;
     Eigen::MatrixXd gradient;
     Eigen::Matrix3Xd normal, parameters;
-    if (mesh.owner.back() == team.rank()) {
+    if (mesh.owner.back() == processes.rank()) {
       values.reinit(cell);
       weights.resize(points);
       gradient.resize(3 * points, local);
@@ -180,16 +180,16 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
 }
 
 template Mesh make_mesh<2>(dealii::Triangulation<2, 3>&, std::vector<Eigen::Matrix3Xd>,
-                           const Chart&, bool, int, const Team&);
+                           const Chart&, bool, int, const Processes&);
 template Mesh make_mesh<3>(dealii::Triangulation<3, 3>&, std::vector<Eigen::Matrix3Xd>,
-                           const Chart&, bool, int, const Team&);
+                           const Chart&, bool, int, const Processes&);
 
-Mesh make_solid(const Block& block, const Chart& chart, const Team& team) {
-  return make<3>(block, chart, team);
+Mesh make_solid(const Block& block, const Chart& chart, const Processes& processes) {
+  return make<3>(block, chart, processes);
 }
 
-Mesh make_surface(const Block& block, const Chart& chart, const Team& team) {
-  return make<2>(block, chart, team);
+Mesh make_surface(const Block& block, const Chart& chart, const Processes& processes) {
+  return make<2>(block, chart, processes);
 }
 
 std::vector<int> Mesh::nodes_on(int direction, double value) const {

@@ -12,7 +12,7 @@
 
 #include <vasorod/types.h>
 
-#include "reference_fem/team.h"
+#include "reference_fem/processes.h"
 
 namespace vasorod::fem {
 
@@ -66,9 +66,9 @@ struct Mesh {
   std::vector<CellRow> rows_at(const std::vector<Vec3>& at) const;
 };
 
-/// `team`: the processes that share the cells.
-Mesh make_solid(const Block& block, const Chart& chart, const Team& team = {});
-Mesh make_surface(const Block& block, const Chart& chart, const Team& team = {});
+/// `processes`: the processes that share the cells.
+Mesh make_solid(const Block& block, const Chart& chart, const Processes& processes = {});
+Mesh make_surface(const Block& block, const Chart& chart, const Processes& processes = {});
 
 /// Faces of a solid (edges of a surface) where the parameter `direction` is 0 or 1, with their own
 /// quadrature, for tractions, pressure and sections.

@@ -118,7 +118,7 @@ void check_cover(const Mesh& mesh, const MeshFile& file) {
 }
 
 template <int dim>
-Mesh read(const MeshFile& file, const TubeShape& tube, int degree, const Team& team) {
+Mesh read(const MeshFile& file, const TubeShape& tube, int degree, const Processes& processes) {
   check_msh(file.path, dim);
   dealii::Triangulation<dim, 3> tria;
   try {
@@ -168,19 +168,21 @@ Mesh read(const MeshFile& file, const TubeShape& tube, int degree, const Team& t
     corners.push_back(std::move(own));
   }
   const Chart chart = [tube](const Vec3& p) { return tube.point(p); };
-  Mesh mesh = make_mesh<dim>(*use, std::move(corners), chart, true, degree, team);
+  Mesh mesh = make_mesh<dim>(*use, std::move(corners), chart, true, degree, processes);
   check_cover(mesh, file);
   return mesh;
 }
 
 }  // namespace
 
-Mesh read_solid(const MeshFile& file, const TubeShape& tube, int degree, const Team& team) {
-  return read<3>(file, tube, degree, team);
+Mesh read_solid(const MeshFile& file, const TubeShape& tube, int degree,
+                const Processes& processes) {
+  return read<3>(file, tube, degree, processes);
 }
 
-Mesh read_surface(const MeshFile& file, const TubeShape& tube, int degree, const Team& team) {
-  return read<2>(file, tube, degree, team);
+Mesh read_surface(const MeshFile& file, const TubeShape& tube, int degree,
+                  const Processes& processes) {
+  return read<2>(file, tube, degree, processes);
 }
 
 CellCount count_cells(const Mesh& mesh) {

@@ -21,8 +21,10 @@ struct MeshFile {
 /// the axis along +z, turning towards +x (meshes/tube.py writes so). Physical tags, if any, must be
 /// 1 start, 2 end, 3 inner and 4 outer wall. Throws InputError with the file, what was found and
 /// what is expected; FileError where it cannot be opened.
-Mesh read_solid(const MeshFile& file, const TubeShape& tube, int degree, const Team& team = {});
-Mesh read_surface(const MeshFile& file, const TubeShape& tube, int degree, const Team& team = {});
+Mesh read_solid(const MeshFile& file, const TubeShape& tube, int degree,
+                const Processes& processes = {});
+Mesh read_surface(const MeshFile& file, const TubeShape& tube, int degree,
+                  const Processes& processes = {});
 
 /// Cells around and along; of an unstructured mesh their nearest whole equivalents.
 struct CellCount {

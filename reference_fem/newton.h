@@ -10,7 +10,7 @@ namespace vasorod::fem {
 class Newton {
  public:
   Newton(const System& system, const StepperOptions& options, StepperSummary& summary)
-      : system_(system), options_(options), summary_(summary), solver_(system.team()) {}
+      : system_(system), options_(options), summary_(summary), solver_(system.processes()) {}
 
   /// From `state` (prescribed values already in place). False: `state` is not to be used.
   bool at_load(State& state, double load, System::Assembly& assembly);

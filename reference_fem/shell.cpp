@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "reference_fem/point_tangent.h"
-#include "reference_fem/product.h"
+#include "reference_fem/transposed_product.h"
 
 namespace vasorod::fem {
 

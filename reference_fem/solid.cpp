@@ -4,8 +4,8 @@
 
 #include "geometry/rigid_motion.h"
 #include "reference_fem/point_tangent.h"
-#include "reference_fem/product.h"
 #include "reference_fem/section.h"
+#include "reference_fem/transposed_product.h"
 
 namespace vasorod::fem {
 

@@ -182,7 +182,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   const double start = now();
   for (int k = 0; k <= options.refine; ++k) {
     Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations,
-                                 options.stepper, options.team)};
+                                 options.stepper, options.processes)};
     const StepperSummary& summary = level.solution.summary;
     assembly += summary.assembly_seconds;
     factor += summary.factor_seconds;

@@ -19,9 +19,9 @@ struct SolveOptions {
   int refine = 1;  ///< refinements by 3/2 after the first mesh: 0 gives no error estimate, 2 an
                    ///< observed order
   int around = 8,
-      along = 0;     ///< cells of the first mesh, multiples of 4; along 0: nearly square cells
-  std::string mesh;  ///< a gmsh file instead of `around` x `along`; refined by halving its cells
-  Team team;         ///< the processes that solve together
+      along = 0;        ///< cells of the first mesh, multiples of 4; along 0: nearly square cells
+  std::string mesh;     ///< a gmsh file instead of `around` x `along`; refined by halving its cells
+  Processes processes;  ///< the processes that solve together
   StepperOptions stepper;
   std::function<void(const std::string&)> progress;  ///< a line for the terminal
 };

@@ -33,8 +33,8 @@ void place_members(const Section& section, const Pose& pose, Eigen::VectorXd& u)
 
 }  // namespace
 
-System::System(const Model& model, Supports supports, const Team& team)
-    : model_(model), supports_(std::move(supports)), team_(team) {
+System::System(const Model& model, Supports supports, const Processes& processes)
+    : model_(model), supports_(std::move(supports)), processes_(processes) {
   for (int c = 0; c < model_.cell_count(); ++c) cell_dofs_.push_back(model_.dofs(c));
   build_numbering();
   build_pattern();
@@ -105,13 +105,13 @@ void System::build_pattern() {
   };
   std::vector<int> dofs, columns, sections;
   for (int c = 0; c < model_.cell_count(); ++c) {
-    if (model_.owner(c) != team_.rank()) continue;
+    if (model_.owner(c) != processes_.rank()) continue;
     reduced_columns(c, dofs, columns, sections);
     couple(columns);
     for (const int j : columns)
       if (j >= 0 && rows[static_cast<size_t>(j)].size() > 4000) tidy(rows[static_cast<size_t>(j)]);
   }
-  for (size_t s = 0; s < supports_.sections.size() && team_.first(); ++s) {
+  for (size_t s = 0; s < supports_.sections.size() && processes_.first(); ++s) {
     std::vector<int> own;
     for (const auto* set : {&pose_index_[s], &multiplier_index_[s]})
       for (const int i : *set)
@@ -232,7 +232,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
   bool inside = true;
   std::vector<int> dofs, columns, sections, place(static_cast<size_t>(size_), -1);
   for (int cell = 0; cell < model_.cell_count(); ++cell) {
-    if (model_.owner(cell) != team_.rank()) continue;
+    if (model_.owner(cell) != processes_.rank()) continue;
     inside = model_.evaluate(cell, state.u, load, want_tangent, terms);
     if (!inside) break;
     out.energy += terms.energy;
@@ -320,12 +320,12 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
               (*tangent)(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
     }
   }
-  if (team_.any(!inside)) return;
-  team_.sum(&out.energy, 1);
-  team_.sum(&out.scale, 1);
-  team_.sum(out.residual.data(), static_cast<size_t>(out.residual.size()));
-  team_.sum(out.nodal.data(), static_cast<size_t>(out.nodal.size()));
-  for (Vec6& force : out.section_force) team_.sum(force.data(), 6);
+  if (processes_.any(!inside)) return;
+  processes_.sum(&out.energy, 1);
+  processes_.sum(&out.scale, 1);
+  processes_.sum(out.residual.data(), static_cast<size_t>(out.residual.size()));
+  processes_.sum(out.nodal.data(), static_cast<size_t>(out.nodal.size()));
+  for (Vec6& force : out.section_force) processes_.sum(force.data(), 6);
   out.scale = std::sqrt(out.scale);
   if (supports_.dead_load.size() > 0) {
     for (size_t d = 0; d < index_.size(); ++d) {
@@ -335,7 +335,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     }
     out.scale += std::abs(load) * supports_.dead_load.norm();
   }
-  add_sections(state, load, want_tangent && team_.first(), out);
+  add_sections(state, load, want_tangent && processes_.first(), out);
   out.admissible = true;
 }
 

@@ -31,11 +31,11 @@ struct Supports {
 
 class System {
  public:
-  /// In a team each process assembles the cells it owns; the tangent is then its share, all else
+  /// Of several processes each assembles the cells it owns; the tangent is then its share, all else
   /// whole.
-  System(const Model& model, Supports supports, const Team& team = {});
+  System(const Model& model, Supports supports, const Processes& processes = {});
 
-  const Team& team() const { return team_; }
+  const Processes& processes() const { return processes_; }
   const Model& model() const { return model_; }
   const Supports& supports() const { return supports_; }
   int size() const { return size_; }
@@ -79,7 +79,7 @@ class System {
 
   const Model& model_;
   Supports supports_;
-  Team team_;
+  Processes processes_;
   std::vector<int> index_;                            // per dof: unknown, or -1
   std::vector<std::pair<int, int>> member_;           // per dof: (section, member) or (-1, -1)
   std::vector<std::array<int, 6>> pose_index_;        // per section: unknown or -1

@@ -26,7 +26,6 @@ std::string quoted(const std::string& text) {
 const VesselSpec& only_tube(const Scene& scene) {
   const std::string can = "one generated tube (`tube:`) with conditions at its ends";
   if (scene.glenn) refuse(scene, "a surgery", can);
-  if (scene.explore) refuse(scene, "an exploration", can);
   if (scene.vessels.size() != 1)
     refuse(scene, std::to_string(scene.vessels.size()) + " vessels", can);
   const VesselSpec& vessel = scene.vessels.front();
@@ -107,7 +106,8 @@ double graded_inverse(double s) {
 }
 
 std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
-                             const Team& team, std::vector<Section>& sections, const Mesh*& mesh) {
+                             const Processes& processes, std::vector<Section>& sections,
+                             const Mesh*& mesh) {
   const TubeShape& shape = problem.shape;
   const MaterialLaw law(problem.law, problem.moduli);
   const auto finish = [&](auto model) -> std::unique_ptr<Model> {
@@ -134,8 +134,8 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
   if (kind == ModelKind::solid) {
     Mesh cells = size.file.empty()
                      ? make_solid(
-                           block, [&](const Vec3& p) { return shape.point(place(p)); }, team)
-                     : read_solid(file, shape, size.degree, team);
+                           block, [&](const Vec3& p) { return shape.point(place(p)); }, processes)
+                     : read_solid(file, shape, size.degree, processes);
     auto solid = std::make_unique<Solid>(std::move(cells), law, axes);
     if (problem.pressure != 0) solid->add_pressure(2, 0, problem.pressure);
     return finish(std::move(solid));
@@ -147,8 +147,8 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
                                        [&](const Vec3& p) {
                                          return shape.point(place({p[0], p[1], 0.5}));
                                        },
-                                       team)
-                                 : read_surface(file, shape, size.degree, team);
+                                       processes)
+                                 : read_surface(file, shape, size.degree, processes);
   auto shell =
       std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
   if (problem.pressure != 0) shell->add_pressure(problem.pressure);
@@ -188,13 +188,13 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
 
 TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
                         int points_around, int stations, const StepperOptions& options,
-                        const Team& team) {
+                        const Processes& processes) {
   TubeSolution solution;
   const double start = now();
   const Mesh* mesh = nullptr;
   Supports supports;
-  const auto model = build(problem, kind, size, team, supports.sections, mesh);
-  const System system(*model, std::move(supports), team);
+  const auto model = build(problem, kind, size, processes, supports.sections, mesh);
+  const System system(*model, std::move(supports), processes);
   solution.unknowns = system.size();
   const auto abscissa = [&](double s) { return size.file.empty() ? graded_inverse(s) : s; };
   std::vector<Vec3> at;

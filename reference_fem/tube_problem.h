@@ -71,6 +71,6 @@ struct TubeMesh {
 /// Solves on one mesh; the mid-wall is sampled at `points_around` x `stations`.
 TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh,
                         int points_around, int stations, const StepperOptions& options,
-                        const Team& team = {});
+                        const Processes& processes = {});
 
 }  // namespace vasorod::fem

@@ -4,9 +4,9 @@
     tests/same_results.py BEFORE AFTER [SCENE...]
 
 BEFORE and AFTER are programs (vasorod), or folders that an earlier run of this script filled
-(--keep DIR). Every scene below benchmarks/cases is solved with one thread; result.json must be equal in
-every key and number but `seconds`, `program` and `environment`, and so must exit codes. Results may gain
-keys; none may go. Words that differ (notes, refusals) are listed, for a person to judge.
+(--keep DIR). Every scene below benchmarks/cases is solved with one thread; result.json must be
+equal in every key and number but `seconds`, `program` and `environment`, and so must exit codes.
+Results may gain keys; none may be lost. Words that differ (notes, refusals) are listed for review.
 """
 
 import argparse
@@ -80,13 +80,17 @@ def compare(before, after):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
     parser.add_argument("before")
     parser.add_argument("after")
     parser.add_argument("scenes", nargs="*", type=Path)
     parser.add_argument("--keep", help="keep the results below this folder (before/, after/)")
     options = parser.parse_args()
-    scenes = [s.resolve() for s in options.scenes] or sorted(ROOT.glob("benchmarks/cases/**/*.yaml"))
+    scenes = [s.resolve() for s in options.scenes] or sorted(
+        ROOT.glob("benchmarks/cases/**/*.yaml")
+    )
     with tempfile.TemporaryDirectory() as scratch:
         keep = Path(options.keep or scratch)
         before = results(options.before, scenes, keep / "before")

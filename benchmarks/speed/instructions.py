@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""Instruction counts of the kernels, free of the noise of clocks: kernel_instructions under valgrind's callgrind, three runs
-less one, halved.
+"""Instruction counts of the kernels, which do not vary as times do: kernel_instructions under
+valgrind's callgrind; three runs minus one run, divided by two.
 
-  instructions.py PROGRAM             prints the counts beside the baseline's; exit code 1 where one is more than 2 % above it
-  instructions.py PROGRAM --write     adds a line per kernel to the baseline, with the date and the compiler
+  instructions.py PROGRAM             prints the counts beside the baseline's; exit code 1 where
+                                      one is more than 2 % above it
+  instructions.py PROGRAM --write     adds a line per kernel to the baseline, with the date and
+                                      the compiler
 
-The baseline (benchmarks/baselines/instructions.csv) is a history: the last line of a kernel is what counts. Counts of another
-compiler or C library differ by more than 2 %: compare on one machine, base and head built alike."""
+The baseline (benchmarks/baselines/instructions.csv) is a history: the last line of a kernel is what
+counts. Counts of another compiler or C library differ by more than 2 %: compare on one machine,
+base and head built alike."""
 import argparse
 import csv
 import datetime
@@ -23,14 +26,28 @@ WORSE = 0.02
 
 def instructions(program, kernel, runs):
     with tempfile.NamedTemporaryFile() as out:
-        run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}", program, kernel, str(runs)],
-                             capture_output=True, text=True, check=True)
+        run = subprocess.run(
+            [
+                "valgrind",
+                "--tool=callgrind",
+                f"--callgrind-out-file={out.name}",
+                program,
+                kernel,
+                str(runs),
+            ],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
     return int(re.search(r"Collected : (\d+)", run.stderr).group(1))
 
 
 def measure(program):
     names = subprocess.run([program], capture_output=True, text=True, check=True).stdout.split()
-    return {name: (instructions(program, name, 3) - instructions(program, name, 1)) // 2 for name in names}
+    return {
+        name: (instructions(program, name, 3) - instructions(program, name, 1)) // 2
+        for name in names
+    }
 
 
 def last_known():
@@ -42,18 +59,28 @@ def last_known():
 
 def write(counts):
     new = not BASELINE.exists()
-    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=True).stdout.split("\n")[0]
+    compiler = subprocess.run(
+        ["c++", "--version"], capture_output=True, text=True, check=True
+    ).stdout.split("\n")[0]
     with BASELINE.open("a", newline="") as lines:
         table = csv.DictWriter(lines, FIELDS, lineterminator="\n")
         if new:
             table.writeheader()
         for kernel, count in counts.items():
-            table.writerow({"kernel": kernel, "instructions": count, "date": datetime.date.today().isoformat(),
-                            "compiler": compiler})
+            table.writerow(
+                {
+                    "kernel": kernel,
+                    "instructions": count,
+                    "date": datetime.date.today().isoformat(),
+                    "compiler": compiler,
+                }
+            )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("program", help="the built kernel_instructions")
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
@@ -63,7 +90,10 @@ def main():
     for kernel, count in counts.items():
         ratio = count / known[kernel] if kernel in known else None
         worse |= ratio is not None and ratio > 1 + WORSE
-        print(f"{kernel:16} {count:13,}" + (f"  {ratio:.4f} of the baseline's" if ratio else "  not in the baseline"))
+        print(
+            f"{kernel:16} {count:13,}"
+            + (f"  {ratio:.4f} of the baseline's" if ratio else "  not in the baseline")
+        )
     if arguments.write:
         write(counts)
     return 1 if worse and not arguments.write else 0

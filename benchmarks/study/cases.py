@@ -1,4 +1,5 @@
-"""Cases: scene files with a `study:` note {family, ratio, counted}, and their variations (mesh, wall). Adding a case is adding a file."""
+"""Cases: scene files with a `study:` note {family, ratio, counted}, and their variations (mesh,
+wall). A new case is a new file."""
 
 import copy
 from dataclasses import dataclass
@@ -12,9 +13,10 @@ FOLDER = Path(__file__).resolve().parent.parent / "cases" / "tube"
 @dataclass(frozen=True)
 class Case:
     name: str
-    family: str     # stretch, twist, bend, offset, combined, curved, tapered
-    ratio: float    # to the limit the family names: Brazier's curvature, wrinkling; for stretch the stretch itself
-    counted: bool   # False: beyond what the model is for; reported, not part of any mean or aim
+    family: str  # stretch, twist, bend, offset, combined, curved, tapered
+    # to the limit the family names: Brazier's curvature, wrinkling; for stretch the stretch itself
+    ratio: float
+    counted: bool  # False: beyond what the model is for; reported, not part of any mean or aim
     scene: dict
 
     @property
@@ -26,7 +28,8 @@ class Case:
         return self.scene["vessels"][0]["wall"]
 
     def changed(self, *, around=None, wall=None, study_end=None):
-        """The same case on another mesh (`around` points, strips in proportion, an even number) or with other wall entries."""
+        """The same case on another mesh (`around` points, strips in proportion, an even number) or
+        with other wall entries."""
         scene = copy.deepcopy(self.scene)
         vessel = scene["vessels"][0]
         if around is not None:
@@ -49,7 +52,9 @@ def read_case(path):
     if not isinstance(note, dict) or set(note) != {"family", "ratio", "counted"}:
         raise SystemExit(f"{path}: study: found {note}, expected {{family, ratio, counted}}")
     if scene["scene"] != Path(path).stem:
-        raise SystemExit(f"{path}: scene: found {scene['scene']}, expected the file's name {Path(path).stem}")
+        raise SystemExit(
+            f"{path}: scene: found {scene['scene']}, expected the file's name {Path(path).stem}"
+        )
     return Case(scene["scene"], note["family"], float(note["ratio"]), bool(note["counted"]), scene)
 
 

@@ -1,4 +1,5 @@
-"""How far one result is from the reference's: `vasorod compare` for shapes, result.json for reactions and sections."""
+"""How far one result is from the reference's: `vasorod compare` for shapes, result.json for
+reactions and sections."""
 
 import json
 import math
@@ -27,42 +28,64 @@ def norm(vector):
 
 
 def moved_end(result):
-    """Force and moment (about that end's centre) of the support at the moved end: the second of a case's ends."""
+    """Force and moment (about that end's centre) of the support at the moved end: the second of a
+    case's ends."""
     end = result["ends"][1]
     return end["force"], end["moment"]
 
 
 def reactions(result, reference, radius):
-    """Force and moment differences over S = max(|F|, |M|/R) of the reference, and the signed relative difference of the whole reaction
-    along the reference's own: positive where the model is stiffer."""
+    """Force and moment differences over S = max(|F|, |M|/R) of the reference, and the signed
+    relative difference of the whole reaction along the reference's own: positive where the model is
+    stiffer."""
     (f, m), (F, M) = moved_end(result), moved_end(reference)
     scale = max(norm(F), norm(M) / radius)
     a, b = [*f, *(x / radius for x in m)], [*F, *(x / radius for x in M)]
     along = sum(x * y for x, y in zip(a, b)) / sum(y * y for y in b) - 1
-    return {"force": norm([x - y for x, y in zip(f, F)]) / scale, "moment": norm([x - y for x, y in zip(m, M)]) / radius / scale,
-            "reaction_signed": along}
+    return {
+        "force": norm([x - y for x, y in zip(f, F)]) / scale,
+        "moment": norm([x - y for x, y in zip(m, M)]) / radius / scale,
+        "reaction_signed": along,
+    }
 
 
 def own_error(reference):
-    """The reference's own numerical error as it states it: of displacements (RMS over R) and of reactions (relative)."""
+    """The reference's own numerical error as it states it: of displacements (RMS over R) and of
+    reactions (relative)."""
     notes = " ".join(reference["certificate"]["notes"])
+
     def value(what):
         found = re.search(rf"u_num of {what}[^:]*: ([0-9.e+-]+)", notes)
         return float(found.group(1)) if found else None
+
     return {"u_shape": value("displacements"), "u_reaction": value("reactions")}
 
 
 def shapes(store, a, b, radius, length):
-    """RMS and largest distance of material points over R (None without a surface), of the centerline over L."""
-    done = subprocess.run([str(store.programs["vasorod"]), "compare", str(store.folder(a) / "result"), str(store.folder(b) / "result"),
-                           "--json"], capture_output=True, text=True)
+    """RMS and largest distance of material points over R (None without a surface), of the
+    centerline over L."""
+    done = subprocess.run(
+        [
+            str(store.programs["vasorod"]),
+            "compare",
+            str(store.folder(a) / "result"),
+            str(store.folder(b) / "result"),
+            "--json",
+        ],
+        capture_output=True,
+        text=True,
+    )
     if done.returncode != 0:
         raise SystemExit(f"{a}, {b}: {done.stderr.strip()}")
     vessel = json.loads(done.stdout)["vessels"][0]
     surface, line = vessel["surface"], vessel["centerline"]
     to_length = vessel["radius"] / length
-    return {"rms": surface and surface["rms"], "largest": surface and surface["largest"],
-            "centerline_rms": line and line["rms"] * to_length, "centerline_largest": line and line["largest"] * to_length}
+    return {
+        "rms": surface and surface["rms"],
+        "largest": surface and surface["largest"],
+        "centerline_rms": line and line["rms"] * to_length,
+        "centerline_largest": line and line["largest"] * to_length,
+    }
 
 
 def compared(store, case, run, reference_run):
@@ -70,14 +93,26 @@ def compared(store, case, run, reference_run):
     radius, length = case.tube["radius"], case.tube["length"]
     a, b = result_of(store, run.identity), result_of(store, reference_run.identity)
     has_surface = a["metrics"] and a["model"]["vertices"] > 0
-    return {**shapes(store, run.identity, reference_run.identity, radius, length), **reactions(a, b, radius),
-            "flattening": a["metrics"][0]["flattening"] if has_surface else None, "flattening_reference": b["metrics"][0]["flattening"],
-            **own_error(b)}
+    return {
+        **shapes(store, run.identity, reference_run.identity, radius, length),
+        **reactions(a, b, radius),
+        "flattening": a["metrics"][0]["flattening"] if has_surface else None,
+        "flattening_reference": b["metrics"][0]["flattening"],
+        **own_error(b),
+    }
 
 
 def outcome(store, case, run, other, columns):
-    """These columns of one run's errors against another's and `failure`: the sentence of the one that did not converge, and then no numbers."""
-    failed = next((record for record in (store.record(one.identity) for one in (run, other)) if not converged(store, record)), None)
+    """These columns of one run's errors against another's, and `failure`: where one of the two did
+    not converge its sentence, and no numbers."""
+    failed = next(
+        (
+            record
+            for record in (store.record(one.identity) for one in (run, other))
+            if not converged(store, record)
+        ),
+        None,
+    )
     if failed is not None:
         return {**{name: None for name in columns}, "failure": failure_of(store, failed)}
     numbers = compared(store, case, run, other)

@@ -1,5 +1,6 @@
-"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is made from pulled, twisted and bent
-straight tubes; all other cases check that its promise is kept (see held_out)."""
+"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is
+made from pulled, twisted and bent straight tubes; all other cases check that its promise is kept
+(see held_out)."""
 
 import math
 
@@ -10,7 +11,8 @@ from tables import provenance, read_table, write_table
 
 FIDELITIES = ("skin", "paper", "coupled")
 KINDS = ("stretch", "twist", "bend")
-SAFETY = 1.5  # on what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %
+# On what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %.
+SAFETY = 1.5
 HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
 // clang-format off
 #include "judge/accuracy_table.h"
@@ -47,15 +49,21 @@ def up(value):
 
 
 def mean_edge(around, length=10.0, along_ratio=88 / 48):
-    """Mean edge over R of a generated tube with `around` points around (staggered rows), length over R as given, 1 % added."""
+    """Mean edge over R of a generated tube with `around` points around (staggered rows), length
+    over R as given, 1 % added."""
     row = length / (around * along_ratio)
     half = 2 * math.sin(math.pi / (2 * around))
     return 1.01 * (2 * math.sin(math.pi / around) + 2 * math.hypot(row, half)) / 3
 
 
 def promise_rows(accuracy):
-    """(fidelity, kind, edge, demand, error) sorted; the error is SAFETY times the largest measured over all walls, the reference's own added."""
-    made_from = [row for row in accuracy if row["counted"] and row["family"] in KINDS and row["model"] in FIDELITIES]
+    """(fidelity, kind, edge, demand, error) sorted; the error is SAFETY times the largest measured
+    over all walls with the reference's own added."""
+    made_from = [
+        row
+        for row in accuracy
+        if row["counted"] and row["family"] in KINDS and row["model"] in FIDELITIES
+    ]
     rows = []
     for fidelity in FIDELITIES:
         for kind in KINDS:
@@ -63,33 +71,62 @@ def promise_rows(accuracy):
             for around in sorted({row["around"] for row in mine}, reverse=True):
                 largest = 0.0
                 for ratio in sorted({row["ratio"] for row in mine}):
-                    level = [row for row in mine if row["around"] == around and row["ratio"] == ratio]
+                    level = [
+                        row for row in mine if row["around"] == around and row["ratio"] == ratio
+                    ]
                     if not level or any(row["rms"] is None for row in level):
                         break  # what failed is not promised, nor anything beyond it
-                    largest = max(largest, *(row["rms"] + (row["u_shape"] or 0) for row in level), 0.0)
-                    rows.append((fidelity, kind, mean_edge(around), min(row[f"demand_{kind}"] for row in level), SAFETY * largest))
+                    largest = max(
+                        largest, *(row["rms"] + (row["u_shape"] or 0) for row in level), 0.0
+                    )
+                    rows.append(
+                        (
+                            fidelity,
+                            kind,
+                            mean_edge(around),
+                            min(row[f"demand_{kind}"] for row in level),
+                            SAFETY * largest,
+                        )
+                    )
     return rows
 
 
 def source_text(accuracy, source):
     rows = promise_rows(accuracy)
     tubes = [row for row in accuracy if row["family"] in KINDS]
+
     def span(column):
         values = [row[column] for row in tubes]
         return f"{min(values):g}, {max(values):g}"
-    lines = [f"    {{\"{fidelity}\", {kind}, {edge:.4f}, {demand:.4g}, {up(error)}}}," for fidelity, kind, edge, demand, error in rows]
-    return HEAD.format(source=source, rows="\n".join(lines), thickness=span("thickness_over_radius"), length=span("length_over_radius"))
+
+    lines = [
+        f'    {{"{fidelity}", {kind}, {edge:.4f}, {demand:.4g}, {up(error)}}},'
+        for fidelity, kind, edge, demand, error in rows
+    ]
+    return HEAD.format(
+        source=source,
+        rows="\n".join(lines),
+        thickness=span("thickness_over_radius"),
+        length=span("length_over_radius"),
+    )
 
 
 def promised(rows, fidelity, around, demands):
-    """As hybrid/judge/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds of load; None where the table ends."""
+    """As hybrid/judge/choose_fidelity.cpp does it: linear from zero at rest, summed over the kinds
+    of load; None where the table ends."""
     total = 0.0
     for kind in KINDS:
-        mine = [(demand, error) for f, k, edge, demand, error in rows if f == fidelity and k == kind and edge == mean_edge(around)]
+        mine = [
+            (demand, error)
+            for f, k, edge, demand, error in rows
+            if f == fidelity and k == kind and edge == mean_edge(around)
+        ]
         before = (0.0, 0.0)
         for demand, error in mine:
             if demands[f"demand_{kind}"] <= demand:
-                total += before[1] + (error - before[1]) * (demands[f"demand_{kind}"] - before[0]) / (demand - before[0])
+                total += before[1] + (error - before[1]) * (
+                    demands[f"demand_{kind}"] - before[0]
+                ) / (demand - before[0])
                 break
             before = (demand, error)
         else:
@@ -99,16 +136,26 @@ def promised(rows, fidelity, around, demands):
 
 def pressed(row):
     """True where choose_fidelity.cpp promises nothing because the rod is pressed."""
-    return row["demand_press"] is not None and row["demand_press"] > 0.1 * 0.605 * row["thickness_over_radius"]
+    return (
+        row["demand_press"] is not None
+        and row["demand_press"] > 0.1 * 0.605 * row["thickness_over_radius"]
+    )
 
 
 def held_out(accuracy, within=True):
-    """Every measured result the table was not made from, within its scope: (row, what it says the error is); else those that are pressed."""
+    """Every measured result the table was not made from, within its scope: (row, what it says the
+    error is); else those that are pressed."""
     rows = promise_rows(accuracy)
     out = []
     for row in accuracy:
-        if row["family"] in KINDS or row["family"] == "curved" or not row["counted"] or row["model"] not in FIDELITIES or row["rms"] is None \
-                or pressed(row) == within:
+        if (
+            row["family"] in KINDS
+            or row["family"] == "curved"
+            or not row["counted"]
+            or row["model"] not in FIDELITIES
+            or row["rms"] is None
+            or pressed(row) == within
+        ):
             continue
         error = promised(rows, row["model"], row["around"], row)
         if error is not None:
@@ -124,12 +171,19 @@ def promise_run(case, wanted):
     changed = case.changed()
     del changed.scene["fidelity"]
     changed.scene["accuracy"] = wanted
-    return Run(f"{case.name}/accuracy-{wanted:g}", "vasorod", hybrid_arguments(), {"scene.yaml": changed.text})
+    return Run(
+        f"{case.name}/accuracy-{wanted:g}",
+        "vasorod",
+        hybrid_arguments(),
+        {"scene.yaml": changed.text},
+    )
 
 
 def runs_of(case):
     """By what is asked for."""
-    return {wanted: promise_run(case, wanted) for wanted in WANTED} if case.family == "fresh" else {}
+    return (
+        {wanted: promise_run(case, wanted) for wanted in WANTED} if case.family == "fresh" else {}
+    )
 
 
 def all_runs(case):
@@ -137,13 +191,31 @@ def all_runs(case):
 
 
 def make_table(store, cases, path):
-    """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and how far that is from the reference."""
+    """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and
+    how far that is from the reference."""
     rows, records = [], []
     for case, wanted, run, record, reference in measured(store, cases, runs_of, records):
         chosen = result_of(store, run.identity)["fidelity"] if converged(store, record) else None
-        rows.append({"case": case.name, "wanted": wanted, "chosen": chosen, **outcome(store, case, run, reference, ("rms", "u_shape"))})
+        rows.append(
+            {
+                "case": case.name,
+                "wanted": wanted,
+                "chosen": chosen,
+                **outcome(store, case, run, reference, ("rms", "u_shape")),
+            }
+        )
     if rows:
-        write_table(path, rows, ["What accuracy: x chose on cases its table was not made from; rms: measured distance over R", *provenance(records)])
+        write_table(
+            path,
+            rows,
+            [
+                (
+                    "What accuracy: x chose on cases its table was not made from; rms: measured"
+                    " distance over R"
+                ),
+                *provenance(records),
+            ],
+        )
 
 
 def write_promise(baselines, target):

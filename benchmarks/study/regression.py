@@ -1,5 +1,5 @@
-"""Baselines: has a curve moved? `check` repeats the runs of a baseline and names every number that drifted beyond the tolerance;
-`accept` takes the new numbers, with a reason that stays in the file."""
+"""Baselines: has a curve moved? `check` repeats the runs of a baseline and names every number that
+drifted beyond the tolerance. `accept` takes the new numbers and writes the reason into the file."""
 
 import time
 
@@ -8,7 +8,16 @@ from store import commit
 from tables import provenance, read_table, write_table
 
 TOLERANCE = 0.005  # of the largest value the same quantity takes on its curve
-QUANTITIES = ("variation", "force", "moment", "energy", "bending_energy", "stretching_energy", "binding_energy", "flattening")
+QUANTITIES = (
+    "variation",
+    "force",
+    "moment",
+    "energy",
+    "bending_energy",
+    "stretching_energy",
+    "binding_energy",
+    "flattening",
+)
 FILE = "sensitivity.csv"
 
 
@@ -17,7 +26,8 @@ def key(row):
 
 
 def drifts(old_rows, new_rows, tolerance=TOLERANCE):
-    """[(key, quantity, old, new, drift)] beyond the tolerance; a number that came or went has drift None."""
+    """[(key, quantity, old, new, drift)] beyond the tolerance; a number that came or went has drift
+    None."""
     old = {key(row): row for row in old_rows}
     largest = {}
     for row in old_rows:
@@ -46,7 +56,9 @@ def drifts(old_rows, new_rows, tolerance=TOLERANCE):
 def new_rows(store, old_rows, quick, again):
     """The baseline's own points (hybrid only), run with the programs as they are now."""
     few = {float(f"{factor:.4g}") for factor in sensitivity.FEW}
-    wanted = [row for row in old_rows if row["fidelity"] != "shell" and (not quick or key(row)[3] in few)]
+    wanted = [
+        row for row in old_rows if row["fidelity"] != "shell" and (not quick or key(row)[3] in few)
+    ]
     rows, records = [], []
     for row in wanted:
         load, modulus, fidelity = row["load"], row["modulus"], row["fidelity"]
@@ -62,8 +74,10 @@ def new_rows(store, old_rows, quick, again):
 def picture(found, old_rows, rows, path):
     """The curves with the largest drift, before and now."""
     import matplotlib
+
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+
     worst = {}
     for k, quantity, _, _, drift in found:
         size = abs(drift) if drift is not None else float("inf")
@@ -72,8 +86,11 @@ def picture(found, old_rows, rows, path):
     figure, axes = plt.subplots(2, 3, figsize=(12, 7), squeeze=False)
     for axis, (load, modulus, fidelity, quantity) in zip(axes.flat, curves):
         for name, table, style in (("baseline", old_rows, "o-"), ("now", rows, "x--")):
-            mine = sorted((row["factor"], row[quantity]) for row in table
-                          if key(row)[:3] == (load, modulus, fidelity) and row[quantity] is not None)
+            mine = sorted(
+                (row["factor"], row[quantity])
+                for row in table
+                if key(row)[:3] == (load, modulus, fidelity) and row[quantity] is not None
+            )
             axis.semilogx([x for x, _ in mine], [y for _, y in mine], style, label=name)
         axis.set_title(f"{fidelity}, {load}: {quantity}", fontsize=9)
         axis.set_xlabel(f"factor on {modulus}")
@@ -88,10 +105,18 @@ def check(store, baselines, quick=False, again=False, image=None):
     rows, _ = new_rows(store, old_rows, quick, again)
     found = drifts(old_rows, rows)
     if not found:
-        print(f"{len(rows)} points of {FILE}: no quantity moved by more than {TOLERANCE:.1%} of its curve's largest value")
+        print(
+            f"{len(rows)} points of {FILE}: no quantity moved by more than {TOLERANCE:.1%} of its"
+            " curve's largest value"
+        )
         return True
-    print(f"{len(found)} numbers of {FILE} moved by more than {TOLERANCE:.1%} of their curve's largest value:")
-    for (load, modulus, fidelity, factor), quantity, a, b, drift in sorted(found, key=lambda f: -abs(f[4]) if f[4] is not None else float("-inf"))[:40]:
+    print(
+        f"{len(found)} numbers of {FILE} moved by more than {TOLERANCE:.1%} of their curve's"
+        " largest value:"
+    )
+    for (load, modulus, fidelity, factor), quantity, a, b, drift in sorted(
+        found, key=lambda f: -abs(f[4]) if f[4] is not None else float("-inf")
+    )[:40]:
         shown = f"{drift:+.2%}" if drift is not None else "came or went"
         print(f"  {fidelity} {load}, {modulus} x {factor:g}: {quantity} {a} -> {b} ({shown})")
     if image is not None:
@@ -107,10 +132,25 @@ def check(store, baselines, quick=False, again=False, image=None):
 def accept(store, baselines, reason):
     """Writes new curves; the reasons given so far stay in the file."""
     path = baselines / FILE
-    earlier = [note for note in read_table(path)[1] if note.startswith("accepted ")] if path.exists() else []
+    earlier = (
+        [note for note in read_table(path)[1] if note.startswith("accepted ")]
+        if path.exists()
+        else []
+    )
     rows, records = sensitivity.make_rows(store)
     if not rows:
         return
     line = f"accepted {time.strftime('%Y-%m-%d', time.gmtime())} at {commit()}: {reason}"
-    write_table(path, rows, ["Moduli alone: variation is the RMS distance of material points to factor 1's shape over R, force and moment those "
-                             "at the moved end; law Biot", *provenance(records), *earlier, line])
+    write_table(
+        path,
+        rows,
+        [
+            (
+                "Moduli alone: variation is the RMS distance of material points to factor 1's shape"
+                " over R, force and moment those at the moved end; law Biot"
+            ),
+            *provenance(records),
+            *earlier,
+            line,
+        ],
+    )

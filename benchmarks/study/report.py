@@ -787,7 +787,7 @@ def write_report(baselines, docs):
     text.append(promise_section(accuracy, table_if_there(baselines / "promise.csv")))
     if (baselines / "sensitivity.csv").exists():
         rows, notes = read_table(baselines / "sensitivity.csv")
-        text.append(sensitivity_section(rows, notes, table_if_there(baselines / "parting.csv")))
+        text.append(sensitivity_section(rows, notes, table_if_there(baselines / "shear_gap.csv")))
         figures.sensitivity_picture(rows, images / "sensitivity.png")
     if (baselines / "trade.csv").exists():
         rows, notes = read_table(baselines / "trade.csv")

@@ -1,4 +1,5 @@
-"""Every run of the study by its identity, CASE/PROGRAM-SETTINGS: what is written beside it and how the program is called."""
+"""Every run of the study by its identity, CASE/PROGRAM-SETTINGS: what is written beside it and how
+the program is called."""
 
 import json
 from dataclasses import dataclass, field
@@ -18,36 +19,91 @@ class Run:
     keep: bool = False  # do not repeat it because the program was rebuilt
 
     def contents(self):
-        return {name: text if isinstance(text, str) else text() for name, text in self.files.items()}
+        return {
+            name: text if isinstance(text, str) else text() for name, text in self.files.items()
+        }
 
     def key(self):
-        return sha256(json.dumps([self.program, list(self.arguments), self.contents()], sort_keys=True))
+        return sha256(
+            json.dumps([self.program, list(self.arguments), self.contents()], sort_keys=True)
+        )
 
 
 def hybrid_arguments(fidelity=None):
     """Without a fidelity the scene says which."""
-    return "solve", "scene.yaml", "-o", "result", "--quiet", "--threads", "1", *(("--fidelity", fidelity) if fidelity else ())
+    return (
+        "solve",
+        "scene.yaml",
+        "-o",
+        "result",
+        "--quiet",
+        "--threads",
+        "1",
+        *(("--fidelity", fidelity) if fidelity else ()),
+    )
 
 
 def hybrid(case, fidelity, around, *, tag=""):
     """vasorod on `around` points around; `tag` tells variations of one case apart."""
-    return Run(f"{case.name}{tag}/{fidelity}-{around}", "vasorod", hybrid_arguments(fidelity), {"scene.yaml": case.changed(around=around).text})
+    return Run(
+        f"{case.name}{tag}/{fidelity}-{around}",
+        "vasorod",
+        hybrid_arguments(fidelity),
+        {"scene.yaml": case.changed(around=around).text},
+    )
 
 
 def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(0.34, 1.0)):
-    """vasorod-fem; kept through rebuilds, as it is dear: its record says which program it was."""
-    return Run(f"{case.name}{tag}/{model}-p{degree}-{cells[0]}x{cells[1]}-r{refine}-{law}", "vasorod-fem",
-               ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model, "--law", law, "--degree", str(degree),
-                "--cells", str(cells[0]), str(cells[1]), "--refine", str(refine), "--first-step", str(steps[0]),
-                "--largest-step", str(steps[1])),
-               {"scene.yaml": case.text}, keep=True)
+    """vasorod-fem; kept when the program is rebuilt, as runs are long: the record says which."""
+    return Run(
+        f"{case.name}{tag}/{model}-p{degree}-{cells[0]}x{cells[1]}-r{refine}-{law}",
+        "vasorod-fem",
+        (
+            "solve",
+            "scene.yaml",
+            "-o",
+            "result",
+            "--quiet",
+            "--model",
+            model,
+            "--law",
+            law,
+            "--degree",
+            str(degree),
+            "--cells",
+            str(cells[0]),
+            str(cells[1]),
+            "--refine",
+            str(refine),
+            "--first-step",
+            str(steps[0]),
+            "--largest-step",
+            str(steps[1]),
+        ),
+        {"scene.yaml": case.text},
+        keep=True,
+    )
 
 
 def accuracy_reference(case):
-    """What every fidelity is measured against: p = 4 solid, 8 x 12 cells and those refined by 3/2."""
-    return reference(case, "solid", 4, (8, 12), 1, steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0))
+    """Every fidelity is measured against it: p = 4 solid, 8 x 12 cells and those refined by 3/2."""
+    return reference(
+        case,
+        "solid",
+        4,
+        (8, 12),
+        1,
+        steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0),
+    )
 
 
 def accuracy_shell(case):
     """Beside it, the 7-parameter shell on the same cells: its own kinematics and assembly."""
-    return reference(case, "shell", 4, (8, 12), 1, steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0))
+    return reference(
+        case,
+        "shell",
+        4,
+        (8, 12),
+        1,
+        steps=(0.1, 0.25) if case.ratio >= 0.7 and not case.family == "stretch" else (0.34, 1.0),
+    )

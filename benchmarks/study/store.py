@@ -1,6 +1,7 @@
-"""Runs programs once and keeps what they cost: a folder per run with its scene, its result and record.json (command, commit, hashes,
-wall and processor time, peak memory, exit code, the sentence of a failure). A finished run is not repeated while its command, scene
-and - unless `keep` says the program is trusted to stay - its program are the same."""
+"""Runs each program once and records the cost: a folder per run with its scene, its result and
+record.json (command, commit, hashes, wall and processor time, peak memory, exit code, the sentence
+of a failure). A finished run is not repeated while its command and scene are the same, and its
+program too unless the run says `keep`."""
 
 import hashlib
 import json
@@ -20,26 +21,39 @@ def sha256(data):
 
 def commit():
     """The commit of this tree, with a + where tracked files differ from it."""
+
     def git(*words):
-        return subprocess.run(["git", "-C", str(REPOSITORY), *words], capture_output=True, text=True).stdout.strip()
-    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + ("+" if git("status", "--porcelain", "--untracked-files=no") else "")
+        return subprocess.run(
+            ["git", "-C", str(REPOSITORY), *words], capture_output=True, text=True
+        ).stdout.strip()
+
+    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + (
+        "+" if git("status", "--porcelain", "--untracked-files=no") else ""
+    )
 
 
 def solve_seconds(folder, record):
-    """Processor time of a run without reading, pictures and writing: its share of the wall time, as the result counts it; None without one."""
+    """Processor time of a run's solving, without reading, pictures and writing: in proportion to
+    the wall times that the result states; None where there is no result."""
     try:
         seconds = json.loads((folder / "result" / "result.json").read_text())["seconds"]
     except FileNotFoundError:
         return None
-    # vasorod's stages add up to its total; vasorod-fem counts all of its solving as `solve`, parts of it once more by name
-    solving = seconds["total"] - seconds["read"] - seconds["write"] if record["program"] == "vasorod" else seconds["solve"]
+    # vasorod's stages add up to its total; vasorod-fem's `solve` is all of its solving
+    solving = (
+        seconds["total"] - seconds["read"] - seconds["write"]
+        if record["program"] == "vasorod"
+        else seconds["solve"]
+    )
     return record["processor_seconds"] * min(1.0, solving / record["wall_seconds"])
 
 
 class Store:
     def __init__(self, results, programs):
         """results: the folder of all runs; programs: {name: path of the executable}."""
-        self.results, self.programs = Path(results).resolve(), {name: Path(path).resolve() for name, path in programs.items()}
+        self.results, self.programs = Path(results).resolve(), {
+            name: Path(path).resolve() for name, path in programs.items()
+        }
         self._hashes = {}
 
     def folder(self, identity):
@@ -69,16 +83,25 @@ class Store:
         return record
 
     def ensure(self, run, again=False, repeats=1):
-        """The run's record; of several repeats the one that took least processor time, for times that are compared. A run that takes ENOUGH
-        seconds is not repeated: what disturbs it is small beside that."""
+        """The run's record. Where times are compared, a run is repeated and the one that took the
+        least processor time counts; runs of ENOUGH seconds are not repeated, as disturbances are
+        small in comparison."""
         record = None if again else self.fresh(run)
-        if record is not None and (record.get("repeats", 1) >= repeats or record["processor_seconds"] > ENOUGH):
+        if record is not None and (
+            record.get("repeats", 1) >= repeats or record["processor_seconds"] > ENOUGH
+        ):
             return record
         records = [self._execute(run)]
         while len(records) < repeats and records[0]["processor_seconds"] <= ENOUGH:
             records.append(self._execute(run))
         record = min(records, key=lambda one: one["processor_seconds"])
-        record.update(repeats=len(records), solve_seconds=min((one["solve_seconds"] for one in records if one["solve_seconds"] is not None), default=None))
+        record.update(
+            repeats=len(records),
+            solve_seconds=min(
+                (one["solve_seconds"] for one in records if one["solve_seconds"] is not None),
+                default=None,
+            ),
+        )
         (self.folder(run.identity) / "record.json").write_text(json.dumps(record, indent=1) + "\n")
         return record
 
@@ -94,15 +117,27 @@ class Store:
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         with open(folder / "output.txt", "wb") as output:
             begin = time.perf_counter()
-            child = subprocess.Popen(words, cwd=folder, stdout=output, stderr=subprocess.STDOUT, env=environment)
+            child = subprocess.Popen(
+                words, cwd=folder, stdout=output, stderr=subprocess.STDOUT, env=environment
+            )
             _, status, usage = os.wait4(child.pid, 0)
             wall = time.perf_counter() - begin
             child.returncode = os.waitstatus_to_exitcode(status)
         lines = (folder / "output.txt").read_text(errors="replace").strip().splitlines()
-        record = {"identity": run.identity, "key": run.key(), "program": run.program, "command": [run.program, *run.arguments],
-                  "program_sha256": self.program_hash(run.program), "commit": commit(), "started": started, "exit": child.returncode,
-                  "sentence": lines[-1] if child.returncode != 0 and lines else "", "wall_seconds": wall,
-                  "processor_seconds": usage.ru_utime + usage.ru_stime, "user_seconds": usage.ru_utime,
-                  "peak_bytes": usage.ru_maxrss * 1024}
+        record = {
+            "identity": run.identity,
+            "key": run.key(),
+            "program": run.program,
+            "command": [run.program, *run.arguments],
+            "program_sha256": self.program_hash(run.program),
+            "commit": commit(),
+            "started": started,
+            "exit": child.returncode,
+            "sentence": lines[-1] if child.returncode != 0 and lines else "",
+            "wall_seconds": wall,
+            "processor_seconds": usage.ru_utime + usage.ru_stime,
+            "user_seconds": usage.ru_utime,
+            "peak_bytes": usage.ru_maxrss * 1024,
+        }
         record["solve_seconds"] = solve_seconds(folder, record)
         return record

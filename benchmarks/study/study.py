@@ -20,10 +20,10 @@ import calculix  # noqa: E402
 import extremes  # noqa: E402
 import irregular  # noqa: E402
 import laws  # noqa: E402
-import parting  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
+import shear_gap  # noqa: E402
 import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
@@ -40,12 +40,17 @@ PLANS = {  # per case
     "laws": laws.all_runs,
     "promise": promise.all_runs,
 }
-SWEEPS = {"sensitivity": sensitivity.runs, "sensitivity-reference": sensitivity.reference_runs}  # per load
-WHOLE = {"extremes": extremes.all_runs, "parting": parting.all_runs}  # of no case
+SWEEPS = {
+    "sensitivity": sensitivity.runs,
+    "sensitivity-reference": sensitivity.reference_runs,
+}  # per load
+WHOLE = {"extremes": extremes.all_runs, "shear-gap": shear_gap.all_runs}  # of no case
 
 
 def open_store(arguments):
-    programs = {name: arguments.build / "bin" / name for name in ("vasorod", "vasorod-fem", "rod_extremes")}
+    programs = {
+        name: arguments.build / "bin" / name for name in ("vasorod", "vasorod-fem", "rod_extremes")
+    }
     if calculix.PROGRAM:
         programs["ccx"] = calculix.PROGRAM
     return Store(arguments.results, programs)
@@ -66,7 +71,9 @@ def every_run():
 def run_one(arguments):
     one = every_run().get(arguments.identity)
     if one is None:
-        raise SystemExit(f"{arguments.identity}: found no such run, expected CASE/RUN as in results/study")
+        raise SystemExit(
+            f"{arguments.identity}: found no such run, expected CASE/RUN as in results/study"
+        )
     open_store(arguments).ensure(one, repeats=repeats_of(one))
 
 
@@ -86,8 +93,13 @@ def run(arguments):
     store = open_store(arguments)
     for one in runs_of(arguments):
         record = store.ensure(one, arguments.again, repeats_of(one))
-        print(f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s, {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}",
-              flush=True)
+        print(
+            (
+                f"{one.identity}: exit {record['exit']}, {record['user_seconds']:.2f} s,"
+                f" {record['peak_bytes'] / 2**20:.0f} MiB {record['sentence']}"
+            ),
+            flush=True,
+        )
 
 
 def tables(arguments):
@@ -97,25 +109,32 @@ def tables(arguments):
     irregular.make_table(store, all_cases(), arguments.baselines / "irregular.csv")
     laws.make_table(store, arguments.baselines / "laws.csv")
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
-    parting.make_table(store, arguments.baselines / "parting.csv")
+    shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     extremes.make_tables(store, arguments.baselines)
-    if not (arguments.baselines / regression.FILE).exists():  # the first; from then on `accept` alone changes it
+    if not (
+        arguments.baselines / regression.FILE
+    ).exists():  # the first; from then on `accept` alone changes it
         regression.accept(store, arguments.baselines, "first")
 
 
 def write_promise(arguments):
-    promise.write_promise(arguments.baselines, REPOSITORY / "hybrid" / "judge" / "accuracy_table.cpp")
+    promise.write_promise(
+        arguments.baselines, REPOSITORY / "hybrid" / "judge" / "accuracy_table.cpp"
+    )
 
 
 def write_report(arguments):
     import report  # needs matplotlib
+
     report.write_report(arguments.baselines, arguments.docs)
     extremes.write_page(arguments.baselines, arguments.docs)
 
 
 def check(arguments):
     image = arguments.results / "drift.png"
-    if not regression.check(open_store(arguments), arguments.baselines, arguments.quick, arguments.again, image):
+    if not regression.check(
+        open_store(arguments), arguments.baselines, arguments.quick, arguments.again, image
+    ):
         raise SystemExit(1)
 
 
@@ -128,10 +147,27 @@ def accept(arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--results", type=Path, default=REPOSITORY / "results" / "study", help="folder of all runs (default: results/study)")
-    parser.add_argument("--build", type=Path, default=REPOSITORY / "build", help="build folder with the programs (default: build)")
-    parser.add_argument("--baselines", type=Path, default=BASELINES, help="folder of the tables (default: benchmarks/baselines)")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--results",
+        type=Path,
+        default=REPOSITORY / "results" / "study",
+        help="folder of all runs (default: results/study)",
+    )
+    parser.add_argument(
+        "--build",
+        type=Path,
+        default=REPOSITORY / "build",
+        help="build folder with the programs (default: build)",
+    )
+    parser.add_argument(
+        "--baselines",
+        type=Path,
+        default=BASELINES,
+        help="folder of the tables (default: benchmarks/baselines)",
+    )
     commands = parser.add_subparsers(dest="command", required=True)
     command = commands.add_parser("run", help="run what is not there yet")
     command.add_argument("plan", choices=sorted([*PLANS, *SWEEPS, *WHOLE]))
@@ -146,7 +182,12 @@ def main():
     command = commands.add_parser("promise", help="the table behind accuracy: x")
     command.set_defaults(call=write_promise)
     command = commands.add_parser("report", help="docs/comparison.md")
-    command.add_argument("--docs", type=Path, default=REPOSITORY / "docs", help="where comparison.md and its pictures go (default: docs)")
+    command.add_argument(
+        "--docs",
+        type=Path,
+        default=REPOSITORY / "docs",
+        help="where comparison.md and its pictures go (default: docs)",
+    )
     command.set_defaults(call=write_report)
     command = commands.add_parser("check", help="have the baseline's curves moved?")
     command.add_argument("--quick", action="store_true", help="five factors a curve instead of all")

@@ -149,15 +149,15 @@ int BodyContacts::swallowed(int pair) const {
   return contact ? contact->swallowed() : 0;
 }
 
-double BodyContacts::smallest_gap(int index, const ScaledBodies& scaled) {
-  Pair& pair = pairs_[static_cast<size_t>(index)];
+double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled) {
+  Pair& mine = pairs_[static_cast<size_t>(pair)];
   double smallest = std::numeric_limits<double>::infinity();
-  if (!pair.contact) return smallest;
-  const Points &slave = scaled.bodies[static_cast<size_t>(pair.slave)].now,
-               &master = scaled.bodies[static_cast<size_t>(pair.master)].now;
-  if (pair.contact->contacts().empty()) pair.contact->refresh(slave, master, smallest);
-  for (const ContactPoint& c : pair.contact->contacts())
-    smallest = std::min(smallest, pair.contact->gap(c, slave, master));
+  if (!mine.contact) return smallest;
+  const Points &slave = scaled.bodies[static_cast<size_t>(mine.slave)].now,
+               &master = scaled.bodies[static_cast<size_t>(mine.master)].now;
+  if (mine.contact->contacts().empty()) mine.contact->refresh(slave, master, smallest);
+  for (const ContactPoint& c : mine.contact->contacts())
+    smallest = std::min(smallest, mine.contact->gap(c, slave, master));
   return smallest;
 }
 

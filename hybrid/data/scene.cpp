@@ -1,6 +1,6 @@
+#include <vasorod/error.h>
 #include <vasorod/scene.h>
 
-#include <vasorod/error.h>
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -46,8 +46,10 @@ bool exclude_each_other(const EndCondition& a, const EndCondition& b) {
 
 std::string contradiction(const EndCondition& end) {
   if (end.hold && (end.rotate_deg || end.move))
-    return "hold beside rotate_deg or move, expected one of the two, as a moved end is held on its path";
-  if (moves(end) && fixes(end)) return "fix beside hold, rotate_deg or move, expected one of the two";
+    return "hold beside rotate_deg or move, expected one of the two, as a moved end is held on its "
+           "path";
+  if (moves(end) && fixes(end))
+    return "fix beside hold, rotate_deg or move, expected one of the two";
   if (moves(end) && loads(end))
     return "a force or moment on an end that is held or moved, expected either a motion or a load";
   if (!moves(end) && !loads(end) && !fixes(end))

@@ -11,9 +11,11 @@ std::vector<Fidelity>& registry() {
   static std::vector<Fidelity> all = {
       {"rod", "the rods alone, no surface", false, false, solve_rod_only},
       {"skin", "the rods, sections carried rigidly", true, true, solve_skin},
-      {"paper", "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
+      {"paper",
+       "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
        true, solve_paper_surfaces},
-      {"coupled", "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
+      {"coupled",
+       "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
        true, solve_coupled},
   };
   return all;
@@ -27,8 +29,8 @@ const std::vector<Fidelity>& fidelities() {
 
 const Fidelity* find_fidelity(const std::string& name) {
   const auto& all = registry();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Fidelity& fidelity) { return fidelity.name == name; });
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Fidelity& fidelity) { return fidelity.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

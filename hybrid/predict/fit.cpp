@@ -1,6 +1,6 @@
-#include <vasorod/fit.h>
-
 #include <cctype>
+
+#include <vasorod/fit.h>
 
 #include "predict/result_of_vessel.h"
 #include "predict/result_parts.h"

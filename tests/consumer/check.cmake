@@ -1,4 +1,4 @@
-# A stranger's view: install into a scratch folder, configure and build examples/ against it, run them.
+# As a user would: installs into a scratch folder, builds examples/ against that and runs them.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)

@@ -1,12 +1,11 @@
-"""The generator still gives the committed infant anatomy: vertex counts within 1 % (gmsh's mesher may differ between versions), and every
-committed point on the surface that the generator describes. Usage: regenerates.py MESHES_FOLDER."""
+"""The generator still gives the committed infant anatomy: vertex counts within 1 % (gmsh's mesher
+may differ between versions), and every committed point on the surface that the generator describes.
+Usage: regenerates.py MESHES_FOLDER."""
 
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
-
-import numpy as np
 
 meshes = Path(sys.argv[1])
 sys.path.insert(0, str(meshes))
@@ -19,5 +18,7 @@ with tempfile.TemporaryDirectory() as scratch:
     for name, bodies, edge, width, start in PARTS:
         old_points, old_triangles = read_vtp(meshes / "infant" / f"{name}.vtp")
         points, triangles = read_vtp(Path(scratch) / f"{name}.vtp")
-        assert abs(len(points) - len(old_points)) <= 0.01 * len(old_points), f"{name}: {len(points)} vertices, {len(old_points)} committed"
-        assert abs(blend(bodies, width)(old_points)[0]).max() < 1e-2, f"{name}: the committed points are not on the described surface"
+        counts = f"{name}: {len(points)} vertices, {len(old_points)} committed"
+        assert abs(len(points) - len(old_points)) <= 0.01 * len(old_points), counts
+        distance = abs(blend(bodies, width)(old_points)[0]).max()
+        assert distance < 1e-2, f"{name}: the committed points are not on the described surface"

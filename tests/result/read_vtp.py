@@ -1,5 +1,5 @@
-"""Reads a VTP file (appended raw, zlib) by the format's description alone, without VTK: prints one line per array with its
-section, name, type, components, tuples, first and last value."""
+"""Reads a VTP file (appended raw, zlib) by the format's description alone, without VTK: prints one
+line per array with its section, name, type, components, tuples, first and last value."""
 import struct
 import sys
 import zlib
@@ -22,7 +22,7 @@ def block(offset):
     at += (3 + count) * size
     parts = []
     for length in sizes:
-        parts.append(zlib.decompress(data[at:at + length]))
+        parts.append(zlib.decompress(data[at : at + length]))
         at += length
     return b"".join(parts)
 
@@ -34,4 +34,12 @@ for section in head.find("PolyData").find("Piece"):
         values = struct.unpack(f"<{len(raw) // struct.calcsize(code)}{code}", raw)
         if values:
             components = int(array.get("NumberOfComponents", "1"))
-            print(section.tag, array.get("Name"), array.get("type"), components, len(values) // components, repr(values[0]), repr(values[-1]))
+            print(
+                section.tag,
+                array.get("Name"),
+                array.get("type"),
+                components,
+                len(values) // components,
+                repr(values[0]),
+                repr(values[-1]),
+            )

@@ -1,4 +1,5 @@
-"""The law reaches the solver and is told apart from the kinematics: a pulled tube answers by S = C:E as a bar does. Usage: laws.py SOURCE_FOLDER VASOROD."""
+"""The wall's law reaches the solver: a tube pulled with S = C:E answers as a bar of that law does.
+Usage: laws.py SOURCE_FOLDER VASOROD."""
 
 import sys
 import tempfile
@@ -23,6 +24,12 @@ with tempfile.TemporaryDirectory() as scratch:
 
 for case in map(case_named, laws.CASES):
     runs = laws.all_runs(case)
-    assert len({run.identity for run in runs}) == len(runs) == len(laws.LAWS) + len(laws.HYBRID_LAWS), case.name
-    assert [run.arguments[run.arguments.index("--law") + 1] for run in runs if run.program == "vasorod-fem"] == list(laws.LAWS)
+    assert (
+        len({run.identity for run in runs}) == len(runs) == len(laws.LAWS) + len(laws.HYBRID_LAWS)
+    ), case.name
+    assert [
+        run.arguments[run.arguments.index("--law") + 1]
+        for run in runs
+        if run.program == "vasorod-fem"
+    ] == list(laws.LAWS)
 assert laws.all_runs(case_named("bend_t2_0.9")) == []

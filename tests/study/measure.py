@@ -1,4 +1,5 @@
-"""Errors between two results with known differences: `skin` of a tube against the same tube computed by hand.
+"""Errors between two results with known differences: `skin` of a tube against the same tube
+computed by hand.
 Usage: measure.py SOURCE_FOLDER VASOROD."""
 
 import sys
@@ -18,15 +19,28 @@ errors = reactions(result, reference, 10)
 assert abs(errors["force"] - 0.1) < 1e-12 and abs(errors["moment"] - 0.2) < 1e-12, errors
 # along (3, 2, 0.6): 3.3*3 + 2*2 over 9 + 4 + 0.36
 assert abs(errors["reaction_signed"] - (13.9 / 13.36 - 1)) < 1e-12, errors
-notes = {"certificate": {"notes": ["law: biot", "u_num of displacements over R (RMS): 1.91e-04 (GCI, r = 1.5)", "u_num of reactions, relative: 8.71e-04 (GCI"]}}
+notes = {
+    "certificate": {
+        "notes": [
+            "law: biot",
+            "u_num of displacements over R (RMS): 1.91e-04 (GCI, r = 1.5)",
+            "u_num of reactions, relative: 8.71e-04 (GCI",
+        ]
+    }
+}
 assert own_error(notes) == {"u_shape": 1.91e-4, "u_reaction": 8.71e-4}
 assert own_error({"certificate": {"notes": []}}) == {"u_shape": None, "u_reaction": None}
 
 
 class Endings:
     """A store of runs that ended one way or another."""
+
     def record(self, identity):
-        return {"reference": {"exit": 0}, "refused": {"exit": 2, "sentence": "found 3, expected 4"}, "killed": {"exit": -9, "sentence": ""}}[identity]
+        return {
+            "reference": {"exit": 0},
+            "refused": {"exit": 2, "sentence": "found 3, expected 4"},
+            "killed": {"exit": -9, "sentence": ""},
+        }[identity]
 
 
 class Named:
@@ -34,8 +48,15 @@ class Named:
         self.identity = identity
 
 
-for pair, sentence in ((("refused", "reference"), "found 3, expected 4"), (("reference", "killed"), "exit -9")):  # whichever of the two it was
-    assert outcome(Endings(), None, *map(Named, pair), ("rms", "force")) == {"rms": None, "force": None, "failure": sentence}, pair
+for pair, sentence in (
+    (("refused", "reference"), "found 3, expected 4"),
+    (("reference", "killed"), "exit -9"),
+):  # whichever of the two it was
+    assert outcome(Endings(), None, *map(Named, pair), ("rms", "force")) == {
+        "rms": None,
+        "force": None,
+        "failure": sentence,
+    }, pair
 
 with tempfile.TemporaryDirectory() as scratch:
     store = Store(scratch, {"vasorod": sys.argv[2]})
@@ -45,10 +66,19 @@ with tempfile.TemporaryDirectory() as scratch:
     for run in runs:
         record = store.ensure(run)
         assert record["exit"] == 0, record
-    # the second is pulled twice as far: displacements differ by 5 z / L, so by 5 at the end and 5 / sqrt(3) RMS; R = 10, L = 100
+    # the second is pulled twice as far: displacements differ by 5 z / L, by 5 at the end and
+    # 5 / sqrt(3) RMS; R = 10, L = 100
     errors = shapes(store, runs[0].identity, runs[1].identity, 10, 100)
-    assert abs(errors["largest"] - 0.5) < 1e-9 and abs(errors["rms"] * 10 * 3**0.5 / 5 - 1) < 1e-3, errors
-    assert abs(errors["centerline_largest"] - 0.05) < 1e-9 and abs(errors["centerline_rms"] - 0.05 / 3**0.5) < 1e-4, errors
+    assert (
+        abs(errors["largest"] - 0.5) < 1e-9 and abs(errors["rms"] * 10 * 3**0.5 / 5 - 1) < 1e-3
+    ), errors
+    assert (
+        abs(errors["centerline_largest"] - 0.05) < 1e-9
+        and abs(errors["centerline_rms"] - 0.05 / 3**0.5) < 1e-4
+    ), errors
     # the rod is linear in stretch: twice the force
-    ratio = moved_end(result_of(store, runs[1].identity))[0][2] / moved_end(result_of(store, runs[0].identity))[0][2]
+    ratio = (
+        moved_end(result_of(store, runs[1].identity))[0][2]
+        / moved_end(result_of(store, runs[0].identity))[0][2]
+    )
     assert abs(ratio - 2) < 1e-9, ratio

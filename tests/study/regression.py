@@ -1,5 +1,6 @@
-"""The regression command: silent on the same program, and a 2 % change of one coefficient is named, with a picture where matplotlib is there.
-The change is made by a program in front of vasorod that alters the wall or the energies' coefficients of the scene it is given.
+"""The regression command finds nothing on the same program and names a 2 % change of one
+coefficient, with a picture where matplotlib is installed. A script in place of vasorod changes the
+wall or the energies' coefficients of its scene, then calls vasorod.
 Usage: regression.py SOURCE_FOLDER VASOROD."""
 
 import contextlib
@@ -46,33 +47,57 @@ with tempfile.TemporaryDirectory() as scratch:
         record = good.ensure(one)
         assert record["exit"] == 0, record
     with_reference = sensitivity.make_rows
-    sensitivity.make_rows = lambda store: with_reference(store, sensitivity.LOADS, sensitivity.FIDELITIES, sensitivity.FACTORS, False)
+    sensitivity.make_rows = lambda store: with_reference(
+        store, sensitivity.LOADS, sensitivity.FIDELITIES, sensitivity.FACTORS, False
+    )
     regression.accept(good, baselines, "first")
     rows, notes = read_table(baselines / regression.FILE)
-    assert len(rows) == 4 and all(row["energy"] > 0 and row["failure"] is None for row in rows), rows
+    assert len(rows) == 4 and all(
+        row["energy"] > 0 and row["failure"] is None for row in rows
+    ), rows
     assert notes[-1].startswith("accepted ") and notes[-1].endswith(": first")
     regression.accept(good, baselines, "again")
-    assert [note.rsplit(": ")[-1] for note in read_table(baselines / regression.FILE)[1][-2:]] == ["first", "again"], "a reason was lost"
+    assert [note.rsplit(": ")[-1] for note in read_table(baselines / regression.FILE)[1][-2:]] == [
+        "first",
+        "again",
+    ], "a reason was lost"
 
     ok, said = told(lambda: regression.check(good, baselines))
     assert ok and "4 points" in said, said
 
-    for name, change in {"stiffness": "vessel['wall']['young'] *= 1.02", "shear": "vessel['wall']['shear'] *= 1.02"}.items():
+    for name, change in {
+        "stiffness": "vessel['wall']['young'] *= 1.02",
+        "shear": "vessel['wall']['shear'] *= 1.02",
+    }.items():
         program = scratch / f"altered-{name}"
-        program.write_text(ALTERED.format(python=sys.executable, vasorod=sys.argv[2], change=change))
+        program.write_text(
+            ALTERED.format(python=sys.executable, vasorod=sys.argv[2], change=change)
+        )
         program.chmod(0o755)
         image = scratch / f"{name}.png"
         altered = Store(scratch / f"results-{name}", {"vasorod": program})
         ok, said = told(lambda: regression.check(altered, baselines, image=image))
-        if name == "shear":  # bending along the inextensible arc has no shear: this change moves nothing, and is not called a drift
+        if name == "shear":
+            # bending along the inextensible arc has no shear: nothing moves, so nothing is found
             assert ok, said
             continue
-        assert not ok and "paper bend" in said and "moment" in said, f"{name} by 2 % was not caught: {said}"
+        assert (
+            not ok and "paper bend" in said and "moment" in said
+        ), f"{name} by 2 % was not caught: {said}"
         assert image.exists() or "python3-matplotlib" in said, said
 
 # the rule itself: relative to the largest value on the same curve
-rows = [{"load": "bend", "modulus": "E", "fidelity": "paper", "factor": f, **{q: None for q in regression.QUANTITIES}, "force": v}
-        for f, v in ((0.01, 1.0), (1.0, 100.0))]
+rows = [
+    {
+        "load": "bend",
+        "modulus": "E",
+        "fidelity": "paper",
+        "factor": f,
+        **{q: None for q in regression.QUANTITIES},
+        "force": v,
+    }
+    for f, v in ((0.01, 1.0), (1.0, 100.0))
+]
 moved = [dict(rows[0], force=1.4), dict(rows[1], force=100.0)]
 assert regression.drifts(rows, moved) == [], "0.4 of 100 is within 0.5 %"
 moved[0]["force"] = 1.6

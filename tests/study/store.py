@@ -1,4 +1,5 @@
-"""The store runs once, again when something changed, measures what a child used, and keeps the sentence of a failure.
+"""The store runs once, again when something changed, measures what a child used, and keeps the
+sentence of a failure.
 Usage: store.py SOURCE_FOLDER VASOROD."""
 
 import json
@@ -40,28 +41,46 @@ with tempfile.TemporaryDirectory() as scratch:
     assert record["exit"] == 0 and record["sentence"] == "" and runs() == 1
     assert record["peak_bytes"] > 50 << 20, record["peak_bytes"]
     assert 0.01 < record["user_seconds"] <= record["processor_seconds"], record
-    assert record["wall_seconds"] > 0.01 and record["command"] == ["program", "go"] and len(record["program_sha256"]) == 64
+    assert (
+        record["wall_seconds"] > 0.01
+        and record["command"] == ["program", "go"]
+        and len(record["program_sha256"]) == 64
+    )
     assert store().ensure(run("go")) == record and runs() == 1, "a finished run was repeated"
     store().ensure(run("go"), again=True)
     assert runs() == 2
     store().ensure(run("go", "b"))
     assert runs() == 3, "another input, yet not run"
     failed = store().ensure(run("fail", "b"))
-    assert runs() == 4 and failed["exit"] == 2 and failed["sentence"] == "program: found 3, expected 4", failed
-    assert store().ensure(run("fail", "b")) == failed and runs() == 4, "a recorded failure was repeated"
+    assert (
+        runs() == 4 and failed["exit"] == 2 and failed["sentence"] == "program: found 3, expected 4"
+    ), failed
+    assert (
+        store().ensure(run("fail", "b")) == failed and runs() == 4
+    ), "a recorded failure was repeated"
     program.write_text(program.read_text() + "# rebuilt\n")
-    assert store().ensure(run("fail", "b", keep=True)) == failed and runs() == 4, "a kept run was repeated for a rebuilt program"
+    assert (
+        store().ensure(run("fail", "b", keep=True)) == failed and runs() == 4
+    ), "a kept run was repeated for a rebuilt program"
     store().ensure(run("fail", "b"))
     assert runs() == 5, "a rebuilt program, yet not run"
     thrice = store().ensure(run("go", "c"), repeats=3)
-    assert runs() == 8 and thrice["repeats"] == 3 and thrice["solve_seconds"] is None, thrice  # this program writes no result
-    assert store().ensure(run("go", "c"), repeats=2) == thrice and runs() == 8, "timed often enough, yet repeated"
+    assert (
+        runs() == 8 and thrice["repeats"] == 3 and thrice["solve_seconds"] is None
+    ), thrice  # this program writes no result
+    assert (
+        store().ensure(run("go", "c"), repeats=2) == thrice and runs() == 8
+    ), "timed often enough, yet repeated"
 
     # what is no reading and no writing: half of one program's time, three quarters of the other's
     folder = scratch / "a run"
     (folder / "result").mkdir(parents=True)
-    for name, seconds, share in (("vasorod", {"read": 0.5, "fit": 1, "solve": 1, "write": 1.5, "total": 4}, 0.5),
-                                 ("vasorod-fem", {"read": 0.5, "factor": 2, "solve": 3, "total": 4}, 0.75)):
+    for name, seconds, share in (
+        ("vasorod", {"read": 0.5, "fit": 1, "solve": 1, "write": 1.5, "total": 4}, 0.5),
+        ("vasorod-fem", {"read": 0.5, "factor": 2, "solve": 3, "total": 4}, 0.75),
+    ):
         (folder / "result" / "result.json").write_text(json.dumps({"seconds": seconds}))
-        got = solve_seconds(folder, {"program": name, "processor_seconds": 2.0, "wall_seconds": 4.0})
+        got = solve_seconds(
+            folder, {"program": name, "processor_seconds": 2.0, "wall_seconds": 4.0}
+        )
         assert abs(got - 2 * share) < 1e-12, (name, got)

@@ -1,4 +1,5 @@
-"""Tables come back as they were written, with their provenance. Usage: tables.py SOURCE_FOLDER VASOROD."""
+"""Tables are read as they were written, with their provenance.
+Usage: tables.py SOURCE_FOLDER VASOROD."""
 
 import sys
 import tempfile
@@ -7,15 +8,25 @@ from pathlib import Path
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 from tables import markdown, provenance, read_table, write_table  # noqa: E402
 
-records = [{"identity": f"case/{k}", "program": "vasorod", "program_sha256": "a" * 64, "commit": commit} for k, commit in enumerate(("c2", "c1", "c1"))]
+records = [
+    {"identity": f"case/{k}", "program": "vasorod", "program_sha256": "a" * 64, "commit": commit}
+    for k, commit in enumerate(("c2", "c1", "c1"))
+]
 notes = ["what it is, with a comma", *provenance([*records, records[0]])]
 assert notes[1] == "vasorod aaaaaaaaaaaa: 3 runs at c1, c2", notes
-rows = [{"case": "bend", "rms": 1.23456789e-5, "largest": None, "failure": 'found "x", expected y'}, {"case": "twist", "rms": 0.25, "largest": 3, "failure": None}]
+rows = [
+    {"case": "bend", "rms": 1.23456789e-5, "largest": None, "failure": 'found "x", expected y'},
+    {"case": "twist", "rms": 0.25, "largest": 3, "failure": None},
+]
 with tempfile.TemporaryDirectory() as scratch:
     file = Path(scratch) / "deep" / "table.csv"
     write_table(file, rows, notes)
     back, back_notes = read_table(file)
 assert back_notes == notes
-assert back[0]["failure"] == rows[0]["failure"] and back[0]["largest"] is None and back[1]["largest"] == 3
+assert (
+    back[0]["failure"] == rows[0]["failure"]
+    and back[0]["largest"] is None
+    and back[1]["largest"] == 3
+)
 assert abs(back[0]["rms"] / rows[0]["rms"] - 1) < 1e-5 and back[1]["rms"] == 0.25
 assert markdown(("a", "b"), [(1, "x")]) == "| a | b |\n| --- | --- |\n| 1 | x |\n"

@@ -1,5 +1,6 @@
-"""Why the curves of `coupled` and the shell part where a wall is soft in shear: G_axial is also the shell's shear through its thickness,
-which `coupled`, whose normals stay normal, does not have. If that is the reason, the gap closes as the wall gets thinner."""
+"""Why `coupled` and the shell differ where a wall is soft in shear: G_axial is also the shell's
+shear modulus through the thickness, and the normals of `coupled` stay normal. If that is the
+reason, the gap closes as the wall gets thinner."""
 
 from measure import converged, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference
@@ -18,7 +19,7 @@ def thinner(thickness):
 
 
 def tag(thickness):
-    return f"-parting-t{thickness:g}"
+    return f"-shear-gap-t{thickness:g}"
 
 
 def hybrid_run(thickness, around):
@@ -30,7 +31,11 @@ def reference_run(thickness):
 
 
 def all_runs():
-    return [run for t in THICKNESSES for run in (*(hybrid_run(t, around) for around in AROUND), reference_run(t))]
+    return [
+        run
+        for t in THICKNESSES
+        for run in (*(hybrid_run(t, around) for around in AROUND), reference_run(t))
+    ]
 
 
 def make_table(store, path):
@@ -44,7 +49,28 @@ def make_table(store, path):
             records += both
             mine, its = result_of(store, run.identity), result_of(store, truth.identity)
             force, of_reference = norm(moved_end(mine)[0]), norm(moved_end(its)[0])
-            rows.append({"load": LOAD, "modulus": MODULUS, "factor": FACTOR, "thickness": t, "around": run.identity.rsplit("-", 1)[1], "force": force,
-                         "force_reference": of_reference, "rms": shapes(store, run.identity, truth.identity, 10, 100)["rms"], **own_error(its)})
+            rows.append(
+                {
+                    "load": LOAD,
+                    "modulus": MODULUS,
+                    "factor": FACTOR,
+                    "thickness": t,
+                    "around": run.identity.rsplit("-", 1)[1],
+                    "force": force,
+                    "force_reference": of_reference,
+                    "rms": shapes(store, run.identity, truth.identity, 10, 100)["rms"],
+                    **own_error(its),
+                }
+            )
     if rows:
-        write_table(path, rows, ["`coupled` against the shell on walls soft in shear, thinner and thinner, law Biot; u_: the reference's own error", *provenance(records)])
+        write_table(
+            path,
+            rows,
+            [
+                (
+                    "`coupled` against the shell on walls soft in shear, thinner and thinner, law"
+                    " Biot; u_: the reference's own error"
+                ),
+                *provenance(records),
+            ],
+        )

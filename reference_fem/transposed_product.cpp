@@ -1,4 +1,4 @@
-#include "reference_fem/product.h"
+#include "reference_fem/transposed_product.h"
 
 // Declared here, not through OpenBLAS's cblas.h, whose name other BLAS packages share.
 extern "C" void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,

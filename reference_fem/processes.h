@@ -7,11 +7,11 @@
 
 namespace vasorod::fem {
 
-class Team {
+class Processes {
  public:
-  Team() = default;  ///< this process alone
+  Processes() = default;  ///< this process alone
   /// All processes of the MPI launch, which must have been initialised.
-  static Team world();
+  static Processes world();
 
   int rank() const { return rank_; }
   int size() const { return size_; }

@@ -1,5 +1,5 @@
-// A triangle surface under the knife: the few local operations all surgery is made of, each of
-// which keeps the surface manifold and oriented, and remembers where every vertex comes from.
+// The local mesh operations that surgery consists of. Each operation keeps the surface manifold and
+// oriented and records the source of every vertex.
 #pragma once
 
 #include <array>
@@ -13,73 +13,71 @@
 
 namespace vasorod {
 
-/// Lengths below which surgery avoids making edges, as fractions of the surface's mean edge.
+/// Tolerances of mesh editing, as fractions of the surface's mean edge.
 struct EditTolerances {
-  double snap =
-      0.25;  ///< a crossing this near to a vertex moves the vertex instead of making a new one
-  double min_edge = 0.08;     ///< no edge made by surgery should be shorter (the promise is 0.05)
-  double min_quality = 0.12;  ///< 4 sqrt(3) area / sum of squared edges that a move must leave: 1
-                              ///< equilateral, 0 flat
+  /// A crossing closer than this to a vertex moves the vertex; no new vertex is made.
+  double snap = 0.25;
+  double min_edge = 0.08;  ///< target for the shortest edge made by surgery (0.05 is guaranteed)
+  /// 4 sqrt(3) area / sum of squared edges that a move must leave: 1 equilateral, 0 flat.
+  double min_quality = 0.12;
 };
 
+/// A triangle surface that is edited in place. Vertex and triangle indices stay valid.
 class SurfaceEditor {
  public:
-  /// A point as weighted mean of current vertices.
+  /// A point as the weighted mean of current vertices.
   using Blend = std::vector<std::pair<int, double>>;
 
   explicit SurfaceEditor(const TriangleSurface& surface, const EditTolerances& tolerances = {});
 
-  int vertex_count() const { return static_cast<int>(points_.size()); }  ///< dead ones included
+  int vertex_count() const { return static_cast<int>(points_.size()); }  ///< with removed ones
   int input_count() const { return input_count_; }
   const Vec3& point(int v) const { return points_[static_cast<size_t>(v)]; }
   Vec3 point(const Blend& blend) const;
   const VertexSource& source(int v) const { return sources_[static_cast<size_t>(v)]; }
   const std::vector<int>& triangles_of(int v) const { return incident_[static_cast<size_t>(v)]; }
   const std::array<int, 3>& triangle(int t) const { return triangles_[static_cast<size_t>(t)]; }
-  int triangle_count() const {
-    return static_cast<int>(triangles_.size());
-  }  ///< dead ones included
+  /// With removed ones.
+  int triangle_count() const { return static_cast<int>(triangles_.size()); }
   bool alive(int t) const { return triangles_[static_cast<size_t>(t)][0] >= 0; }
-  bool touched(int v) const {
-    return touched_[static_cast<size_t>(v)] != 0;
-  }  ///< made or moved by surgery
+  /// Whether surgery made or moved the vertex.
+  bool touched(int v) const { return touched_[static_cast<size_t>(v)] != 0; }
   double length(int a, int b) const { return (point(a) - point(b)).norm(); }
   double mean_edge() const { return mean_edge_; }
   double snap() const { return tolerances_.snap * mean_edge_; }
   double min_edge() const { return tolerances_.min_edge * mean_edge_; }
 
-  /// The triangle with the directed edge a -> b, -1 when there is none.
+  /// The triangle with the directed edge a -> b; -1 if there is none.
   int triangle_left_of(int a, int b) const;
   bool joined(int a, int b) const {
     return triangle_left_of(a, b) >= 0 || triangle_left_of(b, a) >= 0;
   }
   bool on_boundary(int v) const;
-  /// Neighbours of v counter-clockwise seen from outside; for a boundary vertex from one boundary
+  /// Neighbours of v, counter-clockwise seen from outside; for a boundary vertex, from one boundary
   /// edge to the other.
   std::vector<int> ring(int v) const;
 
-  /// New vertex (1 - t) a + t b on an edge; its one or two triangles are split.
+  /// New vertex (1 - t) a + t b on an edge. Its one or two triangles are split.
   int split_edge(int a, int b, double t);
-  /// New vertex inside a triangle, which is split in three.
+  /// New vertex inside a triangle, which is split into three.
   int split_triangle(int t, const Vec3& barycentric);
-  /// Moves v if no triangle turns over, gets too thin or gets too short an edge; false: nothing
-  /// done.
+  /// Moves v unless a triangle would turn over, become too thin or get too short an edge. False: no
+  /// change.
   bool move(int v, const Blend& target);
-  /// Merges edge keep-gone into `keep` at `target`, under the same conditions and if the surface
-  /// stays manifold.
+  /// Collapses the edge keep-gone into `keep` at `target`, under the conditions of `move` and if
+  /// the surface stays manifold.
   bool collapse(int keep, int gone, const Blend& target);
-  /// Delaunay flips of the edges at vertices made or moved by surgery, except those `fixed(a, b)`;
-  /// nearly flat pairs of triangles only, so the shape stays.
+  /// Delaunay flips of the edges at vertices made or moved by surgery, except those with
+  /// `fixed(a, b)`. Only nearly flat pairs of triangles are flipped, so the shape does not change.
   void improve(const std::function<bool(int, int)>& fixed);
-  /// Doubles v: the listed triangles of v take the new vertex.
+  /// Duplicates v: the listed triangles of v get the new vertex.
   int duplicate(int v, const std::vector<int>& triangles);
 
-  /// The surface made of these triangles, vertices in order (input's first); `vertices[i]` is the
-  /// editor's index of vertex i.
+  /// A part of the surface.
   struct Part {
-    TriangleSurface surface;
-    VertexSources sources;
-    std::vector<int> vertices;
+    TriangleSurface surface;    ///< vertices in the editor's order, the input's first
+    VertexSources sources;      ///< in the input surface
+    std::vector<int> vertices;  ///< the editor's index of each vertex
   };
   Part part(const std::vector<int>& triangles) const;
   Part whole() const;
@@ -98,7 +96,7 @@ class SurfaceEditor {
   int input_count_ = 0;
   std::vector<Vec3> points_;
   VertexSources sources_;
-  std::vector<std::array<int, 3>> triangles_;  // first corner -1: dead
+  std::vector<std::array<int, 3>> triangles_;  // first corner -1: removed
   std::vector<std::vector<int>> incident_;
   std::vector<char> touched_;
 };

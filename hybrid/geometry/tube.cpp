@@ -9,7 +9,7 @@ Pose tube_axis(const TubeSpec& tube, double s) {
   const double total = tube.bend_deg * M_PI / 180;
   const double angle = total * s / tube.length;
   const Vec3 binormal = tube.tangent.cross(tube.normal);
-  // Chord form of the arc: exact, and the straight line is its limit instead of a case of its own.
+  // Chord form of the arc: exact, with the straight line as its limit and not as a special case.
   const double half = angle / 2;
   const double chord = s * (std::abs(half) < 1e-8 ? 1 : std::sin(half) / half);
   Pose pose;

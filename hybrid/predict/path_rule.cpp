@@ -10,7 +10,8 @@ namespace {
 
 constexpr double follow_from = 0.7, first_shares[] = {0.25, 0.5}, share_step = 0.05;
 constexpr int most_steps = 40;
-// A section free to flatten kinks first: with t / R 0.1 and L / R 10 between 0.40 and 0.45 of the limit.
+// A section free to flatten kinks earlier: for t / R 0.1 and L / R 10, between 0.40 and 0.45 of the
+// limit.
 constexpr double soft_share = 0.5;
 
 }  // namespace
@@ -22,8 +23,8 @@ double share_of_limit(const Prediction& prediction) {
     Validity validity;
     add_validity(vessel.prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), validity);
     const double nu = vessel.prepared.spec.wall->material.poisson_tt;
-    const double own =
-        std::max(validity.twist_ratio, validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu));
+    const double own = std::max(validity.twist_ratio,
+                                validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu));
     const auto& ends = vessel.conditions.ends;
     const bool soft =
         std::any_of(ends.begin(), ends.end(), [](const ConditionedEnd& end) { return !end.rigid; });
@@ -37,7 +38,8 @@ std::vector<double> path_times(double share) {
   std::vector<double> times;
   for (const double early : first_shares) times.push_back(early / share);
   const double first = times.back();
-  const int steps = std::min(most_steps, static_cast<int>(std::ceil((share - first_shares[1]) / share_step)));
+  const int steps =
+      std::min(most_steps, static_cast<int>(std::ceil((share - first_shares[1]) / share_step)));
   for (int k = 1; k <= steps; ++k) times.push_back(first + (1 - first) * k / steps);
   times.back() = 1;
   return times;

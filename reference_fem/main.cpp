@@ -35,7 +35,7 @@ struct Arguments {
   bool quiet = false, json = false;
 };
 
-/// Whether this process is one of several that mpirun (Open MPI, MPICH) started.
+/// Whether mpirun (Open MPI, MPICH) started this process as one of several.
 bool launched_as_team() {
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1)

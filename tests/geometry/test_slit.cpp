@@ -26,7 +26,7 @@ TEST(Slit, OpensARowOfATubeWithTheFirstBankOnTheLeftOfThePath) {
   const auto loops = boundary_loops(open.triangles);
   ASSERT_EQ(loops.size(), 3U);
   EXPECT_EQ(std::count(loops.begin(), loops.end(), slit.rim), 1);
-  // The left of the path is above: the first bank keeps the triangles there.
+  // The left of the path is above: the triangles there keep the first bank.
   for (const int t : editor.triangles_of(slit.rim[1])) {
     double mean = 0;
     for (const int v : editor.triangle(t)) mean += editor.point(v).z() / 3;

@@ -44,7 +44,8 @@ TEST(Pose, MinimumOnTheCircleIsFoundAndNeverWorseThanTheBestSample) {
   const auto found = minimise_on_circle(smooth);
   EXPECT_NEAR(std::remainder(found.angle - 3.0, 2 * M_PI), 0, 1e-4);
   EXPECT_NEAR(found.value, 0.7, 1e-8);
-  // A kinked one, as a largest shear is; and one that is nowhere smooth and sometimes not a number.
+  // A kinked function, like a maximum of shears; and a function that is nowhere smooth and
+  // sometimes NaN.
   const auto kinked = [](double a) {
     return std::max(std::abs(std::remainder(a + 1.234, 2 * M_PI)), 0.01);
   };

@@ -52,10 +52,10 @@ TriangleSurface tube_surface(const TubeSpec& tube) {
     for (int i = 0; i < n; ++i) {
       const int next = (i + 1) % n;
       const int a = row * n + i, b = row * n + next, c = a + n, d = b + n;
-      if (row % 2 == 0) {  // the row above is turned forwards: c stands above the middle of a, b
+      if (row % 2 == 0) {  // the row above is rotated forwards: c is above the middle of a, b
         surface.triangles.row(t++) << a, b, c;
         surface.triangles.row(t++) << b, d, c;
-      } else {  // the row above is turned backwards: d stands above the middle of a, b
+      } else {  // the row above is rotated backwards: d is above the middle of a, b
         surface.triangles.row(t++) << a, b, d;
         surface.triangles.row(t++) << a, d, c;
       }

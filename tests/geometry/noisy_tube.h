@@ -57,7 +57,7 @@ inline TriangleSurface noisy_tube(const TubeShape& shape) {
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
       const int a = j * n + i, b = j * n + (i + 1) % n;  // this row
-      const int c = a + n, e = b + n;                    // the next row, half an edge further round
+      const int c = a + n, e = b + n;  // the next row, half an edge further around
       if (shape.jitter > 0 && uniform(random) > 0.8) {
         tube.triangles.row(t++) << a, b, e;
         tube.triangles.row(t++) << a, e, c;

@@ -16,7 +16,7 @@ TEST(Slit, OpensARowOfATubeWithTheFirstBankOnTheLeftOfThePath) {
   const auto tube = testing::noisy_tube(shape);
   SurfaceEditor editor(tube);
   const std::vector<int> path{4 * 12, 4 * 12 + 1, 4 * 12 + 2,
-                              4 * 12 + 3};  // counter-clockwise round the tube
+                              4 * 12 + 3};  // counter-clockwise around the tube
   const auto slit = open_slit(editor, path);
   ASSERT_EQ(slit.rim.size(), 6U);
   EXPECT_EQ(slit.other_tip, 3);

@@ -212,7 +212,7 @@ TEST(Stability, OneCoilAlongItsPathIsAMinimum) {
   RodPoses poses = straight.rest;
   RodSolution s;
   for (int step = 1; step <= 16;
-       ++step) {  // the end goes where the helix of part of the strain has it
+       ++step) {  // moves the end along helices with a share of the strain
     const double t = step / 16.;
     const Pose end = along_x * exp_motion(length * vec6(0, 0, 1, 0, t * kappa, t * tau));
     conditions.supports = {clamp(0), clamp_at(straight, n, end)};

@@ -14,7 +14,7 @@ TEST(Pose, OutwardNormalOfANoisyTubeIsRadialWhateverTheRadius) {
   const auto tube = testing::noisy_tube(shape);
   for (const double theta : {0.3, 2.0, 4.4})
     for (const double radius :
-         {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to round the whole tube
+         {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to around the whole tube
       const Vec3 exact(std::cos(theta), std::sin(theta), 0);
       const Vec3 normal = outward_normal(tube, 5 * exact + Vec3(0, 0, 20), radius);
       EXPECT_NEAR(normal.norm(), 1, 1e-12);

@@ -348,8 +348,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     if (section.moment_in_body) moment = pose.rotation * moment;
     out.scale += load * section.force.norm() + moment.norm();
 
-    Vec6 internal =
-        Vec6::Zero();  // on the pose, in the section's axes, by a soft section's multipliers
+    // On the pose, in the section's axes, by a soft section's multipliers.
+    Vec6 internal = Vec6::Zero();
     Mat6 pose_pose = Mat6::Zero();
     if (section.soft) {
       double spread = 0;

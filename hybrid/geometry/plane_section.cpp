@@ -73,8 +73,8 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
       if (above[k] == above[l]) continue;
       const EdgeKey key = key_of(surface.triangles(t, static_cast<int>(k)),
                                  surface.triangles(t, static_cast<int>(l)));
-      (above[k] ? piece.from : piece.to) =
-          key;  // the part above stays on the left, seen from outside
+      // The part above is on the left, seen from outside.
+      (above[k] ? piece.from : piece.to) = key;
     }
     starts.emplace(piece.from, pieces.size());
     ends.emplace(piece.to, pieces.size());

@@ -9,8 +9,8 @@
 namespace vasorod {
 namespace {
 
-constexpr double outside_tube =
-    1.2;  // distance from the parent's axis over its radius from which a point stands out
+// Distance from the parent's axis over its radius beyond which a point lies outside the tube.
+constexpr double outside_tube = 1.2;
 constexpr double inside_tube = 1.1;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Rods the rod benchmarks share.
+// Rods shared by the rod benchmarks.
 #pragma once
 
 #include <numbers>
@@ -8,15 +8,15 @@
 
 namespace vasorod::bench {
 
-/// Shear, shear, axial, bending, bending, torsion.
+/// Order: shear, shear, axial, bending, bending, torsion.
 inline Mat6 stiffness(double ga, double ea, double ei, double gj) {
   Vec6 d;
   d << ga, ga, ea, ei, ei, gj;
   return d.asDiagonal();
 }
 
-/// Appends a branch of equal elements; returns its last node. `start` is relative to the frame of
-/// node `from`.
+/// Appends a branch of equal elements and returns its last node. `start` is relative to the frame
+/// of node `from`.
 inline int append(RodTree& tree, int from, const Pose& start, double length, const Vec3& curvature,
                   int elements, const Mat6& c) {
   RodBranch branch;

@@ -6,13 +6,13 @@
 namespace vasorod::fem {
 namespace {
 
-/// Distances count displacements and poses; the multipliers of soft sections, forces, do not.
+/// Norm of displacements and poses. The multipliers of soft sections are forces and do not count.
 double length(const System& system, const Eigen::VectorXd& unknowns) {
   return unknowns.head(system.size() - system.multipliers()).norm();
 }
 
-/// Quadratic (with two points linear) extrapolation of the path to the arc length `step` after its
-/// newest point, which is the last of `history`.
+/// Quadratic (with two points linear) extrapolation of the path by the arc length `step` from its
+/// newest point, the last of `history`.
 struct Guess {
   double load = 0;
   Eigen::VectorXd unknowns;  ///< from the newest point
@@ -64,7 +64,7 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
       return settle_for_best(false);
     }
     Guess guess = extrapolate(system, history, step);
-    // the load moves no further than a load step may
+    // the load may change by at most the largest load step
     while (std::abs(guess.load - load) > options.largest_step && step > smallest) {
       step *= 0.5;
       guess = extrapolate(system, history, step);
@@ -85,7 +85,7 @@ bool follow_arc(const System& system, State& state, System::Assembly& assembly,
     bool ok = arrives ? newton.at_load(trial, 1, trial_assembly)
                       : newton.along(trial, trial_load, unit, trial_assembly);
     Eigen::VectorXd moved;
-    if (ok) {  // not back along the path, nor far from where it was expected
+    if (ok) {  // neither back along the path nor far from the expected point
       moved = system.difference(now, trial);
       ok = moved.dot(unit) > 0.7 * length(system, moved);
     }

@@ -5,7 +5,7 @@
 
 namespace vasorod::fem {
 
-/// Seconds of a clock that only goes forward.
+/// Seconds of a monotonic clock.
 inline double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

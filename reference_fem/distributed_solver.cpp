@@ -40,7 +40,7 @@ class Mumps final : public LinearSolver::Method {
                        &factor_));
     check(MatMumpsSetIcntl(factor_, 13,
                            1));  // no ScaLAPACK at the root, or its pivots are not counted
-    check(MatMumpsSetIcntl(factor_, 14, 60));  // per cent of spare room: pivoting fills in
+    check(MatMumpsSetIcntl(factor_, 14, 60));  // per cent of extra memory for fill-in by pivoting
     MatFactorInfo info;
     check(MatFactorInfoInitialize(&info));
     IS rows = nullptr, columns = nullptr;
@@ -93,8 +93,8 @@ class Mumps final : public LinearSolver::Method {
     check(MatCreate(PETSC_COMM_WORLD, &matrix_));
     check(MatSetSizes(matrix_, PETSC_DECIDE, PETSC_DECIDE, n, n));
     check(MatSetType(matrix_, MATMPIAIJ));
-    // room for the sum of what the processes have in a row: too much where they share entries,
-    // never too little
+    // Reserves the sum of the processes' entries in a row: too much where entries are shared, never
+    // too little.
     Eigen::VectorXd entries = Eigen::VectorXd::Zero(n);
     for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k) entries[matrix.innerIndexPtr()[k]] += 1;
     processes_.sum(entries.data(), static_cast<std::size_t>(n));

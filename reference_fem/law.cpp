@@ -23,7 +23,7 @@ Vec6 strain_vector(const Mat3& m) {
   return v;
 }
 
-/// (C^-1 (.) C^-1)_IJKL = 1/2 (Ci_IK Ci_JL + Ci_IL Ci_JK) as a 6x6 acting on engineering strains.
+/// (C^-1 (.) C^-1)_IJKL = 1/2 (Ci_IK Ci_JL + Ci_IL Ci_JK) as a 6x6 matrix for engineering strains.
 Mat6 inverse_square(const Mat3& Ci) {
   Mat6 m;
   for (int a = 0; a < 6; ++a)
@@ -127,8 +127,8 @@ Response MaterialLaw::evaluate(const Mat3& F) const {
 }
 
 // T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester
-// equations with U, solved in U's eigenbasis by dividing by sums of stretches, so repeated
-// stretches need no special case.
+// equations with U. In U's eigenbasis they are solved by division by sums of stretches, so repeated
+// stretches are no special case.
 Response MaterialLaw::biot(const Mat3& C) const {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(C);
   const Mat3& N = eigen.eigenvectors();

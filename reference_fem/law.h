@@ -1,4 +1,4 @@
-// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent at
+// The wall's laws as point functions: energy density, second Piola-Kirchhoff stress and tangent for
 // one deformation gradient.
 //
 //   Biot                 W = 1/2 (U - I) : C : (U - I),  U = sqrt(F^T F)
@@ -7,9 +7,9 @@
 //   split neo-Hookean    W = mu/2 (J^-2/3 I1 - 3) + kappa/4 (J^2 - 1 - 2 ln J)
 //   (quasi-incompressible with a large kappa)
 //
-// C is transversely isotropic with the third local axis as fibre (isotropic as its special case);
-// the neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's
-// third column, so no stiffness is ever rotated.
+// C is transversely isotropic with the third local axis as fibre (isotropic as a special case); the
+// neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's
+// third column, so no stiffness has to be rotated.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@
 
 namespace vasorod::fem {
 
-/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` fills the
+/// Elastic constants, stress. Transversely isotropic about the axis; `isotropic(E, nu)` gives the
 /// special case.
 struct Moduli {
   double axial = 1;       ///< E_L
@@ -31,8 +31,8 @@ struct Moduli {
   static Moduli isotropic(double young, double nu);
 };
 
-/// The first violated inequality of positive definiteness, as a clause with the numbers; empty when
-/// admissible.
+/// The first violated inequality of positive definiteness, as a clause with the numbers; empty if
+/// the moduli are admissible.
 std::string inadmissible(const Moduli& moduli);
 
 /// 6x6 stiffness in the order 11 22 33 12 13 23 with engineering shear strains.
@@ -57,7 +57,7 @@ struct Response {
   Mat6 tangent = Mat6::Zero();  ///< dS/dE
 };
 
-/// The part that a pressure p conjugate to J adds: S = p J C^-1, and its tangent at constant p.
+/// The contribution of a pressure p conjugate to J: S = p J C^-1, and its tangent at constant p.
 Response pressure_response(const Mat3& F, double pressure);
 
 /// The volumetric energy U(J) of a split law and its derivatives, stress.
@@ -65,19 +65,21 @@ struct Volumetric {
   double energy = 0, slope = 0, curvature = 0;
 };
 
+/// The available laws.
 enum class LawKind { biot, svk, neo_hookean, split_neo_hookean };
 std::string to_string(LawKind kind);
 
+/// A law with its constants.
 class MaterialLaw {
  public:
-  /// Throws InputError (a sentence with the inequality) for inadmissible moduli, and for a
-  /// transversely isotropic neo-Hookean wall, which this program does not have.
+  /// Throws InputError (a sentence with the inequality) for inadmissible moduli and for a
+  /// transversely isotropic neo-Hookean wall, which is not implemented.
   MaterialLaw(LawKind kind, const Moduli& moduli);
-  /// The split neo-Hookean law by its shear and bulk moduli.
+  /// The split neo-Hookean law with given shear and bulk modulus, stress.
   static MaterialLaw split(double mu, double kappa);
 
   LawKind kind() const { return kind_; }
-  /// Needs det F > 0.
+  /// Requires det F > 0.
   Response evaluate(const Mat3& F) const;
 
   /// Whether the energy is isochoric(F) + volumetric(det F).

@@ -10,9 +10,9 @@
 namespace vasorod::fem {
 namespace {
 
-/// CHOLMOD and UMFPACK. A symmetric matrix with constraints is tried as K + gamma B B^T, which is
-/// positive definite where K is so on the constraints; the multipliers follow from their Schur
-/// complement.
+/// CHOLMOD and UMFPACK. A symmetric matrix with constraints is factorised as K + gamma B B^T, which
+/// is positive definite if K is positive definite on the constraints. The multipliers follow from
+/// their Schur complement.
 class OneProcess final : public LinearSolver::Method {
  public:
   OneProcess() { cholesky.cholmod().print = 0; }
@@ -50,8 +50,8 @@ class OneProcess final : public LinearSolver::Method {
     const Eigen::Index n = whole.cols() - multipliers;
     const Sparse K = whole.topLeftCorner(n, n);
     constraints = whole.topRightCorner(n, multipliers);
-    // Springs in place of constraints buckle earlier: with 10 in place of 1e5 a column on a soft
-    // root is called unstable below its load. More would only cost digits of the solution.
+    // Springs in place of constraints buckle at a lower load: with 10 in place of 1e5, a column on
+    // a soft root is called unstable below its buckling load. A larger factor would cost accuracy.
     gamma = 1e5 * K.diagonal().mean() * multipliers / constraints.squaredNorm();
     const Sparse held = K + gamma * Sparse(constraints * Sparse(constraints.transpose()));
     if (!analysed) cholesky.analyzePattern(held);

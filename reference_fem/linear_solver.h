@@ -1,5 +1,5 @@
-// Sparse direct solves. One process: supernodal Cholesky (CHOLMOD) while the matrix is symmetric
-// positive definite, UMFPACK otherwise. Several: MUMPS through PETSc, L D L^T or LU
+// Sparse direct solvers. One process: supernodal Cholesky (CHOLMOD) if the matrix is symmetric
+// positive definite, UMFPACK otherwise. Several processes: MUMPS through PETSc, L D L^T or LU
 // (distributed_solver.h).
 #pragma once
 
@@ -12,6 +12,7 @@ namespace vasorod::fem {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// Factorises and solves on one process or on a processes.
 class LinearSolver {
  public:
   enum class Fallback { umfpack, none };
@@ -21,18 +22,18 @@ class LinearSolver {
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
-  /// Factorises; the pattern must stay the same from call to call. False when the matrix is
-  /// singular. The last `multipliers` unknowns are those of constraints (zero diagonal block). With
-  /// several processes the matrix is the sum of what they give.
+  /// Factorises. The pattern must be the same in every call. False: the matrix is singular. The
+  /// last `multipliers` unknowns are those of constraints (zero diagonal block). In a processes,
+  /// the matrix is the sum of the processes' matrices.
   bool factor(const Sparse& matrix, bool symmetric, int multipliers = 0,
               Fallback fallback = Fallback::umfpack);
-  /// Whether the last factor() found the matrix positive definite on its constraints (only
-  /// symmetric matrices are tried).
+  /// Whether the last factor() found the matrix positive definite on its constraints. Always false
+  /// for matrices that are not symmetric.
   bool positive_definite() const;
-  /// `right` and the solution are whole on every process.
+  /// `right` and the solution are complete on every process.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
-  /// One way to do so.
+  /// One implementation.
   class Method {
    public:
     virtual ~Method() = default;

@@ -35,8 +35,8 @@ struct Arguments {
   bool quiet = false, json = false;
 };
 
-/// Whether this process is one of several that mpirun (Open MPI, MPICH) started.
-bool launched_as_team() {
+/// Whether mpirun (Open MPI, MPICH) started this process as one of several.
+bool launched_by_mpi() {
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1)
       return true;
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  if (launched_as_team()) {
+  if (launched_by_mpi()) {
     mpi.emplace(argc, argv, 1);
     arguments.options.processes = vasorod::fem::Processes::world();
   }

@@ -1,5 +1,5 @@
-// From a deal.II triangulation whose cells' corners are parameters of a chart to a Mesh. Only for
-// the .cpp files that make meshes: deal.II's headers are heavy.
+// Converts a deal.II triangulation whose corners are parameters of a chart to a Mesh. Only for the
+// .cpp files that make meshes: deal.II's headers compile slowly.
 #pragma once
 
 #include <deal.II/grid/tria.h>
@@ -8,7 +8,7 @@
 
 namespace vasorod::fem {
 
-/// `corners` as in Mesh, by active cell index; all cells of `tria` on one level.
+/// `corners` as in Mesh, by active cell index. All cells of `tria` have the same level.
 template <int dim>
 Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd> corners,
                const Chart& chart, bool closed, int degree, const Processes& processes);

@@ -67,7 +67,8 @@ std::vector<Eigen::Matrix3Xd> triangulate(const Block& block, const Chart& chart
   return corners;
 }
 
-/// Slices of equal cell counts along the second parameter: a tube's shortest interfaces.
+/// Divides the cells into equal slices along the second parameter, which have the shortest
+/// interfaces on a tube.
 template <int dim>
 void share_out(dealii::Triangulation<dim, 3>& tria, const std::vector<Eigen::Matrix3Xd>& corners,
                int parts) {
@@ -116,7 +117,7 @@ Mesh make_mesh(dealii::Triangulation<dim, 3>& tria, std::vector<Eigen::Matrix3Xd
   if (processes.size() > 1) share_out<dim>(tria, corners, processes.size());
   dealii::DoFHandler<dim, 3> dofs(tria);
   dofs.distribute_dofs(fe);
-  // a process then owns most of the rows its cells add to
+  // so that a process owns most of the rows that its cells contribute to
   if (processes.size() > 1) dealii::DoFRenumbering::subdomain_wise(dofs);
 
   Mesh mesh;

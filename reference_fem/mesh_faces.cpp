@@ -1,4 +1,4 @@
-// Faces of a mesh with their quadrature, and where in it a point of the parameter cube lies.
+// Faces of a mesh with their quadrature; location of points of the parameter cube in the mesh.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -22,7 +22,7 @@ const std::vector<dealii::Point<dim>>& support_points(unsigned degree) {
   return known[degree];
 }
 
-/// The Lagrange basis on [0, 1] in increasing order of its points, at one place: values and slopes.
+/// Values and slopes at one point of the Lagrange basis on [0, 1], nodes in increasing order.
 struct Basis {
   Eigen::VectorXd value, slope;
 };
@@ -41,7 +41,7 @@ Basis basis_at(unsigned degree, double place) {
   return basis;
 }
 
-/// Nodes of the unit cell's face (normal direction, side), the face's first direction fastest.
+/// Nodes of the unit cell's face (normal direction, side); the face's first direction runs fastest.
 template <int dim>
 std::vector<unsigned> face_nodes(unsigned degree, unsigned normal, int side, unsigned a,
                                  unsigned b) {
@@ -108,7 +108,7 @@ std::vector<CellRow> rows(const Mesh& mesh, const std::vector<Vec3>& at) {
                                                      box[static_cast<size_t>(c)].col(1));
         if ((p - lo).head<dim>().minCoeff() < -slack || (hi - p).head<dim>().minCoeff() < -slack)
           continue;
-        // Newton on the multilinear interpolation; one step in a cell with straight, parallel sides
+        // Newton on the multilinear interpolation: one step in a cell with straight, parallel sides
         const Eigen::Matrix3Xd& corners = mesh.corners[static_cast<size_t>(c)];
         Vec3 unit(0.5, 0.5, dim == 3 ? 0.5 : 0);
         for (int i = 0; i < 20; ++i) {

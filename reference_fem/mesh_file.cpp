@@ -20,7 +20,8 @@ namespace {
 
 using std::size_t;
 
-/// Vertices may be this far off the tube, in its parameters; they are then put on it.
+/// Largest distance of vertices from the tube, in its parameters. Closer vertices are moved onto
+/// it.
 constexpr double slack = 1e-6;
 
 constexpr unsigned start_tag = 1, end_tag = 2, inner_tag = 3, outer_tag = 4;
@@ -53,7 +54,8 @@ class TubeManifold final : public dealii::ChartManifold<dim, 3, 3> {
   TubeShape tube_;
 };
 
-/// Parameters of a vertex; those within the slack of an end, or of a wall's face, are put on it.
+/// Parameters of a vertex. Vertices within the slack of an end or of a wall's face are moved onto
+/// it.
 Vec3 on_tube(const TubeShape& tube, const Vec3& x, int dim, const MeshFile& file) {
   Vec3 p = tube.parameters(x), snapped = p;
   if (dim == 2) snapped[2] = 0.5;
@@ -74,7 +76,7 @@ Vec3 on_tube(const TubeShape& tube, const Vec3& x, int dim, const MeshFile& file
                    " of the scene's tube, in its start section's axes");
 }
 
-/// Faces of the boundary that carry a tag lie where the tag says.
+/// Checks that tagged faces of the boundary lie where their tag says.
 template <int dim>
 void check_tags(const dealii::Triangulation<dim, 3>& tria, const std::vector<Vec3>& vertices,
                 const MeshFile& file) {
@@ -135,7 +137,7 @@ Mesh read(const MeshFile& file, const TubeShape& tube, int degree, const Process
     throw InputError(file.path + ": found a mesh that deal.II refuses (" + clause +
                      "); expected conforming cells with tags on the outer boundary only");
   }
-  // into the tube's units and place, onto the tube
+  // to the tube's units and placement
   dealii::GridTools::transform(
       [&](const dealii::Point<3>& p) {
         const Vec3 x = tube.placement * Vec3(Vec3(p[0], p[1], p[2]) / file.length_unit);

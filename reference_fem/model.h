@@ -1,4 +1,5 @@
-// What the load stepper asks of a finite-element model: energy, residual and tangent, cell by cell.
+// The interface between load stepper and finite-element models: energy, residual and tangent of
+// each cell.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,29 +7,29 @@
 
 namespace vasorod::fem {
 
-/// Contribution of one cell in the order of Model::dofs(cell). Buffers are reused from cell to
-/// cell.
+/// Contribution of one cell, in the order of Model::dofs(cell). The buffers are reused for all
+/// cells.
 struct CellTerms {
   double energy = 0;
   Eigen::VectorXd residual;  ///< dPi/du: internal minus follower forces
   Eigen::MatrixXd tangent;   ///< d residual / du
 };
 
-/// Degrees of freedom are numbered node * components + component; the first three of a node are its
-/// displacement.
+/// A finite-element model. Degrees of freedom are numbered node * components + component; the first
+/// three of a node are its displacement.
 class Model {
  public:
   virtual ~Model() = default;
   virtual int node_count() const = 0;
   virtual int components() const = 0;
   virtual int cell_count() const = 0;     ///< follower-load faces count as cells
-  virtual int owner(int cell) const = 0;  ///< the process that may evaluate it
+  virtual int owner(int cell) const = 0;  ///< the process that evaluates the cell
   virtual std::vector<int> dofs(int cell) const = 0;
-  /// False where a deformation gradient has det F <= 0; `terms` is then meaningless. `load` scales
+  /// False if a deformation gradient has det F <= 0; `terms` is then undefined. `load` scales
   /// follower loads.
   virtual bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                         CellTerms& terms) const = 0;
-  virtual bool symmetric() const { return true; }  ///< of the tangent
+  virtual bool symmetric() const { return true; }  ///< whether the tangent is symmetric
   int dof_count() const { return node_count() * components(); }
 };
 

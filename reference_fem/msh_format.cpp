@@ -16,7 +16,7 @@ namespace {
   throw InputError(path + ": found " + found + "; expected " + expected);
 }
 
-/// gmsh's element numbers, as its manual has them.
+/// gmsh's element numbers, from its manual.
 std::string element_name(int type) {
   static const std::map<int, std::string> names{{1, "lines"},
                                                 {2, "triangles"},
@@ -37,7 +37,7 @@ std::string element_name(int type) {
   return name != names.end() ? name->second : "elements of gmsh's type " + std::to_string(type);
 }
 
-/// Lines of the section `name`, from its first.
+/// The lines of the section `name`.
 std::vector<std::string> section(std::ifstream& file, const std::string& name) {
   file.clear();
   file.seekg(0);

@@ -54,8 +54,8 @@ bool Newton::at_load(State& state, double load, System::Assembly& assembly) {
   }
 }
 
-// The residual's derivative along the load, prescribed motions included: a difference, since it
-// only steers the way to the exact equilibrium.
+// The residual's derivative with respect to the load, prescribed motions included. A finite
+// difference is accurate enough: it affects only the iterations, not the equilibrium.
 Eigen::VectorXd Newton::load_slope(const State& state, double load,
                                    const System::Assembly& assembly) {
   constexpr double h = 1e-6;

@@ -1,25 +1,25 @@
-// Newton's method on the discrete equilibrium: at a given load, or with the load as an unknown
-// beside a given distance along the path (Riks 1979, Ramm 1981), which passes points where the load
-// has its maximum.
+// Newton's method for the discrete equilibrium: at a given load, or with the load as an unknown at
+// a given distance along the path (Riks 1979, Ramm 1981). The latter passes maxima of the load.
 #pragma once
 
 #include "reference_fem/stepper.h"
 
 namespace vasorod::fem {
 
+/// Newton's method on one system.
 class Newton {
  public:
   Newton(const System& system, const StepperOptions& options, StepperSummary& summary)
       : system_(system), options_(options), summary_(summary), solver_(system.processes()) {}
 
-  /// From `state` (prescribed values already in place). False: `state` is not to be used.
+  /// Solves from `state` (prescribed values already set). False: `state` must not be used.
   bool at_load(State& state, double load, System::Assembly& assembly);
-  /// The same with the load free and the displacements' component along `direction` (unit, of the
-  /// unknowns) kept.
+  /// Solves with the load free and the displacements' component along `direction` (unit, in the
+  /// unknowns) fixed.
   bool along(State& state, double& load, const Eigen::VectorXd& direction,
              System::Assembly& assembly);
-  /// One linear step from the equilibrium `last` to a guess whose prescribed values are already in
-  /// place.
+  /// One linear step from the equilibrium `last` to a guess whose prescribed values are already
+  /// set.
   bool linear_step(const State& last, double load, State& guess, System::Assembly& assembly);
 
   int iterations() const { return iterations_; }  ///< of the last solve

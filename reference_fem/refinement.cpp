@@ -13,7 +13,7 @@ Convergence grid_convergence(double change, std::optional<double> coarse_change,
     const double p = std::log(*coarse_change / change) / std::log(ratio);
     out.observed_order = p;
     if (std::abs(p - theory) <= 0.1 * theory) out.safety = 1.25;
-    // no convergence seen: the change itself, times Fs, is all that can be said
+    // no convergence observed: the estimate is the change itself, times Fs
     out.order = std::clamp(p, 0.5, theory);
   }
   out.uncertainty = out.safety * change / (std::pow(ratio, out.order) - 1);

@@ -68,9 +68,10 @@ std::vector<int> Shell::dofs(int cell) const {
   return out;
 }
 
-// Every variation of F (in local axes) is a (x) g: u_i: e_i (x) g_u, w_i: e_i (x) g_w, beta: (D +
-// w) (x) g_beta, with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n), g_beta
-// = N zeta pull^T n.
+// Every variation of F (in local axes) is a (x) g:
+//   u_i: e_i (x) g_u,  w_i: e_i (x) g_w,  beta: (D + w) (x) g_beta,
+// with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n),
+// g_beta = N zeta pull^T n.
 bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);

@@ -3,11 +3,11 @@
 // same three-dimensional laws as the solid.
 //
 //   x(zeta) = R + u + zeta (D + w),  dx/dzeta = (1 + zeta beta) (D + w),  zeta in [-t/2, t/2]
-//   G = P + zeta grad D + D n^T,     F = [P + grad u + zeta (grad D + grad w) + (1 + zeta beta) (D
-//   + w) n^T] G^-1
+//   G = P + zeta grad D + D n^T
+//   F = [P + grad u + zeta (grad D + grad w) + (1 + zeta beta) (D + w) n^T] G^-1
 //
-// P the projector on the surface, n its normal, grad the surface gradient, dV = det G dzeta dA. No
-// rotation is a parameter, so a rigid section is plain data for u and w.
+// P is the projector onto the surface, n its normal, grad the surface gradient,
+// dV = det G dzeta dA. No parameter is a rotation, so a rigid section is plain data for u and w.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace vasorod::fem {
 
-/// What the mid-surface does not know, as functions of the surface's parameters.
+/// Wall properties as functions of the surface's parameters.
 struct ShellBody {
   std::function<Vec3(const Vec3&)> director;     ///< D: unit, from inside to outside
   std::function<double(const Vec3&)> thickness;  ///< along D, length
@@ -27,7 +27,7 @@ struct ShellBody {
 
 class Shell final : public Model {
  public:
-  /// Through-thickness Gauss points: 2 integrate S = C : E, other laws want 3.
+  /// Through-thickness Gauss points: 2 integrate S = C : E; other laws need 3.
   Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points);
 
   const Mesh& mesh() const { return mesh_; }
@@ -36,7 +36,7 @@ class Shell final : public Model {
   int components() const override { return 7; }  ///< u, w (director difference), beta (1/length)
   int cell_count() const override { return mesh_.cell_count(); }
   int owner(int cell) const override { return mesh_.owner[static_cast<std::size_t>(cell)]; }
-  /// Pressure (stress, scaled by the load) on the inner face, following it.
+  /// Adds a follower pressure (stress, scaled by the load) on the inner face.
   void add_pressure(double pressure) { pressure_ += pressure; }
   bool symmetric() const override { return pressure_ == 0; }
   std::vector<int> dofs(int cell) const override;

@@ -1,5 +1,5 @@
-// Follower pressure on the shell's inner face x = R + u - t/2 (D + w): its force on that face is p
-// n da, with n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent
+// Follower pressure on the shell's inner face x = R + u - t/2 (D + w). The force on that face is
+// p n da, with n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent
 // to the mid-surface.
 #include <Eigen/Geometry>
 

@@ -137,8 +137,8 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
   return true;
 }
 
-// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal; the
-// residual carries its opposite.
+// The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal. The
+// residual contains the opposite force.
 void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes,
                           const Eigen::VectorXd& u, double load, CellTerms& terms) const {
   const auto n = static_cast<Eigen::Index>(nodes.size());

@@ -1,5 +1,5 @@
-// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law (a split one with its
-// volume ratio projected, volume_projection.h); optional follower pressure on the walls.
+// Total Lagrangian solid: FE_Q(p)^3 hexahedra, full Gauss quadrature, any law (for a split law with
+// projected volume ratio, volume_projection.h); optional follower pressure on the walls.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@ using Axes = std::function<Mat3(const Vec3&)>;
 class Solid final : public Model {
  public:
   Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes);
-  /// Pressure (stress, scaled by the load) pushing where a parameter is 0 or 1, following its
-  /// deformed normal.
+  /// Adds a follower pressure (stress, scaled by the load) on the faces where the parameter in
+  /// `direction` is 0 or 1.
   void add_pressure(int direction, int side, double pressure);
 
   const Mesh& mesh() const { return mesh_; }
@@ -43,10 +43,10 @@ class Solid final : public Model {
 
   Mesh mesh_;
   MaterialLaw law_;
-  std::vector<std::vector<Mat3>>
-      axes_;  ///< per cell and point; mesh_.gradient is kept in these axes
+  /// Per cell and point; mesh_.gradient refers to these axes.
+  std::vector<std::vector<Mat3>> axes_;
   std::vector<Pressure> pressures_;
-  std::optional<VolumeProjection> projection_;  ///< of split laws
+  std::optional<VolumeProjection> projection_;  ///< split laws only
 };
 
 }  // namespace vasorod::fem

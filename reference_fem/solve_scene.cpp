@@ -34,7 +34,7 @@ TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
     const CellCount count = count_cells(cells);
     return {count.around, count.along, options.degree, options.mesh, 0};
   }
-  const int multiple = 1 << options.refine;  // so that each refinement by 3/2 is whole
+  const int multiple = 1 << options.refine;  // so that every refinement by 3/2 gives integers
   if (options.around < 4 || options.around % multiple != 0 || options.along < 0 ||
       options.along % multiple != 0)
     throw InputError("--cells: found " + std::to_string(options.around) + " x " +
@@ -49,7 +49,7 @@ TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
   return mesh;
 }
 
-/// The next finer mesh: structured cells shrink by 3/2, a file's by 2.
+/// Ratio to the next finer mesh: 3/2 for structured cells, 2 for a file's.
 double refinement_ratio(const SolveOptions& options) {
   return options.mesh.empty() ? 1.5 : 2;
 }
@@ -76,7 +76,7 @@ Change change(const TubeSolution& a, const TubeSolution& b) {
   Change out;
   const Points difference = (a.wall.current - a.wall.rest) - (b.wall.current - b.wall.rest);
   out.displacement = std::sqrt(difference.squaredNorm() / static_cast<double>(difference.rows()));
-  // dimensionless lengths are radii, so forces and moments may be measured together
+  // dimensionless lengths are in radii, so forces and moments are comparable
   double size = 0;
   for (std::size_t e = 0; e < a.end_force.size(); ++e) {
     out.reaction = std::max(out.reaction, (a.end_force[e] - b.end_force[e]).cwiseAbs().maxCoeff());
@@ -102,7 +102,7 @@ void estimate_error(const std::vector<Level>& levels, int degree, double ratio, 
                             coarse ? std::optional<double>((*coarse).*member) : std::nullopt, ratio,
                             theory);
   };
-  // in the energy norm's square for energies and reactions, of L2 for displacements
+  // energies and reactions converge in the square of the energy norm, displacements in L2
   const Convergence displacement = index(&Change::displacement, degree + 1),
                     reaction = index(&Change::reaction, 2 * degree),
                     energy = index(&Change::energy, 2 * degree);
@@ -146,14 +146,14 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
     reaction.center = problem.length_unit * solution.end_pose[e].position;
     balance.support += reaction.force;
     balance.load += problem.force_unit() * force;
-    // a tube under moments alone has forces of round-off only: moments over the radius set their
-    // size
+    // A tube under moments alone has forces of round-off only. Moments over the radius set the
+    // scale.
     largest = std::max({largest, reaction.force.norm(), (problem.force_unit() * force).norm(),
                         reaction.moment.norm() / problem.length_unit,
                         problem.force_unit() * moment.norm()});
     result.ends.push_back(reaction);
   }
-  // pressure pushes too: only without it the ends alone are in balance
+  // pressure is a force too: the ends alone balance only without it
   if (problem.pressure == 0 && largest > 0)
     balance.residual = (balance.support + balance.load).norm() / largest;
   result.balance.push_back(balance);
@@ -166,8 +166,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   TubeMesh mesh = first_mesh(problem, options);
   TubeMesh finest = mesh;
   for (int k = 0; k < options.refine; ++k) finest = refined(finest, options);
-  // a multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around
-  // then lie on lines of ours, where a comparison interpolates along the axis only
+  // A multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around
+  // then lie on lines of this grid, where a comparison interpolates along the axis only.
   const int points_around = 192 * (1 + (2 * mesh.degree * finest.around - 1) / 192),
             stations = 2 * mesh.degree * finest.along + 1;
 

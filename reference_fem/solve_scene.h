@@ -1,5 +1,5 @@
-// A scene solved by the reference on one or more meshes, with the numerical error the last two or
-// three of them show.
+// Solves a scene with the reference on one or more meshes and estimates the discretisation error
+// from the last two or three.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,23 @@
 
 namespace vasorod::fem {
 
+/// How a scene is solved.
 struct SolveOptions {
   ModelKind model = ModelKind::solid;
-  std::optional<LawKind> law;  ///< absent: the scene's
+  std::optional<LawKind> law;  ///< empty: the scene's
   int degree = 3;              ///< 1 and 2 lock on thin tubes; 3 and 4 do not
-  int refine = 1;  ///< refinements by 3/2 after the first mesh: 0 gives no error estimate, 2 an
-                   ///< observed order
-  int around = 8,
-      along = 0;        ///< cells of the first mesh, multiples of 4; along 0: nearly square cells
-  std::string mesh;     ///< a gmsh file instead of `around` x `along`; refined by halving its cells
+  /// Refinements by 3/2 after the first mesh: 0 gives no error estimate, 2 an observed order.
+  int refine = 1;
+  /// Cells of the first mesh, multiples of 4; along 0: nearly square cells.
+  int around = 8, along = 0;
+  std::string mesh;     ///< a gmsh file replaces `around` x `along`; refined by halving its cells
   Processes processes;  ///< the processes that solve together
   StepperOptions stepper;
-  std::function<void(const std::string&)> progress;  ///< a line for the terminal
+  std::function<void(const std::string&)> progress;  ///< called with a line for the terminal
 };
 
-/// Throws InputError for what the reference cannot do. Where a path ends early the result holds the
-/// last converged state.
+/// Throws InputError if the reference cannot solve the scene. If a path ends early, the result
+/// holds the last converged state.
 Result solve_scene(const Scene& scene, const SolveOptions& options);
 
 }  // namespace vasorod::fem

@@ -9,8 +9,7 @@
 namespace vasorod::fem {
 namespace {
 
-/// First guess at `load`: extrapolated through the last states, or one linear step from the only
-/// one.
+/// First guess at `load`: extrapolated from the last states, or one linear step from a single one.
 bool predict(const System& system, Newton& newton, const std::vector<PathPoint>& history,
              const State& last, double load, State& guess, System::Assembly& assembly) {
   guess = last;
@@ -70,8 +69,8 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
       trial = guess;
       ok = newton.at_load(trial, load, trial_assembly);
     }
-    // Newton that goes further than the step itself has jumped: to another branch, over a limit
-    // point
+    // If Newton moved further than the step itself, it jumped to another branch or over a limit
+    // point.
     if (ok && history.size() == 3)
       ok = system.difference(guess, trial).norm() <=
            options.largest_jump * system.difference(state, trial).norm();

@@ -21,7 +21,7 @@ Eigen::Matrix<double, 3, 6> member_columns(const Section& section, const Member&
   return columns;
 }
 
-/// Puts the members of a rigid section to its pose; a soft one's are free.
+/// Moves the members of a rigid section to its pose; those of a soft section are free.
 void place_members(const Section& section, const Pose& pose, Eigen::VectorXd& u) {
   if (section.soft) return;
   for (const Member& member : section.members) {
@@ -47,8 +47,8 @@ void System::build_numbering() {
   symmetric_ = conservative_ = model_.symmetric();
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
-    // spins of a free rotation do not commute: symmetric only in equilibrium, and not under a dead
-    // moment
+    // Spins of a free rotation do not commute: symmetric only in equilibrium, and not under a dead
+    // moment.
     if (!section.rotation_fixed()) symmetric_ = false;
     if (!section.rotation_fixed() && section.moment.squaredNorm() > 0) conservative_ = false;
     if (section.soft) continue;
@@ -74,8 +74,7 @@ void System::build_numbering() {
   }
 }
 
-// Unknowns a cell touches: its own free values, then the poses of the rigid sections its nodes
-// belong to.
+// Unknowns of a cell: its own free values, then the poses of the rigid sections of its nodes.
 void System::reduced_columns(int cell, std::vector<int>& dofs, std::vector<int>& columns,
                              std::vector<int>& sections) const {
   dofs = cell_dofs_[static_cast<size_t>(cell)];
@@ -241,7 +240,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     const auto n = static_cast<Eigen::Index>(dofs.size());
 
     if (target != nullptr &&
-        want_tangent) {  // the cell's share of what prescribed values still have to move
+        want_tangent) {  // the cell's contribution from prescribed values that still change
       Eigen::VectorXd jump = Eigen::VectorXd::Zero(n);
       bool any = false;
       for (Eigen::Index a = 0; a < n; ++a) {
@@ -349,8 +348,8 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
     if (section.moment_in_body) moment = pose.rotation * moment;
     out.scale += load * section.force.norm() + moment.norm();
 
-    Vec6 internal =
-        Vec6::Zero();  // on the pose, in the section's axes, from a soft section's multipliers
+    // On the pose, in the section's axes, by a soft section's multipliers.
+    Vec6 internal = Vec6::Zero();
     Mat6 pose_pose = Mat6::Zero();
     if (section.soft) {
       double spread = 0;
@@ -407,7 +406,7 @@ void System::add_sections(const State& state, double load, bool want_tangent, As
       }
       internal.head<3>() = -A.transpose() * lc;
       internal.tail<3>() = A.transpose() * torque;
-      // what the section does to the model is the multipliers' force on its nodes
+      // the force of the section on the model is the multipliers' force on its nodes
       out.section_force[s].head<3>() = -lc;
       out.section_force[s].tail<3>() = torque;
       for (size_t a = 0; a < 6; ++a)

@@ -1,10 +1,10 @@
-// The discrete equilibrium of a model with its supports: which unknowns are free, where the state
-// is, residual and tangent.
+// The discrete equilibrium of a model with its supports: free unknowns, state, residual and
+// tangent.
 //
 // Unknowns: free nodal values, then the free pose components of sections (increments: translation
 // and spin in the section's rest axes), then six multipliers per soft section. Nodes of a rigid
-// section follow its pose, so prescribed motions are plain data and reactions are the consistent
-// residual at the pose.
+// section follow its pose. Prescribed motions are therefore plain data, and reactions are the
+// consistent residual at the pose.
 #pragma once
 
 #include <utility>
@@ -16,23 +16,26 @@
 
 namespace vasorod::fem {
 
+/// A state of the system.
 struct State {
   Eigen::VectorXd u;             ///< every degree of freedom, length
   std::vector<Pose> pose;        ///< per section: rotation R and current centre c
   std::vector<Vec6> multiplier;  ///< per section; zero for rigid ones
 };
 
+/// Supports and loads.
 struct Supports {
   std::vector<Section> sections;
-  std::vector<std::pair<int, double>>
-      prescribed;             ///< degree of freedom, value at load 1 (linear in the load)
+  /// Degree of freedom, value at load 1 (linear in the load).
+  std::vector<std::pair<int, double>> prescribed;
   Eigen::VectorXd dead_load;  ///< per degree of freedom at load 1; empty: none
 };
 
+/// A model with its supports.
 class System {
  public:
-  /// Of several processes each assembles the cells it owns; the tangent is then its share, all else
-  /// whole.
+  /// In a processes, each process assembles its own cells. The tangent is then the process's share;
+  /// everything else is complete.
   System(const Model& model, Supports supports, const Processes& processes = {});
 
   const Processes& processes() const { return processes_; }
@@ -40,32 +43,32 @@ class System {
   const Supports& supports() const { return supports_; }
   int size() const { return size_; }
   bool symmetric() const { return symmetric_; }
-  /// Whether the equilibrium is that of an energy: its tangent is then symmetric there, though not
-  /// on the way.
+  /// Whether an energy exists. The tangent is then symmetric in equilibrium, but not elsewhere.
   bool conservative() const { return conservative_; }
-  /// How many of the last unknowns are multipliers.
+  /// Number of multipliers, the last unknowns.
   int multipliers() const;
   State rest() const;
 
-  /// Puts everything prescribed to its value at `load`, members of sections to their pose.
+  /// Sets prescribed values to their values at `load`, members of sections to their pose.
   void prescribe(State& state, double load) const;
   /// Adds a vector of unknowns.
   void add(State& state, const Eigen::VectorXd& unknowns) const;
-  /// The unknowns that lead from one state to another (spins by the logarithm).
+  /// The unknowns that take one state to another (spins by the logarithm).
   Eigen::VectorXd difference(const State& from, const State& to) const;
 
+  /// Energy, residual and tangent of a state.
   struct Assembly {
     bool admissible = false;   ///< false: det F <= 0 somewhere
     double energy = 0;         ///< strain energy, stress length^3
     Eigen::VectorXd residual;  ///< of the unknowns
     double scale = 0;          ///< root of the sum over cells of |internal force|^2
     Sparse tangent;
-    std::vector<Vec6> section_force;  ///< what a section does to the model: force, moment about its
-                                      ///< current centre
+    /// Force of a section on the model, and moment about its current centre.
+    std::vector<Vec6> section_force;
     Eigen::VectorXd nodal;  ///< residual at every degree of freedom (reactions at prescribed ones)
     double relative_residual() const;
   };
-  /// With `target`: the residual is linearly continued to the prescribed values of that state (a
+  /// With `target`: the residual is extrapolated linearly to the prescribed values of that state (a
   /// tangent predictor).
   void assemble(const State& state, double load, bool want_tangent, Assembly& out,
                 const State* target = nullptr) const;

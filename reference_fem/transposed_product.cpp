@@ -1,6 +1,6 @@
 #include "reference_fem/transposed_product.h"
 
-// Declared here, not through OpenBLAS's cblas.h, whose name other BLAS packages share.
+// Declared here and not through OpenBLAS's cblas.h, because other BLAS packages use that file name.
 extern "C" void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,
                        const int* k, const double* alpha, const double* a, const int* lda,
                        const double* b, const int* ldb, const double* beta, double* c,

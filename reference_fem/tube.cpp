@@ -10,7 +10,7 @@ namespace vasorod::fem {
 
 Pose TubeShape::section(double s) const {
   const double angle = s * bend;
-  // (1 - cos a) / a and sin a / a through half angles: exact also for a -> 0
+  // (1 - cos a) / a and sin a / a through half angles: exact also as a -> 0
   const double half = angle / 2,
                sinc = std::abs(half) < 1e-8 ? 1 - half * half / 6 : std::sin(half) / half;
   const double chord = s * length * sinc;

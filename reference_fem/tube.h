@@ -1,5 +1,5 @@
-// A tube of the scene as a chart: straight or bent axis, radius and thickness linear along it,
-// exact.
+// A tube of the scene as an exact chart: straight or bent axis, radius and thickness linear along
+// it.
 #pragma once
 
 #include "reference_fem/mesh.h"
@@ -7,7 +7,7 @@
 
 namespace vasorod::fem {
 
-/// Lengths in one unit; the mid-wall radius and the thickness go linearly from start to end.
+/// Lengths in one unit. Mid-wall radius and thickness vary linearly from start to end.
 struct TubeShape {
   double length = 1, radius = 1, thickness = 0.1;
   double end_radius = 1, end_thickness = 0.1;
@@ -18,10 +18,10 @@ struct TubeShape {
   double thickness_at(double s) const { return thickness + s * (end_thickness - thickness); }
   /// Section frame at the fraction s of the axis.
   Pose section(double s) const;
-  /// Parameters (angle / 2 pi from d1 towards d2, s, depth from inner 0 to outer 1) to space.
+  /// Maps parameters (angle / 2 pi from d1 towards d2, s, depth from inner 0 to outer 1) to space.
   Vec3 point(const Vec3& parameter) const;
-  /// Back again: angle in [0, 1), s and depth unbounded; near the tube, whose axis must not pass
-  /// the whole circle.
+  /// Inverse of `point`: angle in [0, 1), s and depth unbounded. For points near the tube; its axis
+  /// must not be a full circle.
   Vec3 parameters(const Vec3& point) const;
   /// Local axes: radial, hoop, axis tangent (the fibre), as columns.
   Mat3 axes(const Vec3& parameter) const;

@@ -10,7 +10,7 @@ namespace {
 /// Node and share of the section; shares sum to 1.
 using Shares = std::map<int, double>;
 
-/// The section without members. A soft one stands at the mean of its nodes.
+/// The section without members. A soft section's centre is the mean of its nodes.
 Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool soft,
                       const Shares& shares) {
   const Pose frame = tube.section(side);
@@ -26,7 +26,7 @@ Section place_section(const Mesh& mesh, const TubeShape& tube, int side, bool so
   return section;
 }
 
-/// By area.
+/// Shares by area.
 Shares area_shares(const Mesh& mesh, int direction, int side) {
   Shares shares;
   double area = 0;

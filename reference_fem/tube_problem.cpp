@@ -51,7 +51,7 @@ int side_of(const TubeShape& shape, const EndSelector& end, double unit) {
   return (shape.section(0).position - at).norm() <= (shape.section(1).position - at).norm() ? 0 : 1;
 }
 
-// The reference judges the hybrid, so it keeps moduli and laws of its own.
+// The reference has its own moduli and laws, independent of the hybrid solver's.
 Moduli moduli_of(const Material& m, double unit) {
   if (m.is_isotropic()) return Moduli::isotropic(m.young_axial / unit, m.poisson_tt);
   return {m.young_axial / unit, m.young_transverse / unit, m.poisson_tt,
@@ -89,8 +89,8 @@ std::vector<EndProblem> ends_of(const Scene& scene, const TubeProblem& problem) 
   return ends;
 }
 
-/// Abscissa of a mesh parameter: cells shrink towards the ends, where rigid sections cause edge
-/// layers of about sqrt(R t).
+/// Abscissa of a mesh parameter. Cells shrink towards the ends, where rigid sections cause edge
+/// layers of width about sqrt(R t).
 double graded(double p) {
   return p - 0.4 * std::sin(2 * std::numbers::pi * p) / (2 * std::numbers::pi);
 }
@@ -126,7 +126,7 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
   };
   const MeshFile file{size.file, problem.length_unit, size.halvings};
   const Block block{{size.around, size.along, 1}, true, size.degree};
-  // abscissae of a file's cells are its own
+  // the abscissae of a file's cells are not graded
   const auto place = [graded_cells = size.file.empty()](const Vec3& p) {
     return graded_cells ? graded(p) : p;
   };

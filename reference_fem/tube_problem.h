@@ -1,6 +1,6 @@
-// A scene's one tube as a finite-element problem, made dimensionless: lengths over the mid-wall
-// radius at the start, stresses over the axial modulus. What the reference cannot do is refused
-// here with a sentence.
+// A scene's single tube as a dimensionless finite-element problem: lengths over the mid-wall radius
+// at the start, stresses over the axial modulus. Scenes that the reference cannot solve are refused
+// here with one sentence.
 #pragma once
 
 #include <functional>
@@ -15,6 +15,7 @@
 
 namespace vasorod::fem {
 
+/// The finite-element models.
 enum class ModelKind { solid, shell };
 
 /// One end with a condition, dimensionless, in the order of the scene.
@@ -27,15 +28,16 @@ struct EndProblem {
   bool moment_in_body = false;
 };
 
+/// The tube with its ends, dimensionless.
 struct TubeProblem {
   std::string vessel;
   TubeShape shape;
   Moduli moduli;
   LawKind law = LawKind::biot;
-  double pressure = 0;  ///< on the inner face, following it
+  double pressure = 0;  ///< follower pressure on the inner face
   std::vector<EndProblem> ends;
-  double length_unit = 1;  ///< scene's length per ours
-  double stress_unit = 1;  ///< scene's stress per ours
+  double length_unit = 1;  ///< scene's length per dimensionless length
+  double stress_unit = 1;  ///< scene's stress per dimensionless stress
   double force_unit() const { return stress_unit * length_unit * length_unit; }
   double moment_unit() const { return force_unit() * length_unit; }
   double energy_unit() const { return moment_unit(); }
@@ -44,31 +46,32 @@ struct TubeProblem {
 /// Throws InputError. `law` overrides the scene's.
 TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law);
 
-/// A field of the deformed wall at parameters (angle / 2 pi, s): rest and current mid-wall
-/// positions, dimensionless.
+/// The deformed mid-wall at parameters (angle / 2 pi, s): rest and current positions,
+/// dimensionless.
 struct MidWall {
   int around = 0, along = 0;  ///< points around, stations along
   Points rest, current;       ///< row: station * around + point
 };
 
+/// A solved tube.
 struct TubeSolution {
   StepperSummary summary;
   long unknowns = 0;
-  std::vector<Vec6> end_force;  ///< per end: force and moment of support and load together, about
-                                ///< the current centre
+  /// Per end: force and moment of support and load together, about the current centre.
+  std::vector<Vec6> end_force;
   std::vector<Pose> end_pose;
   MidWall wall;
   double mesh_seconds = 0;
 };
 
-/// A structured mesh of cells that shrink towards the ends, or the cells of a gmsh file.
+/// A structured mesh with cells that shrink towards the ends, or the cells of a gmsh file.
 struct TubeMesh {
   int around = 8, along = 12, degree = 3;
-  std::string file;  ///< empty: structured; else `around` and `along` are what the file amounts to
-  int halvings = 0;  ///< of the file's cells
+  std::string file;  ///< empty: structured; else `around` and `along` are the file's equivalents
+  int halvings = 0;  ///< refinements of the file's cells
 };
 
-/// Solves on one mesh; the mid-wall is sampled at `points_around` x `stations`.
+/// Solves on one mesh. The mid-wall is sampled at `points_around` x `stations` points.
 TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMesh& mesh,
                         int points_around, int stations, const StepperOptions& options,
                         const Processes& processes = {});

@@ -10,7 +10,7 @@
 namespace vasorod::fem {
 namespace {
 
-/// The section's pose by the rotation that carries the rest ring nearest to the current one.
+/// The section's pose: the rotation that takes the rest ring closest to the current one.
 Pose ring_pose(const Points& rest, const Points& current, const Pose& frame) {
   const Eigen::RowVector3d X0 = rest.colwise().mean(), c = current.colwise().mean();
   const Mat3 moment = (current.rowwise() - c).transpose() * (rest.rowwise() - X0);

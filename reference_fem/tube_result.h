@@ -1,5 +1,5 @@
-// A solved tube as the result folder wants it: mid-wall surface, centerline with directors and
-// strains, section metrics.
+// Converts a solved tube to the result folder's data: mid-wall surface, centerline with directors
+// and strains, section metrics.
 #pragma once
 
 #include <vasorod/result.h>
@@ -8,13 +8,13 @@
 
 namespace vasorod::fem {
 
-/// In the scene's units. A section's centre is the mean of its mid-wall ring, its directors the
-/// rotation nearest to the ring's motion; strains are those of the screw between neighbouring
+/// In the scene's units. A section's centre is the mean of its mid-wall ring; its directors are the
+/// rotation nearest to the ring's motion. Strains are those of the screw between neighbouring
 /// sections, averaged to the stations.
 VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall);
 
-/// flattening = 1 - smallest distance of opposite mid-wall points over their rest distance, largest
-/// over all stations.
+/// flattening = 1 - smallest distance of opposite mid-wall points over their rest distance, the
+/// largest value of all stations.
 VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall,
                              const VesselResult& vessel);
 

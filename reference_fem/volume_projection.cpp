@@ -8,7 +8,7 @@ VolumeProjection::VolumeProjection(const Mesh& mesh) {
   const int top = mesh.degree - 1;
   const auto points = mesh.unit_points.cols();
   basis_.resize(points, (top + 1) * (top + 2) * (top + 3) / 6);
-  // Legendre polynomials of 2 x - 1 keep M well conditioned
+  // Legendre polynomials of 2 x - 1: M is well conditioned
   const auto legendre = [&](Eigen::Index q, Eigen::Index d, int k) {
     const double t = 2 * mesh.unit_points(d, q) - 1;
     double before = 1, now = t;

@@ -1,10 +1,11 @@
-// Keeps nearly incompressible cells from locking. The volumetric energy U is a function not of J =
-// det F but of its L2 projection on each cell's complete polynomials of degree p - 1:
+// Prevents locking of nearly incompressible cells. The volumetric energy U is a function of the L2
+// projection of J = det F on each cell's complete polynomials of degree p - 1:
 //
 //   W = int W_iso(F) + U(J'),  J' = psi^T M^-1 int psi J,  M = int psi psi^T
 //
-// which is the three-field (u, p, J) principle of Simo, Taylor and Pister (1985) with discontinuous
-// pressure and volume ratio, Q_p / P_(p-1), eliminated in each cell: stable, and without a further
+// This is the three-field (u, p, J) principle of Simo, Taylor and Pister (1985) with discontinuous
+// pressure and volume ratio, Q_p / P_(p-1), eliminated in each cell: stable and without additional
+// unknowns. For p = 1 it is the mean dilatation.
 // unknown. For p = 1 it is the mean dilatation.
 #pragma once
 
@@ -13,15 +14,17 @@
 
 namespace vasorod::fem {
 
+/// The projection on one mesh.
 class VolumeProjection {
  public:
   explicit VolumeProjection(const Mesh& mesh);
 
+  /// Energy and derivatives of one cell.
   struct Terms {
     double energy = 0;         ///< int U(J')
     Eigen::VectorXd pressure;  ///< per point: the projection of U'(J'), conjugate to J; stress
-    Eigen::MatrixXd
-        curvature;  ///< d(moments of p) / d(moments of J), against psi: M^-1 (int U'' psi psi) M^-1
+    /// d(moments of p) / d(moments of J), in terms of psi: M^-1 (int U'' psi psi) M^-1.
+    Eigen::MatrixXd curvature;
   };
   /// `weights` and `J` per point of a cell.
   Terms evaluate(const Eigen::VectorXd& weights, const Eigen::VectorXd& J,

@@ -1,6 +1,6 @@
-// The real vessels beside the project (../shared/anatomy). Their notice keeps them out of the tree:
-// tests that read them carry RealAnatomy in their names and are not registered where they are
-// absent, which configuring says.
+// The real vessels outside the source tree (../shared/anatomy), excluded by their licence notice.
+// Tests that read them have RealAnatomy in their names. Without the files they are not registered,
+// and the configuration says so.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Contact in `coupled`, printed as Markdown (docs/wall.md):
 //   contact_accuracy [plate] [penalty] [refinement] [tubes]
-// without arguments all of them. E 1, nu 0.3; the tubes R 8, L 60, t 1.2 between rigid ends are
-// pressed 3 onto a rigid cylinder of radius 12 across them, or onto another tube.
+// Without arguments, all of them. E 1, nu 0.3. The tubes (R 8, L 60, t 1.2, between rigid ends) are
+// pressed by 3 onto a perpendicular rigid cylinder of radius 12, or onto another tube.
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -28,9 +28,9 @@ void plate() {
   }
 }
 
-// Columns after the first. Misfits are over the force: of the pressures' sum along the normals and
-// the supports, of the supports and the contact force, of the forces on the two bodies; penetration
-// is over the mean edge.
+// Columns after the first. Misfits are relative to the force: of the sum of pressures along the
+// normals and the supports; of the supports and the contact force; of the forces on the two bodies.
+// Penetration is relative to the mean edge.
 void row(const std::string& first, const PressedTubes& pressed, double reference) {
   std::printf("| %s | %d | %.6f | %+.3f %% | ", first.c_str(), pressed.vertices,
               pressed.force.norm(), 100 * (pressed.force.norm() / reference - 1));

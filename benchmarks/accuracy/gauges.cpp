@@ -41,8 +41,8 @@ double middle_curvature(const HeldTube& tube, const Points& positions) {
 }
 
 ShearGauge transverse_force(const HeldTube& tube) {
-  constexpr double small =
-      1e-4;  // over E R^2 1e-6 with the tubes here: linear, and far above rounding
+  // Over E R^2 1e-6 with the tubes here: linear, and far above rounding.
+  constexpr double small = 1e-4;
   const double length = tube.shape.length;
   EndMotion end;
   end.held.fill(false);
@@ -53,7 +53,7 @@ ShearGauge transverse_force(const HeldTube& tube) {
   const SectionMean m = section_mean(tube, answer.positions, (a.s + b.s) / 2);
   const auto turn = [](const SectionMean& section) { return log_rotation(section.rotation).y(); };
   const double gauge = b.s - a.s;
-  // The rotation is quadratic in s: its mean from three sections, Simpson's where m is the middle.
+  // The rotation is quadratic in s: its mean from three sections (Simpson if m is the middle).
   const double x = (m.s - a.s) / gauge, at_m = 1 / (6 * x * (1 - x)), at_b = 0.5 - at_m * x;
   const double turned = (1 - at_m - at_b) * turn(a) + at_m * turn(m) + at_b * turn(b);
   const double strain = (b.centre.x() - a.centre.x()) / gauge - turned;

@@ -1,30 +1,32 @@
-// What the middle of a held tube shows, away from its ends: the stiffnesses of its section.
+// Section stiffnesses measured in the middle of a held tube, away from its ends.
 #pragma once
 
 #include "accuracy/held_tube.h"
 
 namespace vasorod::bench {
 
+/// Axial measurement.
 struct AxialGauge {
-  double strain = 0;    ///< of the axis
+  double strain = 0;    ///< strain of the axis
   double widening = 0;  ///< change of the radius over R
 };
-/// Means over the middle half, the strain between the two halves of it. For tubes straight at rest.
+/// Means over the middle half; the strain is measured between its two halves. For tubes straight at
+/// rest.
 AxialGauge middle_half(const HeldTube& tube, const Points& positions);
 
 /// Largest change of the distance from the z axis, over R.
 double off_cylinder(const HeldTube& tube, const Points& positions);
 
-/// The motion that bends by this change of curvature in the plane of the normal with no force:
+/// The motion that changes the curvature by this value in the plane of the normal without a force:
 /// rotations and y held, x and z free.
 EndMotion pure_bending(double curvature);
-/// Turn of the middle fifth about the binormal over its length.
+/// Rotation of the middle fifth about the binormal over its length.
 double middle_curvature(const HeldTube& tube, const Points& positions);
 
-/// A small transverse force on the free end of a cantilever. The shear strain is what the sections'
-/// centres move beyond what their rotation carries them, between .4 and .6 of the length.
+/// A small transverse force on the free end of a cantilever. The shear strain is the motion of the
+/// sections' centres beyond the motion due to their rotation, between .4 and .6 of the length.
 struct ShearGauge {
-  double bending = 0;      ///< E I found, over E I
+  double bending = 0;      ///< measured E I over E I
   double coefficient = 0;  ///< k of k G A
   bool settled = false;
 };

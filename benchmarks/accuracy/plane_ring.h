@@ -5,8 +5,8 @@
 
 namespace vasorod::bench {
 
-/// Energy under the radial load p cos 2 theta, rims free, over the thin ring's p^2 R^5 pi L / (18
-/// D). For tubes straight at rest.
+/// Energy under the radial load p cos 2 theta with free rims, over the thin ring's
+/// p^2 R^5 pi L / (18 D). For tubes straight at rest.
 double ring_energy(const HeldTube& tube);
 
 }  // namespace vasorod::bench

@@ -49,7 +49,7 @@ void add_obstacle(CoupledProblem& problem, TriangleSurface surface) {
   problem.vessels.emplace_back();
 }
 
-// Every body starts where its sections' common motion takes it as a whole.
+// Every body starts in its rest shape, moved by the common motion of its sections.
 CoupledSolution solve_pressed(CoupledProblem problem, const CoupledOptions& options) {
   problem.surfaces.contacts = all_contacts(problem.surfaces.bodies);
   struct Moved {
@@ -126,7 +126,7 @@ PressedTubes pressed_on_cylinder(int around, double stiffness) {
   options.contact_stiffness = stiffness;
   const CoupledSolution solution = solve_pressed(std::move(problem), options);
   PressedTubes pressed = judged(solution, tube.mesh.edge);
-  // The tube's pressures act along the cylinder's normals.
+  // The tube's pressures act along the normals of the cylinder.
   const BodySolution& body = solution.surface.bodies[0];
   const Eigen::VectorXd areas = vertex_areas(tube.rest);
   Vec3 sum = Vec3::Zero();
@@ -146,7 +146,7 @@ PressedTubes two_tubes(Meeting meeting, int around) {
   CoupledProblem problem;
   const double apart = 2 * radius + 1 + gap;
   add_tube(problem, one, "one", {}, Vec3(-depth, 0, 0), rigid);
-  // The other across lies a little off the middle.
+  // The other tube lies across, slightly off the middle.
   const Pose beside{Mat3::Identity(), Vec3(-apart, 0, 0)};
   const Pose across{exp_rotation(Vec3(pi / 2, 0, 0)), Vec3(-apart, 31, 29)};
   add_tube(problem, other, "other", meeting == Meeting::across ? across : beside, Vec3::Zero(),

@@ -1,4 +1,4 @@
-// What the programs of this folder print: Markdown tables, part by part.
+// Output of the programs of this folder: Markdown tables, one per part.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace vasorod::bench {
 
-/// A heading and the head of its table: "| one | two |".
+/// Prints a heading and the table's first line: "| one | two |".
 void print_head(const std::string& title, const std::string& columns);
 
-/// Behind the last number of a row.
+/// Text after the last number of a row.
 inline const char* remark(bool settled) {
   return settled ? "" : " (not a certified minimum)";
 }
 
-/// A program's main: runs the parts named as arguments, without arguments all of them. Exit code 2
-/// where a name is not known.
+/// A program's main: runs the parts named as arguments; without arguments, all of them. Exit code 2
+/// for an unknown name.
 using Parts = std::vector<std::pair<std::string, void (*)()>>;
 int run_parts(const Parts& parts, int count, char** arguments);
 

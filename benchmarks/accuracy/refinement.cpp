@@ -15,8 +15,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double radius = 10, length = 100, thickness = 1, nu = 0.3;
-constexpr int finest =
-    240;  // vertices around, of the structured mesh that all others are measured against
+constexpr int finest = 240;  // vertices around of the structured reference mesh
 
 /// Displacement on staggered rows at an angle and arc length, linear in both.
 Vec3 displacement(const BentTube& bent, int around, double angle, double s) {

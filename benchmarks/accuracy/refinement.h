@@ -1,5 +1,5 @@
-// What refining does to a bent tube's points and to its moment, on regular and on irregular meshes:
-// tube R 10, L 100, t 1, nu 0.3, bent to half its Brazier curvature between rigid ends.
+// Effect of mesh refinement on the points and the moment of a bent tube, on regular and irregular
+// meshes: tube R 10, L 100, t 1, nu 0.3, bent to half its Brazier curvature between rigid ends.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 
 namespace vasorod::bench {
 
+/// A family of meshes.
 struct RefinedMesh {
   const char* name;
   std::function<TubeMesh(int)> make;  ///< with this many vertices around
@@ -22,11 +23,11 @@ struct BentTube {
   explicit BentTube(TubeMesh mesh);
 };
 
-/// Of the tube's vertices from where the reference has the same material, which is a structured
-/// mesh with `around` vertices around. Length.
+/// Largest distance of the tube's vertices from the positions of the same material points in the
+/// reference, a structured mesh with `around` vertices around. Length.
 double largest_distance(const BentTube& bent, const BentTube& reference, int around);
 
-/// Prints the table of all meshes against the finest structured one.
+/// Prints the table of all meshes compared with the finest structured one.
 void refinement();
 
 }  // namespace vasorod::bench

@@ -46,7 +46,8 @@ TubeMesh shifted(double length, double radius, int around) {
 
 namespace {
 
-// Points on the unrolled tube, no two nearer than `least`; cells of that size find the neighbours.
+// Points on the unrolled tube with distances of at least `least`; a grid of that size finds
+// neighbours.
 class Darts {
  public:
   Darts(double width, double height, double least)
@@ -97,8 +98,8 @@ using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Delaunay =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 
-// Delaunay of the points and of copies beside the seam; of the copies of a triangle the one whose
-// centroid lies on the sheet counts.
+// Delaunay triangulation of the points and of copies beyond the seam. Of the copies of a triangle,
+// the one whose centroid lies on the sheet is kept.
 Triangles wrapped_delaunay(const std::vector<Vec2>& points, double width, double band) {
   std::vector<std::pair<Kernel::Point_2, int>> sheet;
   for (std::size_t i = 0; i < points.size(); ++i) {

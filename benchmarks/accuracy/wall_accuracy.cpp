@@ -1,6 +1,6 @@
 // The wall of `coupled` against closed forms, printed as Markdown (docs/wall.md):
 //   wall_accuracy [stretch] [twist] [shear] [ring] [bending] [curved] [refinement]
-// without arguments all of them. Tubes R 10, E 1; t is the thickness.
+// Without arguments, all of them. Tubes R 10, E 1; t is the thickness.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 constexpr double radius = 10;
 
-/// Regular, shifted and blue-noise, `around` vertices around.
+/// Regular, shifted and blue-noise meshes with `around` vertices around.
 std::vector<TubeMesh> meshes(double length, int around) {
   return {structured(length, radius, around), shifted(length, radius, around),
           blue_noise(length, radius, around)};
@@ -125,9 +125,9 @@ void bending() {
   }
 }
 
-// A tube curved at rest bends softer: by (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 -
-// nu^2)), where its section ovalises by cos 2 theta alone (von Karman), by the ring's where it
-// takes any shape.
+// A tube curved at rest bends more easily. If its section ovalises by cos 2 theta alone (von
+// Karman), by the factor (12 l^2 + 10) / (12 l^2 + 1), l = t / (k0 R^2 sqrt(1 - nu^2)); if its
+// section takes any shape, by the ring's factor.
 void curved() {
   print_head(
       "Tubes curved at rest, bent a little in their plane: L/R 40; E I of the straight tube over "

@@ -1,5 +1,5 @@
-// How far the rod solver can be pushed: prints the table of docs/rod.md. Every case must end
-// certified or with a named cause; anything not finite ends the program with exit code 1.
+// Limits of the rod solver: prints the table of docs/rod.md. Every case must end certified or with
+// a named cause; a non-finite value ends the program with exit code 1.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -68,14 +68,15 @@ std::string number(const char* format, double x) {
   return text;
 }
 
-/// The 45 degree bend with any wire under a load of 7.2 times the smaller of E I and G J over R^2.
+/// The 45 degree bend with a given wire under a load of 7.2 times the smaller of E I and G J over
+/// R^2.
 void bend(Group& group, const std::string& what, double radius, const Mat6& c, int elements) {
   const RodTree tree = chain(radius * pi / 4, {0, 1 / radius, 0}, elements, c);
   group.run(what, tree,
             cantilever(tree, {0, 7.2 * std::min(c(3, 3), c(5, 5)) / (radius * radius), 0}));
 }
 
-/// Both ends clamped, the far one turned and moved.
+/// Both ends clamped; the far end is rotated and moved.
 void pose(Group& group, const std::string& what, const RodTree& tree, const Vec3& rotate,
           const Vec3& move) {
   RodConditions conditions;
@@ -156,7 +157,7 @@ int main() {
             const double slenderness = std::pow(10, 1 + 3 * unit(random));
             const Vec3 axis = direction(random);
             Vec3 move = offset * direction(random);
-            // the far end stays within the rod's length of the clamp, else it would only be a
+            // the far end stays within the rod's length of the clamp; otherwise this would be a
             // tension test
             if ((Vec3(0, 0, 1) + move).norm() > 1) move *= -1;
             pose(g, number("case %.0f", i),

@@ -1,5 +1,5 @@
-// Runs one kernel so many times: `kernel_instructions NAME RUNS`, for instructions.py, which counts
-// the instructions of a run with callgrind: 0 runs are the set-up alone. Without arguments it lists
+// Runs one kernel a number of times: `kernel_instructions NAME RUNS`. instructions.py counts the
+// instructions of a run with callgrind; 0 runs measure the set-up alone. Without arguments, lists
 // the names. The surfaces are tubes R 8, t 1.6, L 40 with 64 vertices around, bent by half the
 // Brazier curvature; the rod is the 45 degree bend of 100 elements.
 #include <cstdio>
@@ -67,7 +67,7 @@ Kernel wall_hessian() {
   return [wall] { wall->energy->hessian(wall->q); };
 }
 
-// Another such tube beside it, 1 apart: all closest features found anew.
+// Another such tube at a distance of 1: all closest features are found from scratch.
 Kernel contact_search() {
   const TriangleSurface slave = tube_surface(straight());
   TriangleSurface master = slave;

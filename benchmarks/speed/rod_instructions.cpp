@@ -1,6 +1,6 @@
-// Solves the 45 degree bend with the given number of elements once: run under `valgrind
-// --tool=callgrind` its instruction count is free of noise. `rod_instructions N SOLVES`; with
-// SOLVES 0 only the set-up is counted.
+// Solves the 45 degree bend with the given number of elements: `rod_instructions N SOLVES`. Under
+// `valgrind --tool=callgrind`, the instruction count has no noise. SOLVES 0 counts the set-up
+// alone.
 #include <cstdio>
 #include <cstdlib>
 

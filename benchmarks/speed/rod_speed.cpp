@@ -1,7 +1,7 @@
-// Time of rod solves, by Google Benchmark; --benchmark_format=json keeps it. Counters: microseconds
-// per node and iteration from the solver's own summary, all that it does included, and of that what
-// Newton's steps take (the rest: checks of the input, set-up, certificate, results); `sweep` and
-// `stream` give one linear step and one pass that only streams its blocks.
+// Time of rod solves, by Google Benchmark; --benchmark_format=json writes JSON. Counters:
+// microseconds per node and iteration from the solver's summary, in total and for Newton's steps
+// alone (the rest: input checks, set-up, certificate, results). `sweep` measures one linear step,
+// `stream` one pass that only reads and writes the same amount of memory.
 #include <benchmark/benchmark.h>
 #include <limits>
 
@@ -22,7 +22,7 @@ void report(benchmark::State& state, const RodTree& tree, const RodConditions& c
     benchmark::DoNotOptimize(s.poses.data());
     if (s.summary.seconds < best.seconds) best = s.summary;
   }
-  // of the fastest solve: the clock is the wall's, and other programs run
+  // of the fastest solve: this is wall-clock time, and other programs run
   const double all = static_cast<double>(best.iterations) * tree.node_count();
   state.counters["iterations"] = best.iterations;
   state.counters["ms"] = 1e3 * best.seconds;
@@ -62,8 +62,8 @@ void long_bend(benchmark::State& state) {
 }
 BENCHMARK(long_bend)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMillisecond);
 
-// One factorisation and one way back, and what the same memory costs when it is only read and
-// written.
+// One factorisation and one back substitution; then the cost of only reading and writing the same
+// memory.
 void sweep(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   std::vector<RodLink> links(static_cast<std::size_t>(n));
@@ -96,9 +96,9 @@ void sweep(benchmark::State& state) {
 BENCHMARK(sweep)->Arg(80)->Arg(10000)->Unit(benchmark::kMicrosecond);
 
 void stream(benchmark::State& state) {
-  // what one node's link keeps between the two ways: 6 x 8, 15, two 3 x 3, two 6 and a 3; S, g and
-  // C/L beside it, the pose, strain and stress that are read and the twist, stretch and stress that
-  // are written
+  // Stored per node between the two passes: 6 x 8, 15, two 3 x 3, two 6 and a 3; in addition S, g
+  // and C/L, the pose, strain and stress that are read, and the twist, stretch and stress that are
+  // written.
   constexpr std::size_t doubles = 48 + 15 + 18 + 12 + 3 + 36 + 6 + 36 + 12 + 6 + 6 + 18;
   const std::size_t n = static_cast<std::size_t>(state.range(0)) * doubles;
   std::vector<double> blocks(n, 1.0);

@@ -1,8 +1,8 @@
-// The surface solves side by side: a tube (R 8, t 1.6, L 160) bent along the inextensible arc to
-// half its Brazier limit, by `paper`, by `coupled`, by CGAL's Surface_mesh_deformation (SR_ARAP,
-// both rims as position handles), each to a relative residual of 1e-4 of its own energy, and the
-// floors: analyse, factorise and solve once with the constant matrix of `paper`, and with the rest
-// Hessian K0 of `coupled`. Counters: vertices, iterations, residual.
+// Compares surface solvers on a tube (R 8, t 1.6, L 160) bent along the inextensible arc to half
+// its Brazier limit: `paper`, `coupled`, and CGAL's Surface_mesh_deformation (SR_ARAP, both rims as
+// position handles), each to a relative residual of 1e-4 of its own energy. Lower bounds: analyse,
+// factorise and solve once with the constant matrix of `paper`, and with the rest Hessian K0 of
+// `coupled`. Counters: vertices, iterations, residual.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
@@ -42,13 +42,12 @@ TubeSpec tube_of(int around) {
   return tube;
 }
 
-/// Half the Brazier limit (design.md: k_cr = 0.471 t / (R^2 sqrt(1 - nu^2))) as an angle over the
-/// length.
+/// The angle of half the Brazier limit, k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)), over the length.
 double bend_angle() {
   return 0.5 * 0.471 * thickness / (radius * radius * std::sqrt(1 - poisson * poisson)) * length;
 }
 
-/// The tube with its sections carried rigidly to an arc of `angle`, both rims held there.
+/// The tube with its sections carried rigidly to an arc of `angle`; both rims are held there.
 SurfaceBody carried_body(const TubeSpec& tube, double angle) {
   SurfaceBody body;
   body.name = "tube";
@@ -82,7 +81,7 @@ SurfaceBody carried_body(const TubeSpec& tube, double angle) {
 PaperOptions paper_options() {
   PaperOptions options;
   options.tolerance = residual_asked;
-  options.balance_tolerance = 1;  // the residual alone decides, as for the others
+  options.balance_tolerance = 1;  // only the residual decides, as for the other solvers
   return options;
 }
 
@@ -97,14 +96,14 @@ void paper(benchmark::State& state) {
   state.counters["residual"] = last.residual;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;  // of the program so far
+  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;  // of the whole program
   state.SetLabel(to_string(last.status));
 }
 BENCHMARK(paper)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 BENCHMARK(paper)->Name("paper_million")->Arg(521)->Iterations(1)->Unit(benchmark::kSecond);
 
-void paper_again(
-    benchmark::State& state) {  // the factor kept, two bends in turn: never the last one again
+// The factor is kept. Two bends alternate, so that no solve repeats the last one.
+void paper_again(benchmark::State& state) {
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
   BodyProblem problems[2];
   problems[0].bodies = {carried_body(tube, bend_angle())};
@@ -208,7 +207,7 @@ void coupled(benchmark::State& state) {
 }
 BENCHMARK(coupled)->Arg(29)->Arg(82)->Unit(benchmark::kMillisecond);
 
-void coupled_again(benchmark::State& state) {  // another bend, factors kept
+void coupled_again(benchmark::State& state) {  // another bend with kept factors
   const TubeSpec tube = tube_of(static_cast<int>(state.range(0)));
   CoupledSolver solver(coupled_problem(tube, bend_angle()), coupled_options());
   solver.solve();
@@ -232,7 +231,7 @@ void coupled_floor(benchmark::State& state) {
   Eigen::SparseMatrix<double> k0 = wall.hessian(wall.rest());
   const auto& fixed = problem.surfaces.bodies[0].fixed;
   for (std::size_t i = 0; i < fixed.size(); ++i)
-    for (Eigen::Index k = 0; fixed[i] && k < 3; ++k) {  // both rims held, as stiff springs
+    for (Eigen::Index k = 0; fixed[i] && k < 3; ++k) {  // both rims held by stiff springs
       const Eigen::Index row = 3 * static_cast<Eigen::Index>(i) + k;
       k0.coeffRef(row, row) *= 1e6;
     }
@@ -292,9 +291,9 @@ class Arap {
     return p;
   }
 
-  /// What the step from `before` has left of the force: a local-global step solves L (p_after -
-  /// p_before) = force(p_before), so |L dp| is the out-of-balance force, |L p_before| and |L
-  /// p_after - L dp| the two it is made of.
+  /// Residual after the step from `before`. A local-global step solves
+  /// L (p_after - p_before) = force(p_before), so |L dp| is the out-of-balance force;
+  /// |L p_before| and |L p_after - L dp| are its two parts.
   double residual(const Points& before, const Points& after) const {
     Points step = laplacian_ * (after - before), now = laplacian_ * before,
            then = laplacian_ * after;
@@ -331,7 +330,8 @@ class Arap {
   std::vector<char> fixed_;
 };
 
-/// How many iterations CGAL needs, found once per mesh outside the timing; at most `most`.
+/// Number of iterations that CGAL needs, determined once per mesh outside the timing; at most
+/// `most`.
 std::pair<unsigned, double> iterations_needed(const SurfaceBody& body, unsigned most) {
   Arap arap(body);
   arap.iterate(1);  // moves the rims

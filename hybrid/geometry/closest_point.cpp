@@ -147,8 +147,8 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
     hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
     hit.normal = tree.vertex_normal.row(vertex);
   }
-  // A degenerate triangle, or two folded onto each other, has no normal of its own: its vertices
-  // have.
+  // A degenerate triangle, or two triangles folded onto each other, has no normal: use the vertex
+  // normals.
   if (hit.normal.squaredNorm() < 1e-24) {
     int k = 0;
     hit.barycentric.maxCoeff(&k);

@@ -32,7 +32,7 @@ class Walker {
   }
 
  private:
-  // Where the isoline leaves the triangles round a vertex: at vertex a (b < 0), or on the edge a-b
+  // Where the isoline leaves the triangles around a vertex: at vertex a (b < 0), or on the edge a-b
   // at t.
   struct Exit {
     int a = -1, b = -1;
@@ -49,7 +49,7 @@ class Walker {
     return sum;
   }
 
-  // Signed height over the isoline; what lies on the path is on it by construction.
+  // Signed height over the isoline; zero for vertices of the path, by construction.
   double height(int v) const { return path_.contains(v) ? 0 : value(request_.across, v) - level_; }
 
   bool near_forbidden(int v) const { return !request_.allowed(editor_.source(v).dominant()); }
@@ -59,8 +59,8 @@ class Walker {
     return {{exit.a, 1 - exit.t}, {exit.b, exit.t}};
   }
 
-  // The start as a vertex: the nearest corner moved there, else a split edge's new vertex moved
-  // there, else a new one.
+  // Makes the start a vertex. In order of preference: move the nearest corner there; split an edge
+  // and move the new vertex there; insert a new vertex.
   int place_start() {
     const auto corners = editor_.triangle(request_.triangle);
     Blend target;
@@ -92,7 +92,7 @@ class Walker {
     return editor_.split_triangle(request_.triangle, request_.barycentric);
   }
 
-  // The exits of the isoline round v that are not already path.
+  // The exits of the isoline around v that are not on the path yet.
   std::vector<Exit> exits(int v) const {
     std::vector<Exit> found;
     const auto ring = editor_.ring(v);
@@ -112,8 +112,8 @@ class Walker {
     return found;
   }
 
-  // The exit that leads on: at the start the one where `along` grows with the sense asked for,
-  // later straight ahead.
+  // The exit to continue with: at the start, the one in whose direction `along` changes with the
+  // requested sense; later, straight ahead.
   std::optional<Exit> lead_on(int v, int previous, int sense) const {
     std::optional<Exit> best;
     double best_score = 0;
@@ -135,7 +135,7 @@ class Walker {
     return best;
   }
 
-  // The exit as a vertex of the path.
+  // Makes the exit a vertex of the path.
   int embed(const Exit& exit) {
     int next = exit.a;
     if (exit.b >= 0) {
@@ -169,8 +169,8 @@ class Walker {
     return true;
   }
 
-  // Slides the path's last vertex, `next`, so that it is `wanted` away from v: back towards v, or
-  // on along the isoline.
+  // Slides the path's last vertex, `next`, to the distance `wanted` from v: back towards v, or
+  // forward along the isoline.
   bool slide(int v, int next, double wanted, int sense) {
     const Vec3 from = editor_.point(v);
     const double now = editor_.length(v, next);
@@ -189,7 +189,7 @@ class Walker {
     return editor_.move(next, target);
   }
 
-  // The tip inside the triangles round v, `wanted` away from v on the way to the exit.
+  // The tip inside the triangles around v, at the distance `wanted` from v towards the exit.
   int place_tip(int v, const Exit& exit, double wanted) {
     const double r = wanted / (exit.point - editor_.point(v)).norm();
     Blend target{{v, 1 - r}};
@@ -211,7 +211,7 @@ class Walker {
     return editor_.split_triangle(t, barycentric);
   }
 
-  // Ends the walk in `next`, about as far away as what is `left`, if that can be done exactly.
+  // Ends the walk in `next`, whose distance is about what is `left`, if the length can be exact.
   bool finish(std::vector<int>& path, int next, double left, int sense) {
     const int v = path.back();
     const double now = editor_.length(v, next);
@@ -226,7 +226,7 @@ class Walker {
     return true;
   }
 
-  // A new vertex of the path close beside an old one off the path: the old one takes its place.
+  // A new vertex of the path is close to an old one off the path: the old vertex replaces it.
   int absorb(int v) {
     if (v < editor_.input_count()) return v;
     int nearest = -1;
@@ -241,7 +241,7 @@ class Walker {
     return nearest;
   }
 
-  // Flips the slivers beside the path away and lets old vertices absorb new ones beside them.
+  // Removes slivers beside the path by flips, and replaces new vertices by close old ones.
   void tidy(std::vector<int>& path) {
     const auto fixed = [&](int a, int b) { return path_.contains(a) && path_.contains(b); };
     for (int round = 0; round < 2; ++round) {
@@ -252,11 +252,11 @@ class Walker {
   }
 
   double short_step() const { return 0.8 * editor_.snap(); }
-  // Along the path short edges are not only ugly: the seam copies them to the other vessel.
+  // Short edges on the path are worse than elsewhere: the seam copies them to the other vessel.
   double short_on_path() const { return 1.2 * editor_.snap(); }
 
-  // A step across the narrow corner of a triangle would leave a short edge: one of its two vertices
-  // goes, the one surgery made. True when done; `path` then ends where the walk goes on.
+  // A step across the narrow corner of a triangle would leave a short edge. Removes the one of its
+  // two vertices that surgery made. True if removed; the walk then continues at the end of `path`.
   bool shorten(std::vector<int>& path, int next, double& done) {
     const int v = path.back();
     if (next >= editor_.input_count()) {
@@ -277,8 +277,7 @@ class Walker {
   double walk(std::vector<int>& path, int sense) {
     double done = 0;
     const double total = request_.length / 2, margin = editor_.snap();
-    // A path crosses each triangle once; the bound only guards against a function that is not what
-    // it should be.
+    // A path crosses each triangle once. The bound guards against invalid input functions.
     for (int guard = 2 * editor_.triangle_count(); guard > 0; --guard) {
       const int v = path.back(), previous = path.size() > 1 ? path[path.size() - 2] : -1;
       if (editor_.on_boundary(v)) {
@@ -301,7 +300,7 @@ class Walker {
       if (!may_pass(*exit, v)) return done;
       const int next = embed(*exit);
       if (std::abs(step - left) <= margin && finish(path, next, left, sense)) return done + left;
-      if (step >= left) {  // the tip cannot be moved back to where it belongs
+      if (step >= left) {  // the tip cannot be moved back to its place
         path.push_back(next);
         return done + editor_.length(v, next);
       }

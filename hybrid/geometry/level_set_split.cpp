@@ -47,8 +47,8 @@ class LevelSetSplit {
     }
   }
 
-  // Merges what is still too short: a vertex of the curve into the next one, or with an old vertex
-  // beside the curve.
+  // Merges edges that are still too short: a vertex of the curve with the next one, or with an old
+  // vertex beside the curve.
   void merge_short_edges() {
     bool changed = true;
     for (int round = 0; changed && round < 4; ++round) {
@@ -110,8 +110,9 @@ class LevelSetSplit {
     return 0;
   }
 
-  // Would the curve still be simple, and no triangle lie in it, with v on it? Round v there must
-  // then be one run of positive and one of negative neighbours, at most single zeros between them.
+  // Whether the curve would stay simple, without a triangle in it, if v were on the curve. The
+  // neighbours around v must then form one positive and one negative run, with at most single zeros
+  // between them.
   bool stays_simple(int v) const {
     return simple_round(editor_.ring(v), -1) && neighbours_stay_simple(v);
   }
@@ -142,14 +143,14 @@ class LevelSetSplit {
     return true;
   }
 
-  // Along the curve short edges are not only ugly: the seam copies them to the other vessel.
+  // Short edges on the curve are worse than elsewhere: the seam copies them to the other vessel.
   double shortest_wanted(int w) const {
     return std::max(editor_.min_edge(), (on_curve_.contains(w) ? 1.2 : 0.6) * editor_.snap());
   }
 
   bool merge(int v, int w) {
     if (on_curve_.contains(w)) {
-      // Along the curve only; the input's vertex is the one that stays.
+      // Along the curve only. The input's vertex stays.
       const int keep = std::min(v, w), gone = std::max(v, w);
       const int left = editor_.triangle_left_of(v, w), right = editor_.triangle_left_of(w, v);
       if (left < 0 || right < 0 || side(left) * side(right) >= 0) return false;

@@ -40,7 +40,7 @@ double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset) 
 }
 
 double opposite_offset(const LoopCurve& a, const LoopCurve& b) {
-  // At offsets that are multiples of the sample spacing both loops are met at the same samples.
+  // At offsets that are multiples of the sample spacing, both loops use the same samples.
   std::vector<Vec3> on_a, on_b;
   for (int i = 0; i < sample_count; ++i) {
     on_a.push_back(a.at(static_cast<double>(i) / sample_count));

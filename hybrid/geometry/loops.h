@@ -1,5 +1,5 @@
-// Closed polygons by arc length: parametrisation, points between the corners, and the best match of
-// two of them.
+// Closed polygons by arc length: parametrisation, interpolation, and the best match of two
+// polygons.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@ namespace vasorod {
 /// A closed polygon with its arc length.
 class LoopCurve {
  public:
-  explicit LoopCurve(Points corners);  ///< n x 3, in order, n >= 3; the last is joined to the first
+  explicit LoopCurve(Points corners);  ///< n x 3, in order, n >= 3; closed from last to first
 
   double length() const { return position_.back(); }
   int count() const { return static_cast<int>(corners_.rows()); }
-  /// Arc length from corner 0 to corner k, length unit; k = count() is the whole length.
+  /// Arc length from corner 0 to corner k, length unit; k = count() gives the total length.
   double position(int k) const { return position_[static_cast<size_t>(k)]; }
   /// The point at a fraction of the length (any real number, taken modulo 1).
   Vec3 at(double fraction) const;
@@ -25,12 +25,12 @@ class LoopCurve {
   std::vector<double> position_;
 };
 
-/// The offset for which the loops, run through in opposite senses, lie closest: it minimises the
-/// mean over u of |a(u) - b(offset - u)|^2, u and offset being fractions of arc length. In [0, 1),
-/// exact to about 1e-8 (what rounding leaves of a minimum).
+/// The offset for which two loops of opposite orientation are closest: it minimises the mean over u
+/// of |a(u) - b(offset - u)|^2, where u and offset are fractions of arc length. In [0, 1), exact to
+/// about 1e-8, the rounding limit of a minimum.
 double opposite_offset(const LoopCurve& a, const LoopCurve& b);
 
-/// That mean, length^2, by the trapezoidal rule.
+/// The mean of |a(u) - b(offset - u)|^2, length^2, by the trapezoidal rule.
 double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset);
 
 }  // namespace vasorod

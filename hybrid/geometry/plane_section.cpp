@@ -31,7 +31,7 @@ Vec3 polygon_area_vector(const Points& p) {
   return sum;
 }
 
-// How often the polygon turns round `center`, in the plane with this normal.
+// Winding number of the polygon around `center`, in the plane with this normal.
 int winding(const Points& p, const Vec3& center, const Vec3& normal) {
   double angle = 0;
   for (Eigen::Index i = 0; i < p.rows(); ++i) {
@@ -73,8 +73,8 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
       if (above[k] == above[l]) continue;
       const EdgeKey key = key_of(surface.triangles(t, static_cast<int>(k)),
                                  surface.triangles(t, static_cast<int>(l)));
-      (above[k] ? piece.from : piece.to) =
-          key;  // the part above stays on the left, seen from outside
+      // The part above is on the left, seen from outside.
+      (above[k] ? piece.from : piece.to) = key;
     }
     starts.emplace(piece.from, pieces.size());
     ends.emplace(piece.to, pieces.size());
@@ -85,7 +85,7 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
   std::vector<SectionLoop> loops;
   for (size_t seed = 0; seed < pieces.size(); ++seed) {
     if (done[seed]) continue;
-    // Back to where the curve begins (an open one), or once around (a closed one).
+    // Back to the beginning of an open curve, or once around a closed one.
     size_t first = seed;
     bool closed = false;
     for (auto before = ends.find(pieces[first].from); before != ends.end();

@@ -1,5 +1,5 @@
-// The curves in which a plane meets a triangle surface, and the area, centroid and perimeter they
-// enclose.
+// The curves in which a plane meets a triangle surface; area, centroid and perimeter of these
+// curves.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace vasorod {
 
-/// One curve of a plane with a surface.
+/// One curve of a plane section.
 struct SectionLoop {
   Points points;               ///< in order; the last is joined to the first when closed
   bool closed = true;          ///< false: the curve runs from one boundary edge to another
@@ -17,25 +17,27 @@ struct SectionLoop {
   std::vector<std::array<int, 2>> edges;  ///< points.row(i) lies on the edge between these vertices
 };
 
-/// All curves of the plane through `point` with unit `normal`; a vertex exactly on the plane counts
-/// as above it, so every curve is simple and the closed ones turn counter-clockwise about `normal`
-/// round an outwards oriented tube.
+/// All curves of the plane through `point` with unit `normal`. A vertex exactly on the plane counts
+/// as above it, so every curve is simple. The closed curves of an outward oriented tube turn
+/// counter-clockwise about `normal`.
 std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Vec3& point,
                                         const Vec3& normal);
 
-/// Index of the curve that encloses `point` (the one with the smallest area where several do), or,
-/// where none does, the one that passes closest to it; -1 when there are no curves. Open curves
-/// enclose nothing.
+/// Index of the curve that encloses `point` (the one with the smallest area if there are several).
+/// If none does: the curve closest to `point`. -1: there are no curves. Open curves enclose
+/// nothing.
 int section_around(const std::vector<SectionLoop>& loops, const Vec3& point, const Vec3& normal);
 
-double section_area(const SectionLoop& loop);  ///< enclosed by the closed polygon, length^2
-Vec3 section_centroid(
-    const SectionLoop& loop);  ///< of the enclosed area; of the points where that is zero
-double section_perimeter(const SectionLoop& loop);  ///< closing edge included when closed, length
+/// Area enclosed by the closed polygon, length^2.
+double section_area(const SectionLoop& loop);
+/// Centroid of the enclosed area; centroid of the points if that area is zero.
+Vec3 section_centroid(const SectionLoop& loop);
+/// Perimeter, with the closing edge of closed curves, length.
+double section_perimeter(const SectionLoop& loop);
 
-/// Area enclosed by the polygon moved inwards by `distance` everywhere: area - distance * perimeter
-/// + pi * distance^2 (Steiner; exact for smooth convex curves), not below 0. With t/2: the lumen
-/// inside a mid-wall section.
+/// Area enclosed by the polygon moved inwards by `distance`, length^2: area - distance * perimeter
+/// + pi * distance^2 (Steiner; exact for smooth convex curves), at least 0. With the distance t/2:
+/// the lumen inside a mid-wall section.
 double inset_area(const SectionLoop& loop, double distance);
 
 }  // namespace vasorod

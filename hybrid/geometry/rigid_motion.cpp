@@ -15,7 +15,7 @@ ExpCoefficients exp_coefficients(double z) {
     return {b, d, (std::sin(a) / a - 2 * b) / z, (b - 3 * d) / z};
   }
   // b = sum (-z)^k / (2k + 2)!, d = sum (-z)^k / (2k + 3)!; b2 and d2 are twice their derivatives
-  // by z. Horner, with as many terms as z = 0.5 needs for the last digit.
+  // by z. Horner's scheme, with the terms that z = 0.5 needs for full precision.
   const double b =
       1. / 2 -
       z * (1. / 24 -
@@ -83,8 +83,8 @@ Mat3 exp_rotation(const Vec3& vector) {
 }
 
 Vec3 log_rotation(const Mat3& rotation) {
-  // Through the quaternion: its vector part keeps full accuracy at both ends, where the matrix's
-  // skew part has lost the axis (pi) and its trace the angle (0).
+  // Uses the quaternion: its vector part is accurate at both ends of the range. The skew part of
+  // the matrix loses the axis near pi, and its trace loses the angle near 0.
   const Eigen::Quaterniond q(rotation);
   const double s = q.vec().norm();
   if (s < 1e-150) return 2 * q.vec() / (q.w() < 0 ? -1 : 1);
@@ -126,8 +126,8 @@ Vec6 log_motion(const Pose& motion) {
   return twist;
 }
 
-// A twist is a rotation vector over the dual numbers, u + eps v, so the coupling block of each six
-// by six Jacobian is the derivative of the three by three one in the direction v.
+// A twist is a rotation vector over the dual numbers, u + eps v. The coupling block of each 6 x 6
+// Jacobian is therefore the derivative of the 3 x 3 Jacobian in the direction v.
 Mat6 left_jacobian(const Vec6& twist) {
   const Vec3 v = twist.head<3>(), u = twist.tail<3>();
   const ExpCoefficients k = exp_coefficients(u.squaredNorm());

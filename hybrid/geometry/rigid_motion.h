@@ -1,10 +1,10 @@
 // Rotations SO(3) and rigid motions SE(3): exponential, logarithm and their derivatives.
 //
 // A rotation vector is axis times angle (radians). A twist is (v, u): translation part first,
-// rotation part second, the order of the rod's strains. Every rigid motion is an exponential of a
-// twist, and a two-node rod element carries one logarithm, which is why stretch, shear, twist, arcs
-// and helices are exact in it (Sonneville, Cardona and Bruls 2014). Jacobians follow the usual
-// convention: exp(x + dx) = exp(Jl(x) dx) exp(x) = exp(x) exp(Jr(x) dx) to first order.
+// rotation part second, the order of the rod's strains. Every rigid motion is the exponential of a
+// twist. A two-node rod element uses one logarithm, so stretch, shear, twist, arcs and helices are
+// exact in it (Sonneville, Cardona and Bruls 2014). Jacobians follow the usual convention:
+// exp(x + dx) = exp(Jl(x) dx) exp(x) = exp(x) exp(Jr(x) dx) to first order.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -50,7 +50,7 @@ Pose interpolate(const Pose& a, const Pose& b, double t);
 /// The rotation nearest to a matrix that is a rotation up to round-off.
 Mat3 nearest_rotation(const Mat3& matrix);
 
-/// Coefficients of exp and Jacobians as functions of z = angle^2, accurate from 0 on:
+/// Coefficients of exp and its Jacobians as functions of z = angle^2, accurate down to 0:
 /// b = (1 - cos a) / a^2, d = (a - sin a) / a^3, b2 = b'(a) / a, d2 = d'(a) / a.
 struct ExpCoefficients {
   double b, d, b2, d2;

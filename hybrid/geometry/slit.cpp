@@ -7,9 +7,9 @@ namespace vasorod {
 
 Slit open_slit(SurfaceEditor& editor, const std::vector<int>& path) {
   if (path.size() < 3) throw std::logic_error("open_slit: a slit needs at least two edges");
-  // The right bank of each inner vertex, found before anything is doubled: its ring runs
-  // counter-clockwise, so between `next` and `previous` lies the left bank, between `previous` and
-  // `next` the right one.
+  // The right bank of each inner vertex, found before any vertex is duplicated. The ring of a
+  // vertex is counter-clockwise: the left bank lies between `next` and `previous`, the right bank
+  // between `previous` and `next`.
   std::vector<std::vector<int>> right(path.size());
   for (size_t k = 1; k + 1 < path.size(); ++k) {
     auto ring = editor.ring(path[k]);

@@ -1,4 +1,4 @@
-// Opens a path of edges as a slit.
+// Opens a path of mesh edges as a slit.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,17 @@
 
 namespace vasorod {
 
+/// An opened slit.
 struct Slit {
-  std::vector<int>
-      rim;  ///< the new boundary loop (the surface on its left): from the path's first vertex
-            ///< along the path to its last, and back along the other bank; the editor's vertices
+  /// The new boundary loop, the surface on its left, vertices of the editor: from the path's first
+  /// vertex along the path to its last, and back along the other bank.
+  std::vector<int> rim;
   int other_tip = 0;  ///< index into `rim` of the path's last vertex
 };
 
-/// Doubles the path's inner vertices; its tips stay shared. The path has n >= 2 edges, lies inside
-/// the surface and does not touch itself. The Euler number drops by 1 and one boundary loop of 2 n
-/// edges appears.
+/// Duplicates the path's inner vertices; the tips stay shared. The path has n >= 2 edges, lies
+/// inside the surface and does not touch itself. The Euler number decreases by 1, and there is one
+/// new boundary loop of 2 n edges.
 Slit open_slit(SurfaceEditor& editor, const std::vector<int>& path);
 
 }  // namespace vasorod

@@ -102,8 +102,8 @@ bool SurfaceEditor::acceptable(const std::vector<Corners>& before,
   const double length_limit = std::min(min_edge(), shortest_before);
   for (size_t k = 0; k < after.size(); ++k) {
     const Vec3 normal = normal_of(after[k]);
-    // Against what the triangle was, and, where that was a sliver without a trustworthy normal,
-    // against its surroundings.
+    // The normal to compare with: that of the old triangle, or of its surroundings if the old
+    // triangle was a sliver without a reliable normal.
     const Vec3 was =
         k < before.size() && quality_of(before[k]) > 0.05 ? normal_of(before[k]) : mean_normal;
     if (normal.dot(was) <= 0.5 * normal.norm() * was.norm()) return false;
@@ -133,8 +133,8 @@ bool SurfaceEditor::move(int v, const Blend& target) {
 }
 
 bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
-  // Link condition: the two share exactly the corners opposite to their edge, and a boundary never
-  // closes up.
+  // Link condition: the two vertices share exactly the corners opposite to their edge, and no
+  // boundary is closed.
   const int left = triangle_left_of(keep, gone), right = triangle_left_of(gone, keep);
   if (left < 0 && right < 0) return false;
   const bool boundary_edge = left < 0 || right < 0;
@@ -161,8 +161,8 @@ bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
       after.push_back(d);
       if (v == gone) renamed.push_back(t);
     }
-  // The two that vanish count among what was: a short edge or a sliver may go even if what stays is
-  // not perfect.
+  // The two removed triangles count among the old ones: a short edge or a sliver may be removed
+  // even if the remaining triangles are not perfect.
   for (const int t : {left, right})
     if (t >= 0)
       before.push_back({point(triangle(t)[0]), point(triangle(t)[1]), point(triangle(t)[2])});
@@ -183,7 +183,7 @@ bool SurfaceEditor::collapse(int keep, int gone, const Blend& target) {
   return true;
 }
 
-// Edge a-b with c left and d right of it; would the edge c-d be the better one?
+// Edge a-b with c left and d right of it: whether the edge c-d is better.
 bool SurfaceEditor::flip_improves(int a, int b, int c, int d) const {
   const Vec3 &pa = point(a), &pb = point(b), &pc = point(c), &pd = point(d);
   if (angle_at(pc, pa, pb) + angle_at(pd, pa, pb) <= M_PI + 1e-6) return false;
@@ -209,7 +209,7 @@ void SurfaceEditor::improve(const std::function<bool(int, int)>& fixed) {
     for (const int t : triangles_of(v))
       for (size_t k = 0; k < 3; ++k) enqueue(triangle(t)[k], triangle(t)[(k + 1) % 3]);
   }
-  // Every Delaunay flip on a flat patch lowers a potential; the bound only guards against curved
+  // Every Delaunay flip on a flat patch decreases a potential. The bound guards against curved
   // corner cases.
   for (size_t guard = 20 * queue.size(); guard > 0 && !queue.empty(); --guard) {
     const auto [a, b] = queue.front();

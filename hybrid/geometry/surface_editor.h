@@ -1,5 +1,5 @@
-// A triangle surface under the knife: the few local operations all surgery is made of, each of
-// which keeps the surface manifold and oriented, and remembers where every vertex comes from.
+// The local mesh operations that surgery consists of. Each operation keeps the surface manifold and
+// oriented and records the source of every vertex.
 #pragma once
 
 #include <array>
@@ -14,15 +14,16 @@
 
 namespace vasorod {
 
-/// Lengths below which surgery avoids making edges, as fractions of the surface's mean edge.
+/// Tolerances of mesh editing, as fractions of the surface's mean edge.
 struct EditTolerances {
-  double snap =
-      0.25;  ///< a crossing this near to a vertex moves the vertex instead of making a new one
-  double min_edge = 0.08;     ///< no edge made by surgery should be shorter (the promise is 0.05)
-  double min_quality = 0.12;  ///< 4 sqrt(3) area / sum of squared edges that a move must leave: 1
-                              ///< equilateral, 0 flat
+  /// A crossing closer than this to a vertex moves the vertex; no new vertex is made.
+  double snap = 0.25;
+  double min_edge = 0.08;  ///< target for the shortest edge made by surgery (0.05 is guaranteed)
+  /// 4 sqrt(3) area / sum of squared edges that a move must leave: 1 equilateral, 0 flat.
+  double min_quality = 0.12;
 };
 
+/// An editable mesh that remembers where its vertices come from.
 class SurfaceEditor : public EditableMesh {
  public:
   /// A point as weighted mean of current vertices.
@@ -40,28 +41,27 @@ class SurfaceEditor : public EditableMesh {
   double snap() const { return tolerances_.snap * mean_edge_; }
   double min_edge() const { return tolerances_.min_edge * mean_edge_; }
 
-  /// New vertex (1 - t) a + t b on an edge; its one or two triangles are split.
+  /// New vertex (1 - t) a + t b on an edge. Its one or two triangles are split.
   int split_edge(int a, int b, double t);
-  /// New vertex inside a triangle, which is split in three.
+  /// New vertex inside a triangle, which is split into three.
   int split_triangle(int t, const Vec3& barycentric);
-  /// Moves v if no triangle turns over, gets too thin or gets too short an edge; false: nothing
-  /// done.
+  /// Moves v unless a triangle would turn over, become too thin or get too short an edge. False: no
+  /// change.
   bool move(int v, const Blend& target);
-  /// Merges edge keep-gone into `keep` at `target`, under the same conditions and if the surface
-  /// stays manifold.
+  /// Collapses the edge keep-gone into `keep` at `target`, under the conditions of `move` and if
+  /// the surface stays manifold.
   bool collapse(int keep, int gone, const Blend& target);
-  /// Delaunay flips of the edges at vertices made or moved by surgery, except those `fixed(a, b)`;
-  /// nearly flat pairs of triangles only, so the shape stays.
+  /// Delaunay flips of the edges at vertices made or moved by surgery, except those with
+  /// `fixed(a, b)`. Only nearly flat pairs of triangles are flipped, so the shape does not change.
   void improve(const std::function<bool(int, int)>& fixed);
-  /// Doubles v: the listed triangles of v take the new vertex.
+  /// Duplicates v: the listed triangles of v get the new vertex.
   int duplicate(int v, const std::vector<int>& triangles);
 
-  /// The surface made of these triangles, vertices in order (input's first); `vertices[i]` is the
-  /// editor's index of vertex i.
+  /// A part of the surface.
   struct Part {
-    TriangleSurface surface;
-    VertexSources sources;
-    std::vector<int> vertices;
+    TriangleSurface surface;    ///< vertices in the editor's order, the input's first
+    VertexSources sources;      ///< in the input surface
+    std::vector<int> vertices;  ///< the editor's index of each vertex
   };
   Part part(const std::vector<int>& triangles) const;
   Part whole() const;

@@ -16,7 +16,7 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
     int a, b, triangle, opposite;
   };
   if (triangles.rows() == 0) return {};
-  // Sorted by a through its count, then by b within the few that share a.
+  // Counting sort by a, then sorting by b among the few edges with the same a.
   const int lowest = triangles.minCoeff();
   const auto bucket = [&](int a) { return static_cast<size_t>(a - lowest); };
   std::vector<size_t> first(bucket(triangles.maxCoeff()) + 2, 0);

@@ -9,7 +9,7 @@ Pose tube_axis(const TubeSpec& tube, double s) {
   const double total = tube.bend_deg * M_PI / 180;
   const double angle = total * s / tube.length;
   const Vec3 binormal = tube.tangent.cross(tube.normal);
-  // Chord form of the arc: exact, and the straight line is its limit instead of a case of its own.
+  // Chord form of the arc: exact, with the straight line as its limit and not as a special case.
   const double half = angle / 2;
   const double chord = s * (std::abs(half) < 1e-8 ? 1 : std::sin(half) / half);
   Pose pose;
@@ -52,10 +52,10 @@ TriangleSurface tube_surface(const TubeSpec& tube) {
     for (int i = 0; i < n; ++i) {
       const int next = (i + 1) % n;
       const int a = row * n + i, b = row * n + next, c = a + n, d = b + n;
-      if (row % 2 == 0) {  // the row above is turned forwards: c stands above the middle of a, b
+      if (row % 2 == 0) {  // the row above is rotated forwards: c is above the middle of a, b
         surface.triangles.row(t++) << a, b, c;
         surface.triangles.row(t++) << b, d, c;
-      } else {  // the row above is turned backwards: d stands above the middle of a, b
+      } else {  // the row above is rotated backwards: d is above the middle of a, b
         surface.triangles.row(t++) << a, b, d;
         surface.triangles.row(t++) << a, d, c;
       }

@@ -14,12 +14,12 @@
 namespace vasorod {
 namespace {
 
-// Round-off of a load that is not there is none.
+// Treats the round-off of an absent load as zero.
 std::string digits(double value) {
   return number_text(std::abs(value) < 1e-9 ? 0 : value, 3);
 }
 
-// The table's fidelities, from cheap to dear.
+// The table's fidelities, from cheap to expensive.
 std::vector<std::string> fidelities_of(std::span<const AccuracyRow> table) {
   std::vector<std::string> names;
   for (const AccuracyRow& row : table)
@@ -40,7 +40,7 @@ Demand demand_of(const RodOfVessel& rod) {
   return demand;
 }
 
-// Why the table says nothing of this scene; empty where it does.
+// Why the table does not cover this scene; empty if it does.
 std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>& rods) {
   if (scene.glenn) return "the table is of single tubes, not of operations";
   if (scene.vessels.size() != 1 || rods.size() != 1)
@@ -61,12 +61,12 @@ std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>&
     return "the table is of tubes with L/R " + digits(scope.length[0]) + " to " +
            digits(scope.length[1]) + ", this one has " + digits(length);
   for (const ElementChange& change : element_changes(vessel.rod, *rods.front().poses)) {
-    // made from pulled tubes, it says nothing of a wall on its way to wrinkling, at a strain of
-    // -0.605 t / R
+    // The table was measured on pulled tubes. It does not cover walls close to wrinkling, at a
+    // strain of -0.605 t / R.
     if (change.change[2] < -0.1 * 0.605 * thickness)
       return "the table is of tubes that are not pressed";
-    // curved at rest by a hundredth of the local wrinkling curvature, a section already flattens to
-    // first order
+    // With a rest curvature of a hundredth of the local wrinkling curvature, a section already
+    // flattens to first order.
     if ((change.strain - change.change).segment<2>(3).norm() * vessel.mean_radius >
         0.01 * 0.605 * thickness)
       return "the table is of tubes that are straight at rest";
@@ -85,15 +85,14 @@ std::optional<double> promised_error(std::span<const AccuracyRow> table, std::st
     const auto belongs = [&, k = kind](const AccuracyRow& row) {
       return row.fidelity == fidelity && row.kind == k && row.edge >= demand.edge * (1 - 1e-9);
     };
-    double edge = INFINITY;  // the finest tabulated mesh that is not finer than the scene's
+    double edge = INFINITY;  // the finest tabulated mesh that is not finer than the scene's mesh
     for (const AccuracyRow& row : table)
       if (belongs(row)) edge = std::min(edge, row.edge);
     double demand_before = 0, error_before = 0;
     bool reached = false;
     for (const AccuracyRow& row : table) {
       if (!belongs(row) || row.edge != edge || reached) continue;
-      if (wanted <=
-          row.demand * (1 + 1e-6)) {  // a load at the last row is not beyond it by round-off
+      if (wanted <= row.demand * (1 + 1e-6)) {  // tolerates round-off at the last row
         sum += error_before +
                (row.error - error_before) * (wanted - demand_before) / (row.demand - demand_before);
         reached = true;

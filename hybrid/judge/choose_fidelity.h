@@ -1,5 +1,5 @@
-// `accuracy: x` in a scene: the cheapest fidelity that the measured table promises to be that near
-// to finite elements.
+// `accuracy: x` in a scene: selects the cheapest fidelity that, by the measured table, is that
+// close to finite elements.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@ namespace vasorod {
 
 /// How hard a scene is for a fidelity, from its vessel's solved rod.
 struct Demand {
-  double stretch = 0, twist = 0, bend = 0;  ///< as LoadKind says
+  double stretch = 0, twist = 0, bend = 0;  ///< as in LoadKind
   double edge = 0;                          ///< mean edge of the surface over R
 };
 
-/// The error to expect at most, RMS over R: for each kind of load the table's, interpolated
-/// linearly in the demand from zero at rest (errors grow faster than linearly, so that is on the
-/// safe side), summed. Empty: the table does not reach that far.
+/// The largest expected error, RMS over R: the sum over the kinds of load of the table's error,
+/// interpolated linearly in the demand from zero at rest. Errors grow faster than linearly, so the
+/// interpolation is conservative. Empty: the table does not reach that far.
 std::optional<double> promised_error(std::span<const AccuracyRow> table, std::string_view fidelity,
                                      const Demand& demand);
 
-/// What a wanted accuracy is answered with.
+/// The fidelity chosen for a requested accuracy.
 struct FidelityChoice {
-  double wanted = 0;  ///< RMS distance over R
-  std::string fidelity;
-  std::optional<double> promised;  ///< empty: the table says nothing of such a scene
-  std::string reason;
-  /// All of it, as the result's notes have it.
+  double wanted = 0;               ///< requested RMS distance over R
+  std::string fidelity;            ///< name of the chosen fidelity
+  std::optional<double> promised;  ///< expected error; empty: the table does not cover the scene
+  std::string reason;              ///< why this fidelity
+  /// The choice as one sentence for the result's notes.
   std::string sentence() const;
 };
 
@@ -43,10 +43,10 @@ struct RodOfVessel {
   std::vector<int> rigid_nodes;
 };
 
-/// Picks among the table's fidelities. Where the table says nothing of the scene (several vessels,
-/// an operation, forks, obstacles, a curved vessel, loads or walls outside of what was measured),
-/// the dearest is taken (`dearest`), promises nothing and says why. Throws InputError where it does
-/// reach, and nothing is as accurate as asked for.
+/// Chooses among the table's fidelities. If the table does not cover the scene (several vessels, an
+/// operation, forks, obstacles, a curved vessel, loads or walls outside the measured range), the
+/// most expensive fidelity (`dearest`) is chosen without a promise, and the reason is stated.
+/// Throws InputError if the table covers the scene and no fidelity is as accurate as requested.
 FidelityChoice choose_fidelity(const Scene& scene, const std::vector<RodOfVessel>& rods,
                                const std::string& dearest,
                                std::span<const AccuracyRow> table = accuracy_table());

@@ -13,8 +13,8 @@ namespace {
 constexpr int directions = 36;  // in half a turn
 using Widths = Eigen::Array<double, directions, 1>;
 
-// Per direction of the section's frame the distance between the two lines across it that hold the
-// curve.
+// Per direction of the section's frame: the distance of the two lines perpendicular to it that
+// bound the curve.
 Widths section_widths(const SectionLoop& loop, const Pose& section) {
   Widths widths;
   for (int k = 0; k < directions; ++k) {
@@ -32,8 +32,8 @@ struct SectionShape {
   double lumen;
 };
 
-// Mid-wall widths and lumen area of the section at a pose; nothing where it is not one closed curve
-// of about the rod's radius.
+// Mid-wall widths and lumen area of the section at a pose; empty if the section is not one closed
+// curve of about the rod's radius.
 std::optional<SectionShape> section_shape(const PreparedVessel& vessel,
                                           const TriangleSurface& surface, const Pose& section,
                                           double radius) {
@@ -43,7 +43,7 @@ std::optional<SectionShape> section_shape(const PreparedVessel& vessel,
   const SectionLoop& loop = loops[static_cast<size_t>(around)];
   const double disk = M_PI * radius * radius, area = inset_area(loop, -vessel.mid_offset());
   if (area < 0.3 * disk || area > 1.7 * disk)
-    return std::nullopt;  // another branch's curve, or a fork's
+    return std::nullopt;  // the curve of another branch or of a fork
   return SectionShape{section_widths(loop, section) + 2 * vessel.mid_offset(),
                       inset_area(loop, vessel.thickness() / 2 - vessel.mid_offset())};
 }
@@ -53,8 +53,8 @@ void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const P
   const RodTree& rod = vessel.vessel.rod;
   const TriangleSurface deformed{current, vessel.vessel.surface.triangles};
   for (const RodBranch& branch : rod.branches) {
-    double since =
-        std::numeric_limits<double>::infinity();  // arc length since the last section looked at
+    // Arc length since the last section examined.
+    double since = std::numeric_limits<double>::infinity();
     for (size_t k = 0; k + 1 < branch.elements.size(); ++k) {
       const RodElement& element = rod.elements[static_cast<size_t>(branch.elements[k])];
       const auto node = static_cast<size_t>(element.second);
@@ -66,8 +66,8 @@ void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const P
       if (!rest || rest->lumen <= 0) continue;
       const auto now = section_shape(vessel, deformed, poses[node], rod.radius[node]);
       if (!now) continue;
-      // Direction by direction: a chord of the mesh is as short in both, which their smallest
-      // widths are not.
+      // Compares direction by direction: the error of a polygonal section cancels in the ratio of
+      // widths in one direction, not in the ratio of the smallest widths.
       if (const double flattening = 1 - (now->widths / rest->widths).minCoeff();
           flattening > metrics.flattening) {
         metrics.flattening = flattening;
@@ -100,7 +100,7 @@ VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses) 
     const auto fibre = [&](const Vec6& s) { return s[2] + s[3] * y - s[4] * x; };
     const double rest = fibre(strain - change);
     fields.axial_stretch[i] =
-        rest > 0 ? fibre(strain) / rest : 1;  // a fibre at the centre of curvature has no length
+        rest > 0 ? fibre(strain) / rest : 1;  // a fibre at the centre of curvature has zero length
     fields.twist_shear[i] = change[5] * std::hypot(x, y);
   }
   return fields;

@@ -34,11 +34,11 @@ void judge(const std::string& vessel, const Extreme& extreme, const std::string&
   if (extreme.value >= 0.9) validity.in_range = false;
 }
 
-// What a fibre does to the isotropic wall's limits (validity.h); 1 for that wall.
+// Factors of a wall with a fibre on the limits of the isotropic wall (validity.h); 1 if isotropic.
 struct FibreFactors {
-  double bending;    ///< of Brazier's curvature
-  double wrinkling;  ///< of the axial buckling strain
-  double twist;      ///< of the torsional buckling stress over E_L
+  double bending;    ///< on Brazier's curvature
+  double wrinkling;  ///< on the axial buckling strain
+  double twist;      ///< on the torsional buckling stress over E_L
 };
 
 FibreFactors fibre_factors(const VesselSpec& spec) {

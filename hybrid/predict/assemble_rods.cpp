@@ -19,8 +19,8 @@ Pose start_frame(const RodSpec& rod) {
   return pose;
 }
 
-/// Where elements begin and end along one piece, as fractions of it; `inside`: further fractions
-/// that must be nodes.
+/// Fractions along one piece where elements begin and end. `inside`: further fractions that must be
+/// nodes.
 std::vector<double> stations(const RodPiece& piece, const std::vector<double>& inside, int refine) {
   std::vector<double> coarse;
   for (int i = 0; i <= piece.elements; ++i)

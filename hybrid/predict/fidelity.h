@@ -1,8 +1,7 @@
-// The fidelities: names under which scenes ask for a way of solving, each with the function that
-// does it.
+// The fidelities: names of solution methods in scenes, each with the function that solves.
 //
 // To add one: write its solver in a folder of its own, its function in predict/fidelities/, one
-// line in predict/fidelity.cpp, its name in schema/scene.schema.json, and its page in docs/.
+// line in predict/fidelity.cpp, and its page in docs/.
 #pragma once
 
 #include <functional>
@@ -13,24 +12,26 @@
 
 namespace vasorod {
 
+/// A solution method.
 struct Fidelity {
-  std::string name;      ///< as scenes, results and the command line have it
-  std::string sentence;  ///< what it solves, for --help and the docs
-  bool surfaces = true;  ///< false: rods alone; obstacles are left out and vessels may be bare rods
-  bool choosable = true;  ///< false: `accuracy:` never falls back to it
+  std::string name;       ///< as in scenes, results and on the command line
+  std::string sentence;   ///< what it solves, for --help and the docs
+  bool surfaces = true;   ///< false: rods alone; no obstacles, vessels may be bare rods
+  bool choosable = true;  ///< false: `accuracy:` never selects it as the fallback
   /// Adds to a prediction whose rods are solved: the vessels' positions and pressures, what was
-  /// left out and why, and Prediction::surfaces where it has energies, forces or a status of its
-  /// own.
+  /// left out and why, and Prediction::surfaces if the fidelity has energies, forces or a status of
+  /// its own.
   std::function<void(Prediction&, const SolveOptions&)> solve;
 };
 
-/// All of them, from cheap to expensive.
+/// All fidelities, from cheap to expensive.
 const std::vector<Fidelity>& fidelities();
 
-/// The fidelity of that name; null where there is none.
+/// The fidelity with that name; null if there is none.
 const Fidelity* find_fidelity(const std::string& name);
 
-/// Adds one after those there are. For programs that bring their own; not while a prediction runs.
+/// Adds a fidelity after the existing ones, for programs with their own. Not while a prediction
+/// runs.
 void register_fidelity(Fidelity fidelity);
 
 }  // namespace vasorod

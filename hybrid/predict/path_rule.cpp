@@ -10,7 +10,7 @@ namespace {
 
 constexpr double follow_from = 0.7, first_shares[] = {0.25, 0.5}, share_step = 0.05;
 constexpr int most_steps = 40;
-// A section free to flatten kinks first: with t / R 0.1 and L / R 10 between 0.40 and 0.45 of the
+// A section free to flatten kinks earlier: for t / R 0.1 and L / R 10, between 0.40 and 0.45 of the
 // limit.
 constexpr double soft_share = 0.5;
 

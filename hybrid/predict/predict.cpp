@@ -24,7 +24,7 @@ std::string place(const Scene& scene, const VesselSpec& vessel) {
   return line_of(scene, vessel) + "vessel " + vessel.name + ": ";
 }
 
-// What a part that knows no scene file says of its input, with the place it belongs to.
+// Adds the place to the error of a part that does not know the scene file.
 template <class Work>
 auto placed(const std::string& where, Work&& work) {
   try {
@@ -47,14 +47,14 @@ const Fidelity& named(const std::string& name, const std::string& where) {
                    (meant ? in_quotes(*meant) : listed(names)));
 }
 
-// The most expensive that `accuracy:` may fall back to.
+// The most expensive fidelity that `accuracy:` may fall back to.
 const Fidelity& dearest() {
   const auto& all = fidelities();
   return *std::find_if(all.rbegin(), all.rend(), [](const Fidelity& f) { return f.choosable; });
 }
 
-// As asked for; with `accuracy:` alone the most expensive the vessels allow, until the rods say
-// what will do.
+// The requested fidelity. With `accuracy:` alone: the most expensive one that the vessels allow,
+// until the rods are solved and the choice is known.
 const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options) {
   const std::string line =
       scene.file.string() +
@@ -117,7 +117,7 @@ Stage rest_stage(const Prediction& prediction) {
   return rest;
 }
 
-// Cut, incision and pose; the vein's rod is solved on the way.
+// Cuts, incises and places; solves the vein's rod.
 void operate_on(Prediction& prediction, const SolveOptions& options) {
   const Scene& scene = *prediction.scene;
   PredictedVessel& svc = prediction.vessels[vessel_named(prediction, scene.glenn->svc)];
@@ -132,7 +132,7 @@ void operate_on(Prediction& prediction, const SolveOptions& options) {
   for (Stage& stage : prediction.glenn->stages) prediction.stages.push_back(std::move(stage));
 }
 
-// The rods are solved: which fidelity does `accuracy:` need?
+// With the rods solved: the fidelity that `accuracy:` needs.
 FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
   std::vector<RodOfVessel> rods;
   for (const PredictedVessel& vessel : prediction.vessels) {

@@ -1,4 +1,4 @@
-// A scene on its way from vessels at rest to a prediction: what the stages of `predict` hand on.
+// A scene between vessels at rest and the prediction: the data passed between stages of `predict`.
 #pragma once
 
 #include <map>
@@ -18,46 +18,47 @@ namespace vasorod {
 
 /// One vessel through all stages. Obstacles have only `prepared` and `positions`.
 struct PredictedVessel {
-  PreparedVessel prepared;
-  VesselConditions conditions;
-  RodSolution rod;           ///< poses at rest and nothing else where the rod was not solved
-  bool rod_solved = false;   ///< false: nothing moves or loads it, it stays as it is
-  Points positions;          ///< deformed surface; empty at fidelity rod
-  Eigen::VectorXd pressure;  ///< contact, stress, per vertex; empty: none modelled
+  PreparedVessel prepared;      ///< surface, rod and wall at rest
+  VesselConditions conditions;  ///< supports and loads
+  RodSolution rod;              ///< only the rest poses if the rod was not solved
+  bool rod_solved = false;      ///< false: nothing moves or loads the vessel, it stays at rest
+  Points positions;             ///< deformed surface, n x 3; empty at fidelity rod
+  Eigen::VectorXd pressure;     ///< contact pressure per vertex, stress; empty: not modelled
 };
 
-/// What a fidelity whose surfaces have energies found.
+/// The solution of a fidelity with surface energies.
 struct SolvedSurfaces {
   SurfaceSolution solution;                         ///< bodies in the vessels' order
-  std::optional<bool> smallest_curvature_positive;  ///< empty: not asked for
+  std::optional<bool> smallest_curvature_positive;  ///< empty: not requested
   std::vector<std::string> notes;                   ///< sentences for the certificate
-  std::vector<std::string> terms;                   ///< of the energy, as `model` lists them
-  /// True: the rods were no more than the start; status, certificate, supports and energy are the
-  /// surfaces' alone, and the two members below are filled.
+  std::vector<std::string> terms;                   ///< terms of the energy for ModelReport
+  /// True: the rods were only the start; status, certificate, supports and energy are those of the
+  /// surfaces, and the two members below are filled.
   bool carry_everything = false;
-  std::vector<EndReaction> ends;  ///< what supports and loads do to the walls
-  std::vector<Vec3> load;         ///< per vessel: the dead loads on it, force
+  std::vector<EndReaction> ends;  ///< supports' and loads' forces on the walls
+  std::vector<Vec3> load;         ///< per vessel: sum of its dead loads, force
 };
 
+/// A scene while it is solved.
 struct Prediction {
-  const Scene* scene = nullptr;
-  std::string fidelity;
-  std::vector<PredictedVessel> vessels;  ///< in the scene's order
-  std::optional<GlennOperation> glenn;
-  std::optional<SolvedSurfaces> surfaces;  ///< none at fidelities without surface energies
-  std::vector<std::string> notes;          ///< sentences for the certificate
-  std::vector<Stage> stages;
-  std::map<std::string, std::string> left_out;
+  const Scene* scene = nullptr;                 ///< the scene that is solved
+  std::string fidelity;                         ///< name of the fidelity
+  std::vector<PredictedVessel> vessels;         ///< in the scene's order
+  std::optional<GlennOperation> glenn;          ///< the operation; empty: none
+  std::optional<SolvedSurfaces> surfaces;       ///< empty at fidelities without surface energies
+  std::vector<std::string> notes;               ///< sentences for the certificate
+  std::vector<Stage> stages;                    ///< for the report's pictures
+  std::map<std::string, std::string> left_out;  ///< what was left out, and why
 };
 
-/// Where the vessel of that name is in `vessels`.
+/// Index of the vessel with that name in `vessels`.
 size_t vessel_named(const Prediction& prediction, const std::string& name);
 
-/// The node of the vessel's rod that the join poses: the vein's mouth; -1 for every other vessel.
+/// The node of the vessel's rod that the join places: the vein's mouth; -1 for other vessels.
 int mouth_of(const Prediction& prediction, const PredictedVessel& vessel);
 
-/// Nodes whose sections a support keeps rigid. What poses the vein's mouth is the join: its section
-/// is not rigid.
+/// Nodes whose sections a support keeps rigid. The vein's mouth is placed by the join, so its
+/// section is not rigid.
 std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel);
 
 }  // namespace vasorod

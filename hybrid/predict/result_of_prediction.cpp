@@ -66,7 +66,7 @@ Balance wall_balance(const Prediction& prediction, size_t v) {
 }
 
 // support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does
-// not feel what it does to the surface: that part is named, not hidden.
+// not feel the reaction of the surface; the balance states this reaction as `rod_unbalanced`.
 Balance balance_of(const Prediction& prediction, size_t v) {
   const PredictedVessel& vessel = prediction.vessels[v];
   Balance balance;
@@ -75,7 +75,7 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   const int mouth = mouth_of(prediction, vessel);
   Vec3 rod_gap = Vec3::Zero();
   for (const RodReaction& reaction : vessel.rod.reactions) {
-    // What keeps the vein's mouth in its pose is the join, not a support.
+    // The join keeps the vein's mouth in its pose, not a support.
     (reaction.node == mouth ? balance.join : balance.support) += reaction.force;
     rod_gap += reaction.force;
     largest = std::max(largest, reaction.force.norm());
@@ -100,7 +100,7 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   return balance;
 }
 
-// The seam as the solved surfaces have it.
+// Gaps and opened area of the seam in the solved surfaces.
 void measure_seam(const Prediction& prediction, GlennReport& report) {
   const auto& glenn = *prediction.glenn;
   const auto of = [&](const std::string& name) -> const Points& {
@@ -109,7 +109,7 @@ void measure_seam(const Prediction& prediction, GlennReport& report) {
   const Points& svc = of(glenn.report.svc);
   const Points& rpa = of(glenn.report.rpa);
   report.join.pairs = static_cast<int>(glenn.pairs.size());
-  if (svc.rows() == 0 || rpa.rows() == 0) {  // fidelity rod: nothing was joined
+  if (svc.rows() == 0 || rpa.rows() == 0) {  // fidelity rod: no surfaces, no seam
     report.join.largest_gap = report.join.rms_gap = std::numeric_limits<double>::quiet_NaN();
     report.incision.opened_area = std::numeric_limits<double>::quiet_NaN();
     return;

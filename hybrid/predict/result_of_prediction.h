@@ -1,11 +1,11 @@
-// From a prediction to the result's data.
+// Converts a prediction to a result.
 #pragma once
 
 #include "predict/prediction.h"
 
 namespace vasorod {
 
-/// Everything but seconds and the hashes of the inputs.
+/// The result without seconds and without the hashes of the inputs.
 Result result_of(const Prediction& prediction, int threads);
 
 }  // namespace vasorod

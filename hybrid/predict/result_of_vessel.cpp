@@ -56,7 +56,7 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
   return out;
 }
 
-// A deformable vessel's fields, extremes and place in the model's range.
+// Fields, extremes and validity of a deformable vessel.
 void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& result) {
   const PreparedVessel& prepared = vessel.prepared;
   VertexFields fields = vertex_fields(prepared, vessel.rod.poses);

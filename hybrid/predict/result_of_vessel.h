@@ -5,7 +5,7 @@
 
 namespace vasorod {
 
-/// A whole rod as it is written, with what `poses` have done to it.
+/// The centerline for the result: a whole rod with these poses.
 CenterlineResult centerline_of(const RodTree& rod, const RodPoses& poses);
 
 /// Fills result.vessels, result.metrics, result.validity and result.stages.

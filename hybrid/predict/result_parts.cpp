@@ -10,8 +10,7 @@
 namespace vasorod {
 namespace {
 
-// A surface as result.json lists it: by its name, or by its path where another input has that name
-// too.
+// The name of a surface in result.json: its file name, or its path if another input has that name.
 std::string input_name(const Scene& scene, const std::filesystem::path& surface) {
   const auto taken = [&](const std::filesystem::path& other) {
     return other.filename() == surface.filename() &&

@@ -1,4 +1,4 @@
-// How every result begins and what it says of a solved rod, whatever was solved.
+// Parts that all results share: the header and the summary of a solved rod.
 #pragma once
 
 #include <vasorod/predict.h>
@@ -7,16 +7,16 @@
 
 namespace vasorod {
 
-/// Names, units, program and environment; everything else at its default.
+/// Names, units, program and environment. Everything else has its default.
 Result begin_result(const std::string& scene, const std::string& fidelity, const Units& units,
                     int threads);
 
 /// Adds a rod's status, residual, energy, iterations and message ("rod of NAME: ...").
-/// `certificate`: the sign of its smallest curvature counts for the whole.
+/// `certificate`: the sign of the rod's smallest curvature is part of the result's certificate.
 void add_rod(const std::string& name, const RodSummary& summary, bool certificate, Result& result);
 
-/// SHA-256 of the scene file and of every surface file it names, by file name, or by path where two
-/// have one name. Throws FileError.
+/// Adds the SHA-256 of the scene file and of every surface file it names. The key is the file's
+/// name, or its path if two files have the same name. Throws FileError.
 void add_input_hashes(const Scene& scene, Result& result);
 
 }  // namespace vasorod

@@ -12,8 +12,8 @@
 namespace vasorod {
 namespace {
 
-/// Second-order errors cancel in (4 fine - coarse) / 3; for poses along the screw from coarse to
-/// fine.
+/// Second-order errors cancel in (4 fine - coarse) / 3. Poses are extrapolated along the screw from
+/// coarse to fine.
 RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse,
                          const RodTree& fine_tree, const RodSolution& fine) {
   const auto mix = [](const auto& c, const auto& f) { return ((4 * f - c) / 3).eval(); };
@@ -106,8 +106,8 @@ VesselMetrics metrics(const std::string& name, const CenterlineResult& line) {
   return m;
 }
 
-/// Forces on each branch: its supports, its loads, and what the branches it joins do to it.
-/// `residual` is filled with the largest single force, or moment over the length.
+/// Forces on each branch: supports, loads, and the forces of adjoining branches. `residual` is set
+/// to the largest single force, or the largest moment over the length.
 std::vector<Balance> forces_on_branches(const RodAssembly& assembly, const RodSolution& solution) {
   const RodTree& tree = assembly.tree;
   std::vector<Balance> balance(tree.branches.size());
@@ -126,7 +126,7 @@ std::vector<Balance> forces_on_branches(const RodAssembly& assembly, const RodSo
   for (const RodLoad& l : assembly.conditions.loads)
     add(balance[index(branch_of[index(l.node)])], &Balance::load, l.force);
   for (std::size_t b = 0; b < tree.branches.size(); ++b) {
-    // where no force acts a moment over the branch's length says what round-off is
+    // Without forces, a moment over the branch's length sets the scale of the round-off.
     double length = 0, moment = 0;
     for (const int e : tree.branches[b].elements) {
       length += tree.elements[index(e)].length;

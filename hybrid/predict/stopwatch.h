@@ -7,15 +7,16 @@
 
 namespace vasorod {
 
+/// Measures stages one after the other.
 class Stopwatch {
  public:
-  /// Adds the time since construction or the last call to `stage`.
+  /// Adds the time since construction or the last call to `stage`, s.
   void lap(const std::string& stage) {
     const auto now = std::chrono::steady_clock::now();
     seconds_[stage] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
-  /// All stages and their `total`.
+  /// The seconds of all stages and their `total`.
   std::map<std::string, double> seconds() const {
     auto all = seconds_;
     double total = 0;

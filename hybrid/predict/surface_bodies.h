@@ -1,4 +1,4 @@
-// What the fidelities with surfaces share: the prediction's vessels as bodies, and the way back.
+// Shared by the fidelities with surfaces: converts the prediction's vessels to bodies and back.
 #pragma once
 
 #include "bodies/body_problem.h"
@@ -10,11 +10,12 @@ namespace vasorod {
 /// Bodies, seams and contact pairs of a prediction whose rods are solved.
 BodyProblem body_problem(const Prediction& prediction);
 
-/// Hands the solved surfaces to the prediction and its vessels. Says which were left out (`what`
-/// names them) and whether any touch.
+/// Stores the solved surfaces in the prediction and its vessels. Records which vessels were left
+/// out
+/// (`what` says of what) and whether any touch.
 void take_surfaces(SolvedSurfaces&& surfaces, const std::string& what, Prediction& prediction);
 
-/// Every so many iterations a line of progress that begins with `what`.
+/// Reports a line of progress that begins with `what` every `every` iterations.
 std::function<void(const SolverProgress&)> iteration_progress(const std::string& what, int every,
                                                               const SolveOptions& options);
 

@@ -1,4 +1,4 @@
-// From a prepared vessel and its conditions to the wall of the coupled minimum.
+// Converts a prepared vessel and its conditions to the wall of fidelity `coupled`.
 #pragma once
 
 #include "coupled/held_section.h"
@@ -8,22 +8,20 @@
 
 namespace vasorod {
 
-/// The vessel's surface as a wall: thickness of its sections, the rod's tangent as fibre, the
+/// The vessel's surface as a wall: thickness from its sections, fibre along the rod's tangent, the
 /// scene's material.
 WallInput wall_of(const PreparedVessel& vessel);
 
-/// The sections of the vessel's ends that its conditions hold or load, and per section the rod's
-/// node. Supports at `left_out` (a node, -1: none) are no section's: what poses a mouth is its
-/// join.
+/// The end sections that the vessel's conditions hold or load, with the rod's node of each. A
+/// support at the node `left_out` (-1: none) is not a section's: the join places a mouth.
 struct VesselSections {
   std::vector<HeldSection> sections;
   std::vector<int> nodes;
 };
 VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditions, int left_out);
 
-/// The shape a rod has when its strains have gone a share of the way from rest to those of `poses`:
-/// a path on which a bend neither stretches nor shortens the rod, as moving its ends in proportion
-/// would.
+/// The rod's shape with strains at a share of the way from rest to those of `poses`. On this path a
+/// bend neither stretches nor shortens the rod, which moving its ends proportionally would do.
 RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share);
 
 }  // namespace vasorod

@@ -25,7 +25,7 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Even-odd rule: how often does the ray from p along +x cross the polygon?
+// Even-odd rule: whether p lies inside the polygon.
 bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
   bool odd = false;
   for (size_t k = 0; k < polygon.size(); ++k) {
@@ -47,8 +47,8 @@ double distance_to(const std::vector<Vec2>& polygon, const Vec2& p) {
   return best;
 }
 
-// The constrained Delaunay triangles inside a polygon (its corners are points 0
-// to count - 1), counter-clockwise.
+// The constrained Delaunay triangles inside a polygon (its corners are points 0 to count - 1),
+// counter-clockwise.
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec2>& points, size_t count,
                                             const std::vector<Vec2>& polygon) {
   Delaunay delaunay;
@@ -73,7 +73,7 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec2>& points, siz
   return triangles;
 }
 
-// Points of a triangular grid of spacing h inside the polygon and clear of it.
+// Points of a triangular grid of spacing h inside the polygon, at a distance from its edges.
 std::vector<Vec2> grid_inside(const std::vector<Vec2>& polygon, double h) {
   Vec2 low = polygon[0], high = polygon[0];
   for (const Vec2& p : polygon) {
@@ -90,8 +90,7 @@ std::vector<Vec2> grid_inside(const std::vector<Vec2>& polygon, double h) {
   return points;
 }
 
-// Barycentric coordinates in the triangle of the polygon's own triangulation
-// that holds p best.
+// Barycentric coordinates of p in the triangle of the polygon's own triangulation that fits best.
 void add_source(VertexSources& sources, const std::vector<std::array<int, 3>>& triangles,
                 const std::vector<Vec2>& polygon, const std::vector<int>& rim, const Vec2& p) {
   double best = -std::numeric_limits<double>::infinity();
@@ -120,8 +119,7 @@ void add_source(VertexSources& sources, const std::vector<std::array<int, 3>>& t
 
 CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vector<int>& loop) {
   const size_t count = loop.size();
-  // In the hole's plane, run through so that the cap lies on the left: against
-  // the boundary's direction.
+  // In the hole's plane, against the boundary's direction, so that the cap lies on the left.
   const Vec3 origin = surface.points.row(loop[0]);
   const Vec3 normal = -area_vector(surface.points, loop).normalized();
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
@@ -137,8 +135,7 @@ CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vecto
     points.push_back(p);
 
   auto triangles = triangulate(points, count, outline);
-  for (int round = 0; round < 6; ++round) {  // to the mean of the neighbours,
-                                             // which evens the triangles out
+  for (int round = 0; round < 6; ++round) {  // Laplacian smoothing
     std::vector<Vec2> sum(points.size(), Vec2::Zero());
     std::vector<double> weight(points.size(), 0);
     for (const auto& c : triangles)

@@ -9,14 +9,15 @@
 
 namespace vasorod {
 
+/// A surface with a closed hole.
 struct CappedSurface {
   TriangleSurface surface;  ///< the input's points and triangles first, the cap's after
-  VertexSources sources;    ///< in the input surface; a cap's inner vertex is a
-                            ///< mean of three rim vertices
+  /// In the input surface. An inner vertex of the cap is a mean of three rim vertices.
+  VertexSources sources;
 };
 
-/// Fills the boundary loop (in boundary order) of `surface`, which must be
-/// planar, with triangles of the size of its edges.
+/// Fills a planar boundary loop (in boundary order) of `surface` with triangles of the size of the
+/// loop's edges.
 CappedSurface close_planar_hole(const TriangleSurface& surface, const std::vector<int>& loop);
 
 }  // namespace vasorod

@@ -37,7 +37,7 @@ const SectionLoop& curve_to_cut(const std::vector<SectionLoop>& curves, const Po
   return curve;
 }
 
-// The triangles on each side of the cycle: flood fill that does not cross it.
+// The triangles on each side of the cycle, by a flood fill that does not cross it.
 std::vector<std::vector<int>> parts_of(const SurfaceEditor& editor, const std::vector<int>& loop) {
   std::set<std::pair<int, int>> walls;
   for (size_t k = 0; k < loop.size(); ++k) {
@@ -68,7 +68,7 @@ std::vector<std::vector<int>> parts_of(const SurfaceEditor& editor, const std::v
   return parts;
 }
 
-// The boundary loop of a part that consists of the cycle's vertices.
+// The boundary loop of a part that contains only the cycle's vertices.
 std::vector<int> mouth_of(const SurfaceEditor::Part& part, const std::vector<int>& loop) {
   const std::set<int> on_loop(loop.begin(), loop.end());
   for (auto& boundary : boundary_loops(part.surface.triangles))
@@ -105,8 +105,7 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   const std::vector<double> f(height.begin(), height.end());
   SurfaceEditor editor(surface);
   auto loop = split_level_set(editor, f, curve.edges);
-  if (loop.empty()) {  // a surface too coarse or too irregular for snapping is always cut cleanly
-                       // without it
+  if (loop.empty()) {  // too coarse or irregular for snapping: cut exactly, without snapping
     EditTolerances exact;
     exact.snap = 0;
     editor = SurfaceEditor(surface, exact);
@@ -122,7 +121,7 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
                      (parts.size() == 1 ? " part" : " parts") +
                      ", expected it to divide the vessel in two");
 
-  // Which part holds the end to keep? Vertices of an end are never touched by the cut.
+  // The part with the end to keep. The cut never changes vertices of an end.
   size_t nearest = 0;
   double best = std::numeric_limits<double>::infinity();
   Vec3 kept_end = Vec3::Zero();
@@ -154,7 +153,7 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
   for (size_t k = 0; k < outcome.mouth.size(); ++k)
     polygon.points.row(static_cast<Eigen::Index>(k)) = kept.surface.points.row(outcome.mouth[k]);
   outcome.center = section_centroid(polygon);
-  // A loop with the surface on its left has an area vector that points into the surface.
+  // The surface is on the left of the loop, so the area vector points into the surface.
   outcome.normal =
       area_vector(kept.surface.points, outcome.mouth).dot(normal) > 0 ? Vec3(-normal) : normal;
 

@@ -1,5 +1,4 @@
-// The cut of the Glenn operation: a vessel divided by the plane of one of its sections (design.md
-// section 2, step 1).
+// The cut of the Glenn operation: the plane of a section divides a vessel.
 #pragma once
 
 #include <vector>
@@ -10,26 +9,27 @@
 
 namespace vasorod {
 
+/// A cut vessel.
 struct CutOutcome {
-  TriangleSurface kept;  ///< the part that holds the end asked for; the input's vertices in their
-                         ///< order, new ones after
+  /// The part with the end to keep: the input's vertices in their order, then new ones.
+  TriangleSurface kept;
   VertexSources kept_sources;  ///< in the input surface
-  std::vector<int>
-      mouth;  ///< the new end: vertices of `kept` in boundary order (the surface on the left)
+  /// The new end: vertices of `kept` in boundary order (the surface on the left).
+  std::vector<int> mouth;
   TriangleSurface stump;  ///< the other part, its mouth closed by a flat cap
-  VertexSources
-      stump_sources;     ///< in the input surface; the cap's inner vertices come from the mouth's
-  double perimeter = 0;  ///< of the mouth, length unit
+  /// In the input surface. The cap's inner vertices are means of the mouth's.
+  VertexSources stump_sources;
+  double perimeter = 0;        ///< of the mouth, length unit
   Vec3 center = Vec3::Zero();  ///< centroid of the mouth's polygon, length unit
-  Vec3 normal = Vec3::Zero();  ///< unit, of the plane, out of the kept part
+  Vec3 normal = Vec3::Zero();  ///< unit normal of the plane, out of the kept part
 };
 
-/// Divides the surface along the plane through section.position with normal section d3. Only the
-/// curve round the section is cut, wherever else the plane meets the vessel; `pick` says which
-/// curve where none encloses the position. The part with the open end nearest to `keep_near` is
-/// kept. The mouth lies on the plane to rounding, and no edge made here is shorter than 5 % of the
-/// mean edge. Throws InputError when the cut misses the vessel, meets an open end, does not divide
-/// the vessel in two, or would leave nothing.
+/// Divides the surface along the plane through section.position with the normal d3 of the section.
+/// Only the curve around the section is cut, not other curves of the plane and the vessel; if no
+/// curve encloses the position, `pick` selects the curve. The part with the open end nearest to
+/// `keep_near` is kept. The mouth lies on the plane to rounding, and no new edge is shorter than
+/// 5 % of the mean edge. Throws InputError if the cut misses the vessel, meets an open end, does
+/// not divide the vessel in two, or would leave nothing.
 CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const Vec3& pick,
                       const Vec3& keep_near);
 

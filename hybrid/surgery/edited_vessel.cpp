@@ -10,7 +10,7 @@
 namespace vasorod {
 namespace {
 
-// The loop of the edited surface that an end's loop has become; empty when it is gone.
+// The loop of the edited surface that corresponds to an end's loop; empty if there is none.
 std::vector<int> surviving_loop(const VesselEnd& end, const std::vector<std::vector<int>>& loops,
                                 const VertexSources& sources) {
   const std::set<int> before(end.loop.begin(), end.loop.end());
@@ -33,7 +33,7 @@ std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& 
     for (int k = 0; k < 3; ++k) around[index(input(t, k))].push_back(t);
   std::vector<int> from(static_cast<size_t>(edited.rows()), 0);
   for (int t = 0; t < edited.rows(); ++t) {
-    // The input triangle that shares the most weight with the edited one's three corners.
+    // The input triangle with the largest share in the three corners of the edited triangle.
     std::map<int, double> share;
     for (int k = 0; k < 3; ++k) {
       const VertexSource& source = sources[index(edited(t, k))];

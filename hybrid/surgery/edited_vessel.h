@@ -1,4 +1,4 @@
-// What belongs to a surface follows an edit of it: arrays, branch labels, ends, binding.
+// Updates a vessel after an edit of its surface: arrays, branch labels, ends, binding.
 #pragma once
 
 #include "geometry/vertex_source.h"
@@ -6,18 +6,19 @@
 
 namespace vasorod {
 
-/// For each edited triangle the input triangle it is a part of.
+/// The input triangle that contains each edited triangle.
 std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& sources,
                                   const Triangles& input);
 
-/// Puts an edited surface in place of the vessel's. Point arrays are interpolated (integer ones
-/// take the dominant source's value), cell arrays follow their triangle, ends keep their loops; an
-/// end whose loop is gone is dropped. Returns, for each end there was, its index now or -1. The
-/// binding is left stale: bind_again().
+/// Replaces the vessel's surface by an edited one. Point arrays are interpolated (integer arrays
+/// take the value of the dominant source), cell arrays follow their triangle, ends keep their
+/// loops; an end without a loop is removed. Returns the new index of each old end, or -1. The
+/// binding is then out of date: call bind_again().
 std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edited,
                              const VertexSources& sources);
 
-/// Binds every vertex anew to the vessel's rest rod [6]; nothing is interpolated.
+/// Computes the binding of all vertices to the vessel's rest rod again [6]; nothing is
+/// interpolated.
 void bind_again(PreparedVessel& vessel);
 
 }  // namespace vasorod

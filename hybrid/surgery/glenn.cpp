@@ -22,7 +22,7 @@
 namespace vasorod {
 namespace {
 
-// A pick on a vessel: its rod coordinates, the section's rest frame and the mid-wall radius there.
+// A pick on a vessel: rod coordinates, rest frame of the section and mid-wall radius.
 struct Pick {
   RodCoordinates at;
   Pose section;
@@ -46,8 +46,7 @@ Pick locate(const std::string& where, const char* what, const PreparedVessel& ve
   return pick;
 }
 
-// Arc length of the part of a tree between two of its nodes, one of which is the root or a branch's
-// end.
+// Arc length between two nodes of a tree, one of which is the root or the end of a branch.
 double path_length(const RodTree& rod, int from, int to) {
   std::vector<double> along(rod.rest.size(), 0);
   for (const RodBranch& branch : rod.branches)
@@ -58,8 +57,8 @@ double path_length(const RodTree& rod, int from, int to) {
   return std::abs(along[index(from)] - along[index(to)]);
 }
 
-// The conditions of the kept rod: those at nodes that are still there, and a clamp at the kept far
-// end where the scene says nothing of it.
+// The conditions of the kept rod: those at remaining nodes, and a clamp at the kept far end if the
+// scene has no entry for it.
 VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept,
                                  const std::vector<int>& end_now, int kept_node) {
   VesselConditions now;
@@ -87,8 +86,8 @@ Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedV
   return {title, {svc.vessel.surface, rpa.vessel.surface}, {svc.spec.name, rpa.spec.name}};
 }
 
-// Step 1: the section's plane cuts the surface, the rod is split there, the part with the kept end
-// goes on.
+// Step 1: the section's plane cuts the surface and splits the rod; the part with the kept end
+// remains.
 void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
          VesselConditions& conditions, GlennOperation& operation) {
   const Pick pick = locate(where, "cut", svc, spec.cut);
@@ -114,7 +113,7 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
   svc.vessel.ends.push_back({outcome.mouth, outcome.center, outcome.normal, kept.cut_node});
   conditions = kept_conditions(conditions, kept, end_now, kept_node);
   svc.vessel.rod = kept.tree;
-  svc.vessel.branch_of.clear();  // which branches are left is the binding's to find
+  svc.vessel.branch_of.clear();  // bind_again() finds the remaining branches
   svc.node_thickness.assign(kept.tree.rest.size(), svc.thickness());
   bind_again(svc);
 }
@@ -128,7 +127,7 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   GlennOperation operation;
   operation.report.svc = svc.spec.name;
   operation.report.rpa = rpa.spec.name;
-  const Pick pick = locate(where, "incision", rpa, spec.incision);  // before anything is changed
+  const Pick pick = locate(where, "incision", rpa, spec.incision);  // before any change
 
   options.progress("cut");
   cut(where, spec, svc, svc_conditions, operation);
@@ -148,9 +147,9 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   follow_edit(rpa, incision.surface, incision.sources);
   operation.stages.push_back(stage("incision", svc, rpa));
 
-  // Step 3: the mouth's pose, the rotation that twists the vein least, and what meets what.
+  // Step 3: the mouth's pose, the rotation with the least twist, and the pairs of the seam.
   options.progress("pose of the vein");
-  // At angle 0 the mouth's section is turned from rest no more than its axis asks.
+  // At angle 0 the mouth's section has the smallest rotation from rest that aligns its axis.
   Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0,
                           operation.mouth_is_branch_end);
   const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];

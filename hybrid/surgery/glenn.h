@@ -1,5 +1,5 @@
-// The Glenn operation on two prepared vessels, all of it in the rest configuration (design.md
-// section 2): cut the vein, open the incision, pose the vein's rod, pair mouth and rim.
+// The Glenn operation on two prepared vessels in the rest configuration: cut the vein, open the
+// incision, place the vein's rod, pair mouth and rim.
 #pragma once
 
 #include <array>
@@ -15,29 +15,32 @@
 
 namespace vasorod {
 
+/// The outcome of an operation.
 struct GlennOperation {
-  GlennReport report;  ///< seam gaps and opened area still zero: they belong to a solution
-  RodSolution
-      vein;  ///< equilibrium of the kept vein's rod between its far end and the mouth's pose
+  GlennReport report;  ///< without seam gaps and opened area, which belong to a solution
+  /// Equilibrium of the kept vein's rod between its far end and the mouth's pose.
+  RodSolution vein;
   int mouth_node = 0;  ///< rod node of the mouth
-  bool mouth_is_branch_end =
-      true;               ///< the rod runs towards the mouth; false: the mouth is its root
-  TriangleSurface stump;  ///< what the cut leaves behind, closed
-  std::vector<std::array<int, 2>>
-      pairs;  ///< {vertex of the vein, vertex of the recipient}, in order round the seam
+  /// True: the mouth is the end of the rod; false: the mouth is the rod's root.
+  bool mouth_is_branch_end = true;
+  TriangleSurface stump;  ///< closed surface of the part cut off
+  /// {vertex of the vein, vertex of the recipient}, in order around the seam.
+  std::vector<std::array<int, 2>> pairs;
   std::vector<Stage> stages;  ///< "cut" and "incision", with the two vessels
 };
 
+/// Options of `operate`.
 struct GlennOptions {
-  RodOptions rod;
+  RodOptions rod;  ///< options of the rod solver
+  /// Called with one line of text at each step.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
-/// Operates on `svc` and `rpa` in place: their surfaces, arrays, rods and bindings become those
-/// after surgery (points in the input's order where surgery left them, new ones after).
-/// `svc_conditions` loses the ends that went with the stump and gains a clamp at the kept far end
-/// where the scene says nothing of it, and the mouth's pose. Throws InputError on picks more than a
-/// radius off their vessel, a cut that leaves nothing, an incision that does not fit.
+/// Operates on `svc` and `rpa` in place: surfaces, arrays, rods and bindings become those after
+/// surgery (remaining points in the input's order, then new ones). `svc_conditions` loses the ends
+/// of the stump. It gains the pose of the mouth and, if the scene has no entry for the kept far
+/// end, a clamp there. Throws InputError for picks more than a radius off their vessel, a cut that
+/// leaves nothing, or an incision that does not fit.
 GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc,
                        PreparedVessel& rpa, VesselConditions& svc_conditions,
                        const GlennOptions& options = {});

@@ -13,7 +13,7 @@
 namespace vasorod {
 namespace {
 
-// Arc length of every vertex's section from the rod's root; beyond a rod's end z goes on counting.
+// Arc length of every vertex's section from the rod's root, extended by z beyond the rod's ends.
 Eigen::VectorXd arc_length(const RodTree& rod, const Binding& binding) {
   std::vector<double> at_node(static_cast<size_t>(rod.node_count()), 0);
   for (const RodBranch& branch : rod.branches)

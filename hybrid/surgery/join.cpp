@@ -13,22 +13,22 @@
 namespace vasorod {
 namespace {
 
-// A corner of one of the loops, by arc length from where the matching starts, both counted along
-// the mouth.
+// A corner of one of the loops, by arc length from the start of the matching, counted along the
+// mouth for both loops.
 struct Corner {
   double position;  // length unit
   int index;        // into the loop
 };
 
-// A vertex both loops will have. Index -1: the loop has no corner there, its edge is split at the
+// A vertex of both loops. Index -1: the loop has no corner there, its edge is split at the
 // position.
 struct Knot {
   Corner mouth, rim;
 };
 
-// Pairs the corners of two stretches that begin and end together: the two that are closest, in
-// fractions of their stretches, if closer than `tolerance`, then what is left and right of them;
-// those left over have no counterpart.
+// Pairs the corners of two stretches with common ends: first the two closest ones, in fractions of
+// their stretches, if closer than `tolerance`; then the parts to the left and right of that pair.
+// The remaining corners have no counterpart.
 class Matching {
  public:
   Matching(double tolerance, std::vector<Knot>& knots) : tolerance_(tolerance), knots_(knots) {}
@@ -122,7 +122,7 @@ std::vector<Knot> match(const LoopCurve& mouth, const LoopCurve& rim, double off
   return knots;
 }
 
-// The shortest piece a loop's edges would be split in.
+// The shortest piece that would result from splitting a loop's edges.
 double shortest_piece(const std::vector<Knot>& knots, Corner Knot::*loop, double length) {
   double shortest = std::numeric_limits<double>::infinity();
   for (size_t k = 0; k < knots.size(); ++k) {
@@ -134,7 +134,7 @@ double shortest_piece(const std::vector<Knot>& knots, Corner Knot::*loop, double
   return shortest;
 }
 
-// The vertex of every knot, splitting the loop's edges where it has no corner.
+// The vertex of every knot; splits the loop's edges where it has no corner.
 std::vector<int> knot_vertices(SurfaceEditor& editor, const std::vector<int>& loop,
                                const std::vector<Knot>& knots, Corner Knot::*side, double length) {
   std::vector<int> vertices(knots.size(), -1);
@@ -146,7 +146,7 @@ std::vector<int> knot_vertices(SurfaceEditor& editor, const std::vector<int>& lo
       continue;
     }
     size_t next =
-        k + 1;  // the first knot is a corner of both loops, so there is one before and one after
+        k + 1;  // the first knot is a corner of both loops, so knots exist before and after
     while ((knots[next % n].*side).index < 0) ++next;
     const double end = next >= n ? length : (knots[next].*side).position;
     const double begin = (knots[k - 1].*side).position;
@@ -180,9 +180,9 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   const double length = (mouth_curve.length() + rim_curve.length()) / 2;
   const double fine = std::min(svc_editor.mean_edge(), rpa_editor.mean_edge());
   const double coarse = std::max(svc_editor.mean_edge(), rpa_editor.mean_edge());
-  // Where corners of one loop stand close together, a short piece may be left on the other. Among
-  // tolerances, and shifts of a fraction of an edge, that differ little the first without one, or
-  // the best, is taken.
+  // Where corners of one loop are close together, a short piece may remain on the other. Tries
+  // several tolerances, and shifts by a fraction of an edge, and takes the first without a short
+  // piece, or the best.
   std::vector<Knot> knots;
   double best = -1;
   for (const double shift : {0.0, 0.1, -0.1, 0.2, -0.2})
@@ -203,7 +203,7 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   const auto finish = [](SurfaceEditor& editor, const std::vector<int>& loop) {
     const std::set<int> on_loop(loop.begin(), loop.end());
     editor.improve([&](int a, int b) { return on_loop.contains(a) && on_loop.contains(b); });
-    return editor.whole();  // nothing was removed: the editor's indices are the surface's
+    return editor.whole();  // no vertex was removed: the editor's indices are the surface's
   };
   auto svc_part = finish(svc_editor, on_mouth), rpa_part = finish(rpa_editor, on_rim);
   outcome.svc = std::move(svc_part.surface);
@@ -211,7 +211,7 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   outcome.rpa = std::move(rpa_part.surface);
   outcome.rpa_sources = std::move(rpa_part.sources);
 
-  // In the rim's order: against the mouth's.
+  // In the rim's order, the reverse of the mouth's.
   const auto first = std::find(on_rim.begin(), on_rim.end(), rim.front()) - on_rim.begin();
   const auto n = static_cast<std::ptrdiff_t>(on_rim.size());
   for (std::ptrdiff_t k = 0; k < n; ++k) {

@@ -59,8 +59,8 @@ double VeinRotation::largest_twist_shear(double angle) {
 }
 
 double VeinRotation::find() {
-  // From rest to the least turned pose, and from there both ways round in small steps, so that
-  // every angle is reached with the twist it means and not with a turn more or less.
+  // From rest to angle 0, and from there in small steps in both directions, so that every angle is
+  // reached with its own twist, without a full turn more or less.
   at(0);
   for (int k = 1; k <= 12; ++k)
     for (const double sign : {1.0, -1.0}) at(sign * k * M_PI / 12);

@@ -5,8 +5,8 @@
 
 namespace vasorod {
 
-/// Arc length of the curve from its start, by 5-point Gauss quadrature on every knot interval;
-/// negative before the start.
+/// Arc length of the curve from its start, by 5-point Gauss quadrature on every knot interval.
+/// Negative before the start.
 class ArcLength {
  public:
   explicit ArcLength(const Spline<3>& axis) : axis_(axis) {

@@ -26,8 +26,8 @@ ArcSlices slice_arc(const TriangleSurface& surface, const Eigen::VectorXd& area,
                     const Eigen::VectorXd& level, const FlowArc& arc, double radius) {
   double total = 0;
   for (const int v : arc.vertices) total += area[v];
-  // Equal areas are nearly equal lengths. The small number keeps a count that is a whole number up
-  // to round-off.
+  // Equal areas are nearly equal lengths. The small number keeps counts that are integers up to
+  // round-off.
   const double wanted = total / (M_PI * radius * radius);
   const int count = std::clamp(static_cast<int>(std::ceil(wanted - 1e-6)), 1,
                                std::max(1, static_cast<int>(arc.vertices.size()) / 6));
@@ -71,9 +71,9 @@ Vec3 direction(const Vec3& from, const Vec3& to) {
   return length > 0 ? Vec3((to - from) / length) : Vec3::Zero();
 }
 
-// The child that goes on: the section's area times how straight it leaves, because a wide vessel
-// that turns away (the aortic arch) is still the same vessel, and of two equal branches the
-// straighter one is.
+// The child that continues the path: the one with the largest section area times straightness. A
+// wide vessel that turns (the aortic arch) is still the same vessel; of two equally wide branches,
+// the straighter one continues.
 int continuation(const std::vector<ArcSlices>& arcs, const std::vector<Slice>& before,
                  const std::vector<int>& children) {
   const Vec3 last = before.back().center;
@@ -100,7 +100,7 @@ int continuation(const std::vector<ArcSlices>& arcs, const std::vector<Slice>& b
 }
 
 // Position along the path from the level, through the slices' centres. `first`: where the first
-// path begins; a branch is prolonged from its first slices.
+// path begins. A branch is extrapolated from its first slices.
 void place(AxisPath& path, const Eigen::VectorXd& level, const std::vector<Slice>& slices,
            const Vec3* first, const Vec3& last) {
   std::vector<double> levels, lengths;

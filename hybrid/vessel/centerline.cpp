@@ -126,7 +126,7 @@ class TreeFit {
   }
 
  private:
-  // Whether path k begins on another's axis that is already there.
+  // Whether path k begins on the axis of another path that is already fitted.
   bool has_parent(size_t k) const {
     const int parent = fits[k].curve.parent;
     return parent >= 0 && !fits[static_cast<size_t>(parent)].stub();
@@ -142,7 +142,7 @@ class TreeFit {
     return range;
   }
 
-  // Where the sections of path k are not whole: beyond the innermost point of an end, and where
+  // Where the sections of path k are not closed: beyond the innermost point of an end, and where
   // paths meet.
   void find_broken(size_t k) {
     PathFit& fit = fits[k];
@@ -162,8 +162,8 @@ class TreeFit {
       }
       const PathFit& other = fits[static_cast<size_t>(contact.other)];
       if (other.curve.parent == static_cast<int>(k)) {
-        // Upstream of the border the wall already widens towards the branch, by about the branch's
-        // radius.
+        // Upstream of the border the wall already widens towards the branch, over about the
+        // branch's radius.
         fit.curve.forks.push_back(range);
         fit.broken.push_back({range[0] - other.radius(), range[1] + 0.3 * other.radius()});
       } else {
@@ -171,16 +171,16 @@ class TreeFit {
       }
     }
     if (fit.curve.parent >= 0) {
-      // A branch too short for whole sections gets a straight axis.
+      // A branch too short for closed sections gets a straight axis.
       straight_[k] = own_start > fit.curve.axis.end - 0.5 * fit.radius() ? 1 : 0;
       fit.curve.clean_start = straight_[k] ? fit.curve.axis.end : own_start;
       fit.broken.push_back({-far, straight_[k] ? far : own_start});
     }
   }
 
-  // Lets path k begin on its parent's axis, where its own axis prolonged straight comes closest
-  // (without whole sections: at the point closest to its end). Returns the distance from there to
-  // its first whole section.
+  // Starts path k on its parent's axis, where the straight continuation of its own axis comes
+  // closest (without closed sections: at the point closest to its end). Returns the distance from
+  // there to its first closed section.
   double attach(size_t k) {
     PathFit& fit = fits[k];
     const PathFit& parent = fits[static_cast<size_t>(fit.curve.parent)];
@@ -210,7 +210,7 @@ class TreeFit {
   const TriangleSurface& surface_;
   const std::vector<std::vector<int>>& loops_;
   const AxisPaths& paths_;
-  std::vector<char> straight_;  // per path: too short for whole sections
+  std::vector<char> straight_;  // per path: too short for closed sections
   std::vector<std::vector<Contact>> contacts_;
 };
 

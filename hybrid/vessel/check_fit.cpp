@@ -11,8 +11,8 @@
 namespace vasorod {
 namespace {
 
-// Beyond this share of the radius of curvature the fit's own error may take a section to its
-// centre.
+// Beyond this share of the radius of curvature, the fit's own error may move a section to its
+// centre of curvature.
 constexpr double largest_bend = 0.95;
 
 // "12.5 along the axis, near (0, 0, 12.5)"
@@ -39,7 +39,7 @@ void check_inside(const RodTree& rod, const TriangleSurface& surface) {
   for (size_t n = 0; n < rod.rest.size(); ++n) {
     const ClosestPoint::Hit hit = wall.query(rod.rest[n].position);
     if (hit.on_boundary || hit.signed_distance < 0)
-      continue;  // beside an end's rim there is no side
+      continue;  // beside the rim of an end, inside and outside are not defined
     refuse(place(rod, static_cast<int>(n)), ": found the axis ", hit.signed_distance,
            " outside the surface, expected a tubular vessel whose sections hold their own centre");
   }
@@ -49,7 +49,7 @@ void check_bend(const RodTree& rod) {
   const RodSearch search(rod);
   for (size_t k = 0; k < rod.elements.size(); ++k) {
     const RodElement& e = rod.elements[k];
-    if (search.at_fork(static_cast<int>(k))) continue;  // there the axis turns into the branch
+    if (search.at_fork(static_cast<int>(k))) continue;  // the axis turns into the branch there
     const double radius = std::max(rod.radius[static_cast<size_t>(e.first)],
                                    rod.radius[static_cast<size_t>(e.second)]);
     const double curvature = e.rest_strain.segment<2>(3).norm();

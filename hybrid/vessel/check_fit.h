@@ -1,5 +1,5 @@
-// Whether a fitted rod can stand for its vessel. Each check throws InputError: one sentence that
-// says where along the axis.
+// Checks whether a fitted rod can represent its vessel. Each check throws InputError: one sentence
+// with the place along the axis.
 #pragma once
 
 #include "vessel/vessel.h"
@@ -9,10 +9,10 @@ namespace vasorod {
 /// The axis runs inside the surface.
 void check_inside(const RodTree& rod, const TriangleSurface& surface);
 
-/// Sections do not reach the axis' centre of curvature.
+/// No section reaches the axis's centre of curvature.
 void check_bend(const RodTree& rod);
 
-/// No wall is thicker than the vessel's mid-wall radius there. `thickness`: per node, length.
+/// The wall is nowhere thicker than the mid-wall radius. `thickness`: per node, length.
 void check_thickness(const RodTree& rod, const std::vector<double>& thickness);
 
 }  // namespace vasorod

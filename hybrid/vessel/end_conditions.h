@@ -1,4 +1,4 @@
-// From a scene's `ends:` to what holds, moves and loads a fitted vessel's rod.
+// Converts a scene's `ends:` to the supports and loads of a fitted vessel's rod.
 #pragma once
 
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace vasorod {
 
-/// One open end that the scene says something about.
+/// One open end with entries in the scene.
 struct ConditionedEnd {
-  std::string label;  ///< as the scene names it: start, end, near(x, y, z)
+  std::string label;  ///< as in the scene: start, end, near(x, y, z)
   int end = 0;        ///< index into Vessel::ends
-  bool rigid =
-      false;  ///< the wall is glued to a disk there: a held, moved or loaded end that is not soft
+  /// The wall is glued to a disk: a held, moved or loaded end whose section is not soft.
+  bool rigid = false;
 };
 
+/// Conditions of one vessel.
 struct VesselConditions {
-  RodConditions rod;
-  std::vector<ConditionedEnd> ends;
-  bool acts = false;  ///< something moves or loads the vessel
+  RodConditions rod;                 ///< supports and loads of the rod
+  std::vector<ConditionedEnd> ends;  ///< the ends with entries
+  bool acts = false;                 ///< something moves or loads the vessel
 };
 
-/// The open end a selector means: `start` holds the lowest point index; `end` is the other of two;
-/// `near` has the nearest centre. Throws InputError (with the scene's line) where that is not one
-/// end.
+/// Index of the selected open end. `start` contains the lowest point index; `end` is the other of
+/// two ends; `near` has the nearest centre. Throws InputError (with the scene's line) if the
+/// selector does not select one end.
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where);
 
-/// All entries of `scene.ends` for this vessel; a load and a fix of one end add up. Throws
-/// InputError where two entries mean one end and exclude each other.
+/// All entries of `scene.ends` for this vessel. A load and a fix of one end are combined. Throws
+/// InputError if two entries for one end exclude each other.
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel);
 
 }  // namespace vasorod

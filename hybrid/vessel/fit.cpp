@@ -14,7 +14,7 @@
 namespace vasorod {
 namespace {
 
-// Everything the fit takes for granted about the surface.
+// Checks the assumptions of the fit about the surface.
 void check(const TriangleSurface& surface, const std::vector<Edge>& edges,
            const std::vector<std::vector<int>>& loops) {
   if (!surface.points.allFinite())
@@ -51,8 +51,8 @@ void check(const TriangleSurface& surface, const std::vector<Edge>& edges,
                      " handle(s): its branches close a ring; expected a tree of tubes");
 }
 
-// The branch whose section carries each vertex. A vertex belongs to the curve whose arc it lies on;
-// near a fork to the one it is closer to, measured in radii.
+// The branch whose section contains each vertex. A vertex belongs to the curve on whose arc it
+// lies; near a fork, to the closer curve, with distances measured in radii.
 std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& centerline,
                              const RestRod& rod) {
   const auto n = static_cast<size_t>(surface.points.rows());
@@ -62,7 +62,7 @@ std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& c
   std::vector<int> every(rod.tree.branches.size());
   for (size_t k = 0; k < every.size(); ++k) every[k] = static_cast<int>(k);
   for (size_t c = 0; c < centerline.curves.size(); ++c) {
-    // Where this curve's vertices may lie on another's wall: the curve itself, its parent, its
+    // Where this curve's vertices may lie on the wall of another: the curve itself, its parent, its
     // children.
     std::vector<int> around = rod.branches_of[c];
     const int parent = centerline.curves[c].parent;

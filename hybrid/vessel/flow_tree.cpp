@@ -31,8 +31,8 @@ struct Neighbours {
   }
 };
 
-// Half the sum of the cotangents opposite the edge, held positive and bounded: the maximum
-// principle needs the first, degenerate triangles the second.
+// Half the sum of the cotangents opposite the edge, kept positive and bounded: positive for the
+// maximum principle, bounded for degenerate triangles.
 double edge_weight(const Points& points, const Edge& e) {
   double sum = 0;
   for (const int o : e.opposite) {
@@ -46,8 +46,8 @@ double edge_weight(const Points& points, const Edge& e) {
 
 Eigen::VectorXd flow_potential(const TriangleSurface& surface, const std::vector<Edge>& edges,
                                const std::vector<std::vector<int>>& loops) {
-  // Unknowns: the far ends, one each (the potential is constant on an end), then the inner
-  // vertices. -1: known.
+  // Unknowns: one per far end (the potential is constant on an end), then the inner vertices. -1:
+  // known.
   const auto n = static_cast<size_t>(surface.points.rows());
   std::vector<char> used(n, 0);
   for (const Edge& e : edges) used[static_cast<size_t>(e.a)] = used[static_cast<size_t>(e.b)] = 1;
@@ -97,7 +97,7 @@ FlowTree flow_tree(const TriangleSurface& surface, const std::vector<Edge>& edge
   tree.level = flow_potential(surface, edges, loops);
   tree.arc_of.assign(n, -1);
 
-  // The sweep goes down from the far ends; `current` is the arc a finished arc has merged into.
+  // Sweeps down from the far ends. `current` is the arc that a finished arc has merged into.
   std::vector<FlowArc> arcs;
   std::vector<int> current;
   auto find = [&](int arc) {
@@ -150,7 +150,7 @@ FlowTree flow_tree(const TriangleSurface& surface, const std::vector<Edge>& edge
     settle(v, meeting.front());
   }
 
-  // Arcs were made from the ends to the root: turn the order round, so that parents stand first.
+  // The arcs were made from the ends to the root. Reverse the order: parents before children.
   const int count = static_cast<int>(arcs.size());
   for (FlowArc& arc : arcs) {
     if (arc.parent >= 0) arc.parent = count - 1 - arc.parent;

@@ -9,8 +9,8 @@
 namespace vasorod {
 namespace {
 
-constexpr double outside_tube =
-    1.2;  // distance from the parent's axis over its radius from which a point stands out
+// Distance from the parent's axis over its radius beyond which a point lies outside the tube.
+constexpr double outside_tube = 1.2;
 constexpr double inside_tube = 1.1;
 
 }  // namespace
@@ -41,13 +41,13 @@ AxisPaths redraw_borders(const TriangleSurface& surface, const std::vector<Edge>
       window = {std::min(window[0], position[a] - reach), std::max(window[1], position[a] + reach)};
     }
     const double middle = 0.5 * (window[0] + window[1]);
-    // Distance from the parent's axis over its radius there; `middle` guesses for points of the
+    // Distance from the parent's axis over its radius there; `middle` is a guess for points of the
     // branch.
     auto ratio = [&](size_t v, double guess) {
       const double u = at(v, guess);
       return (point(v) - curve.axis(u)).norm() / std::max(curve.radius(u)[0], 0.25 * old[c].radius);
     };
-    // Spread from either side across the edges until nothing changes: a border moves by a few rows.
+    // Moves the border from both sides across edges until nothing changes, usually by a few rows.
     for (bool changed = true; changed;) {
       changed = false;
       for (const Edge& e : edges) {

@@ -13,21 +13,21 @@ namespace vasorod {
 namespace {
 
 constexpr double knot_spacing = 0.5;  // of the radius
-constexpr double cut_off =
-    4.0;  // wavelength over radius at which full smoothing halves an undulation
-constexpr double ramp =
-    0.3;  // width over radius in which whole sections beside broken ones fade in
+// Wavelength over radius at which full smoothing halves an undulation.
+constexpr double cut_off = 4.0;
+// Width over radius in which closed sections beside open ones fade in.
+constexpr double ramp = 0.3;
 
 using Interval = std::array<double, 2>;
 
-// 0 inside the interval, rising to 1 outside it: vertices of one section get one weight, whatever
-// the round-off in their positions, and no vertex counts whose section is broken, for it would pull
-// the axis further to its side.
+// 0 inside the interval, increasing to 1 outside it. Vertices of one section get the same weight,
+// whatever the round-off in their positions. Vertices of open sections have no weight: they would
+// pull the axis to their side.
 double outside(double u, const Interval& interval, double width) {
   return std::clamp(std::max(interval[0] - u, u - interval[1]) / width, 0.0, 1.0);
 }
 
-// Penalty that halves undulations of wavelength cut_off * radius when every section is whole.
+// Penalty that halves undulations of wavelength cut_off * radius if every section is closed.
 double penalty_for(double interval_weight, double step, double radius, int order) {
   return interval_weight / std::pow(2 * std::sin(M_PI * step / (cut_off * radius)), 2 * order);
 }
@@ -41,7 +41,7 @@ double section_through(const Spline<3>& axis, const Vec3& p, double u, double ra
     const double slope = std::max(tangent.squaredNorm() - d.dot(bend), 0.1 * tangent.squaredNorm());
     const double step = std::clamp(d.dot(tangent) / slope, -radius, radius);
     u += step;
-    if (std::abs(step) < 1e-10 * radius) break;  // the next step would be its square
+    if (std::abs(step) < 1e-10 * radius) break;  // quadratic: the next step is about step^2
   }
   return u;
 }
@@ -104,25 +104,25 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
   const double share = 2 * M_PI * radius() * axis.step();
   std::vector<SplineDatum<3>> data;
   data.reserve(u_.size() + 2);
-  // What is smoothed: the value itself, or twice the value less the present axis there.
+  // The data to smooth: the value itself, or twice the value minus the current axis there.
   auto add = [&](double u, double u_before, double w, const Vec3& value) {
     data.push_back({u, w, correct ? Vec3(2 * value - present(u_before)) : value});
   };
   for (size_t i = 0; i < u_.size(); ++i)
     if (weights[i] > 0) add(u_[i], before[i], weights[i], point(path_.vertices[i]));
-  // An end's centre counts as much as half a radius of whole sections: alone it decides where an
-  // oblique end breaks the sections, and its noise is averaged out where it does not.
+  // The centre of an end weighs as much as half a radius of closed sections. Where an oblique end
+  // opens the sections, the centre alone decides; elsewhere its noise is averaged out.
   const double end_weight = M_PI * radius() * radius();
   if (first) data.push_back({axis.start, end_weight, *first});
   add(axis.end, present.end, end_weight, last);
-  // The second difference decides only where no data do.
+  // The second difference matters only where there are no data.
   fit_penalised(axis, data,
                 {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
   curve.axis = std::move(axis);
 }
 
-// Ways along edges are longer than the axis they surround; an axis much longer than those has lost
-// its rows of vertices and would grow without end.
+// Paths along edges are longer than the axis that they surround. An axis much longer than these
+// paths has lost its rows of vertices and would grow without bound.
 void PathFit::check_length() const {
   const double on_edges = path_.finish - path_.start;
   if (end_ - start_ > 2 * on_edges + 10 * radius())
@@ -144,7 +144,7 @@ void PathFit::fit_radius() {
     d.value[0] = (point(path_.vertices[i]) - curve.axis(u_[i])).norm();
     if (d.weight > 0) data.push_back(d);
   }
-  // Where there are no whole sections the typical radius stands in; beside data it weighs nothing.
+  // Without closed sections, the typical radius is used; next to data its weight is negligible.
   for (const double u : {curve.axis.start, curve.axis.end})
     data.push_back({u, 1e-9 * share, Eigen::Matrix<double, 1, 1>(radius())});
   fit_penalised(curve.radius, data, {penalty_for(share, curve.axis.step(), radius(), 2), 0});
@@ -163,14 +163,14 @@ double PathFit::roughness() const {
   return total > 0 ? std::sqrt(sum / total) / radius() : 1;
 }
 
-// What vertex i stands for; 0 where its section is broken.
+// The weight of vertex i; 0 where its section is open.
 double PathFit::weight(size_t i) const {
   double w = std::max(share_[i], 0.0);
   for (const Interval& interval : broken) w *= outside(u_[i], interval, ramp * radius());
   return w;
 }
 
-// Angle of every vertex about the axis, from frames that do not twist.
+// Angle of every vertex about the axis, in twist-free frames.
 std::vector<double> PathFit::directions() const {
   const int samples = 2 * curve.axis.intervals;
   const double step = (curve.axis.end - curve.axis.start) / samples;
@@ -178,7 +178,7 @@ std::vector<double> PathFit::directions() const {
   for (int k = 0; k <= samples; ++k) {
     const Vec3 t = curve.axis.derivative(curve.axis.start + k * step).normalized();
     Mat3& frame = frames[static_cast<size_t>(k)];
-    if (k == 0)  // any direction does that moves with the surface
+    if (k == 0)  // any direction that moves with the surface
       frame.col(0) = point(path_.vertices.front()) - curve.axis(curve.axis.start);
     else
       frame = frames[static_cast<size_t>(k) - 1];

@@ -10,7 +10,7 @@
 namespace vasorod {
 namespace {
 
-// Thickness at the rod's nodes: the wall's, or where a generated tube's wall tapers, linear in arc
+// Thickness at the rod's nodes: the wall's, or, if a generated tube's wall tapers, linear in arc
 // length.
 std::vector<double> node_thickness(const PreparedVessel& prepared) {
   const RodTree& rod = prepared.vessel.rod;

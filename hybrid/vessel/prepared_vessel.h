@@ -1,5 +1,5 @@
-// A vessel of a scene, ready for the solvers: surface read, rod fitted and given the wall's
-// stiffness.
+// A vessel of a scene, ready for the solvers: its surface is read, its rod is fitted and has the
+// wall's stiffness.
 #pragma once
 
 #include <vasorod/scene.h>
@@ -9,19 +9,20 @@
 
 namespace vasorod {
 
+/// A vessel of a scene, ready for the solvers.
 struct PreparedVessel {
-  VesselSpec spec;
+  VesselSpec spec;                     ///< the vessel in the scene
   LoadedSurface loaded;                ///< arrays and report; its surface has moved to `vessel`
-  Vessel vessel;                       ///< an obstacle has only its surface; its rod is empty
+  Vessel vessel;                       ///< an obstacle has only a surface; its rod is empty
   std::vector<double> node_thickness;  ///< wall thickness at each rod node, length
 
   bool obstacle() const { return spec.role == Role::obstacle; }
   double thickness() const { return spec.wall ? spec.wall->thickness : 0; }
-  /// From the given surface outwards to the wall's outer face, length: 0 where the surface is the
-  /// outer face.
+  /// Distance from the given surface outwards to the wall's outer face, length: 0 if the surface is
+  /// the outer face.
   double outer_offset() const;
-  /// From the given surface outwards to mid-wall, length: negative where the surface is the outer
-  /// face.
+  /// Distance from the given surface outwards to mid-wall, length: negative if the surface is the
+  /// outer face.
   double mid_offset() const;
 };
 

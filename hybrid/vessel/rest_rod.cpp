@@ -10,13 +10,13 @@
 namespace vasorod {
 namespace {
 
-// The shortest rotation that takes unit vector a to unit vector b.
+// The smallest rotation that takes unit vector a to unit vector b.
 Mat3 shortest_rotation(const Vec3& a, const Vec3& b) {
   return Eigen::Quaterniond::FromTwoVectors(a, b).toRotationMatrix();
 }
 
-// The frame at (r, t) that a rotation-minimising frame brings along from `from`, whose d3 is the
-// curve's tangent there.
+// Transports the frame `from`, whose d3 is the curve's tangent there, to (r, t) without rotation
+// about the tangent.
 Pose transported(const Pose& from, const Vec3& r, const Vec3& t) {
   const Vec3 v1 = r - from.position;
   const Vec3 d1 = from.director(1) - 2 / v1.squaredNorm() * v1.dot(from.director(1)) * v1;
@@ -57,7 +57,7 @@ RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first
                      [](const Fork& a, const Fork& b) { return a.u < b.u; });
     auto radius_at = [&](double u) {
       const double typical = centerline.paths.paths[c].radius;
-      // Before its first whole section a branch has no radius of its own.
+      // Before its first closed section, a branch has no radius of its own.
       return std::clamp(curve.radius(std::max(u, curve.clean_start))[0], 0.25 * typical,
                         4 * typical);
     };

@@ -1,4 +1,5 @@
-// A fitted centerline as a reference rod: nodes, twist-free frames, rest strains, branches.
+// Converts a fitted centerline to a reference rod: nodes, twist-free frames, rest strains,
+// branches.
 #pragma once
 
 #include "rod/rod_tree.h"
@@ -6,17 +7,18 @@
 
 namespace vasorod {
 
+/// A reference rod and its relation to the centerline.
 struct RestRod {
   RodTree tree;  ///< rest strain = natural strain, stiffness zero, radius per node
   std::vector<std::vector<int>> branches_of;  ///< per curve: its branches in order
-  std::vector<std::vector<double>>
-      branch_end;  ///< per curve: the parameter at which each of them ends
+  /// Per curve: the parameter at which each of its branches ends.
+  std::vector<std::vector<double>> branch_end;
 };
 
-/// `spacing`: element length over the local radius. `first_point` gives d1 at the root: it lies in
-/// the half plane of d3 and d1. Frames are rotation minimising (double reflection, Wang et al.
-/// 2008); a branch's first frame after a fork is the fork's, turned the shortest way to its own
-/// tangent.
+/// `spacing`: element length over the local radius. `first_point` defines d1 at the root: it lies
+/// in the half plane of d3 and d1. Frames are rotation minimising (double reflection, Wang et al.
+/// 2008). The first frame of a branch after a fork is the fork's frame, rotated by the smallest
+/// angle to the branch's tangent.
 RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first_point);
 
 }  // namespace vasorod

@@ -10,11 +10,11 @@
 namespace vasorod {
 namespace {
 
-constexpr int passes = 2;  // the second fits against the first's poses
-constexpr double band_edges =
-    1.2;  // half width of a band in mean edges, where that is more than an element
-constexpr double thin =
-    1e-3;  // a section seen this much in one direction only has no mean rotation
+constexpr int passes = 2;  // the second pass fits relative to the poses of the first
+// Half width of a band in mean edges, if that is more than an element.
+constexpr double band_edges = 1.2;
+// Relative extent below which a section covers one direction only and has no mean rotation.
+constexpr double thin = 1e-3;
 
 // Vertices of one branch by their arc length.
 struct OnBranch {
@@ -52,7 +52,7 @@ class Sections {
     std::vector<char> done(near.size(), 0);
     for (size_t b = 0; b < rod.branches.size(); ++b) {
       const RodBranch& branch = rod.branches[b];
-      // What each node's section says against `near`; where it is not seen whole, its neighbour's.
+      // The change of each node's section from `near`; if it is not seen whole, its neighbour's.
       std::vector<std::optional<Pose>> change;
       double s = 0;
       for (size_t k = 0; k < branch.nodes.size(); ++k) {
@@ -79,7 +79,7 @@ class Sections {
   }
 
  private:
-  // Each vertex in the frame that `near` carries at its own section.
+  // Each vertex in the frame that `near` has at its own section.
   Points in_frames(const Points& current, const RodPoses& near) const {
     Points local(current.rows(), 3);
     for (Eigen::Index i = 0; i < current.rows(); ++i) {

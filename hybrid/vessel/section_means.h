@@ -1,4 +1,4 @@
-// The rod that a deformed surface implies: each node's pose is the mean pose of its section.
+// The rod implied by a deformed surface: each node's pose is the mean pose of its section.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace vasorod {
 
-/// `current`: the deformed surface. `near`: poses whose sections are roughly there (the solved
-/// rod). `known`: per node the pose where a rigid section gives it; may be empty.
+/// `current`: the deformed surface. `near`: poses close to the sections' (the solved rod). `known`:
+/// per node, the pose where a rigid section gives it; may be empty.
 ///
-/// A node's section is the band of vertices about it, weighted by their area and a hat along the
-/// axis. In the frames of `near` the band is brought to one plane, and the pose is the
-/// least-squares fit of position r and rotation R: r the weighted mean, R from sum A_i (R rho_i) x
-/// (x_i - r) = 0. What the band averages is only the difference to `near`, so the strains between
-/// nodes are second-order accurate in its width.
+/// A node's section is the band of vertices around it, weighted by their area and a hat function
+/// along the axis. In the frames of `near`, the band is brought into one plane. The pose is the
+/// least-squares fit of position r and rotation R: r is the weighted mean, R follows from
+/// sum A_i (R rho_i) x (x_i - r) = 0. The band averages only the difference to `near`, so the
+/// strains between nodes are second-order accurate in its width.
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
                        const std::vector<std::optional<Pose>>& known,
                        const std::vector<char>& unseen = {});

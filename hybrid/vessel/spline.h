@@ -9,7 +9,7 @@
 
 namespace vasorod {
 
-/// A uniform cubic B-spline with values in R^D on [start, end], continued linearly beyond.
+/// A uniform cubic B-spline with values in R^D on [start, end], extended linearly.
 template <int D>
 struct Spline {
   using Value = Eigen::Matrix<double, D, 1>;
@@ -20,7 +20,7 @@ struct Spline {
   double step() const { return (end - start) / intervals; }
 
   /// First control point and the four basis values (order 0) or their derivatives (order 1, 2) at u
-  /// in the domain.
+  /// inside the domain.
   std::pair<int, std::array<double, 4>> basis(double u, int order = 0) const {
     const double x = (u - start) / step();
     const int i = std::clamp(static_cast<int>(std::floor(x)), 0, intervals - 1);
@@ -41,7 +41,7 @@ struct Spline {
     for (size_t k = 0; k < 4; ++k) value += b[k] * control[static_cast<size_t>(i) + k];
     return value;
   }
-  /// Value and first two derivatives together.
+  /// Value, first and second derivative.
   std::array<Value, 3> jet(double u) const {
     if (u < start || u > end) return {(*this)(u), derivative(u), Value::Zero()};
     std::array<Value, 3> values{Value::Zero(), Value::Zero(), Value::Zero()};
@@ -62,20 +62,20 @@ struct Spline {
   Value second(double u) const { return u < start || u > end ? Value::Zero() : sum(u, 2); }
 };
 
-/// One datum: value at u, with a weight.
+/// One data point: value at u, with a weight.
 template <int D>
 struct SplineDatum {
   double u = 0, weight = 0;
   Eigen::Matrix<double, D, 1> value = Eigen::Matrix<double, D, 1>::Zero();
 };
 
-/// Penalties on the squared differences of the control points: `second` leaves straight lines
-/// untouched, `third` parabolas.
+/// Penalties on the squared differences of the control points. `second` does not affect straight
+/// lines, `third` does not affect parabolas.
 struct Smoothing {
   double second = 0, third = 0;
 };
 
-/// Minimises sum weight |spline(u) - value|^2 + the penalties in O(data + intervals). Data outside
+/// Minimises sum weight |spline(u) - value|^2 + the penalties, in O(data + intervals). Data outside
 /// the domain are ignored. `spline` gives domain and intervals; its control points are replaced.
 template <int D>
 void fit_penalised(Spline<D>& spline, const std::vector<SplineDatum<D>>& data,

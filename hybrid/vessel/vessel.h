@@ -11,32 +11,32 @@
 
 namespace vasorod {
 
-/// An open end of a vessel: a boundary loop of the surface and the rod node whose section closes
-/// it.
+/// An open end of a vessel: a boundary loop of the surface, and the rod node of its section.
 struct VesselEnd {
   std::vector<int> loop;         ///< vertex indices in order around the end
-  Vec3 center = Vec3::Zero();    ///< centroid of the end's section
+  Vec3 center = Vec3::Zero();    ///< centroid of the end's section, length
   Vec3 outward = Vec3::UnitZ();  ///< unit normal of the end's section, out of the vessel
   int node = 0;                  ///< rod node at this end: the tree's root or a branch's last node
 };
 
 /// Geometry of a vessel: rest surface, fitted rod, binding. No material.
 struct Vessel {
-  TriangleSurface surface;
-  RodTree rod;                 ///< stiffness still zero; rest_strain = natural_strain
-  std::vector<int> branch_of;  ///< branch index per vertex
-  Binding binding;
-  std::vector<VesselEnd> ends;  ///< ends[0] is `start`: the loop that holds the lowest point index
-  double mean_radius = 0;       ///< mean of RodTree::radius by arc length
+  TriangleSurface surface;      ///< at rest
+  RodTree rod;                  ///< stiffness still zero; rest_strain = natural_strain
+  std::vector<int> branch_of;   ///< branch index per vertex
+  Binding binding;              ///< rod coordinates of the vertices [6]
+  std::vector<VesselEnd> ends;  ///< ends[0] is `start`: its loop has the lowest point index
+  double mean_radius = 0;       ///< mean of RodTree::radius by arc length, length
 };
 
+/// Options of fit_vessel.
 struct FitOptions {
   double spacing = 0;  ///< rod element length over the local radius; 0: the default 0.25
 };
 
-/// Fits centerline, radii and rest rod with twist-free frames to an open tubular surface with any
-/// number of ends >= 2, and binds the surface to it. No seeds. Throws InputError (a sentence with
-/// `name`) where the surface is not tubular.
+/// Fits centerline, radii and rest rod with twist-free frames to an open tubular surface with two
+/// or more ends, and binds the surface to the rod. Needs no seed points. Throws InputError (a
+/// sentence with `name`) if the surface is not tubular.
 Vessel fit_vessel(const std::string& name, const TriangleSurface& surface,
                   const FitOptions& options = {});
 

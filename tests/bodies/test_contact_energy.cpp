@@ -8,7 +8,7 @@ namespace {
 
 using namespace testing;
 
-// Pressing, open with a multiplier, and against something that stands still.
+// Three contacts: pressing, open with a multiplier, and against a body at rest.
 std::vector<ContactPoint> contacts() {
   return {{0, {3, 4, 5}, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0, 0.8), 1.5, 0.7, 2, 1},
           {1, {4, 5, 6}, Vec3(0.1, 0.8, 0.1), Vec3(0, 1, 0), -9, 0.4, 2, 1},

@@ -54,8 +54,8 @@ TEST(ContactPair, OverlapAtRestCarriesNoPressureThereAndCountsFromThere) {
   EXPECT_GT(pair.update_multipliers(deeper, master.points).second, 0);
 }
 
-// A flat vessel, thinner than what it overlaps: its far wall, inside as well, must not be pushed
-// out through the near one.
+// A flat vessel, thinner than the overlap: its far wall is also inside the other vessel and must
+// not be pushed out through the near wall.
 TEST(ContactPair, TheFarWallOfAVesselIsNotInContact) {
   TriangleSurface slave = beside(0);
   slave.points.col(0) *= 0.2;
@@ -114,13 +114,12 @@ TEST(ContactPair, MultipliersFollowThePressureAndSurviveARefresh) {
   EXPECT_GT(first, 0);
   pair.refresh(pressed, master.points, 1);
   const auto [change, second] =
-      pair.update_multipliers(pressed, master.points);  // the same gap once more
+      pair.update_multipliers(pressed, master.points);  // the same gap again
   EXPECT_NEAR(second / first, 2, 1e-9);
   EXPECT_NEAR(change / first, 1, 1e-9);
   pair.refresh(slave.points.rowwise() - Eigen::RowVector3d(9, 0, 0), master.points, 1);
   pair.refresh(slave.points, master.points, 1);
-  for (const ContactPoint& c : pair.contacts())
-    EXPECT_EQ(c.multiplier, 0);  // forgotten while apart
+  for (const ContactPoint& c : pair.contacts()) EXPECT_EQ(c.multiplier, 0);  // reset while apart
 }
 
 }  // namespace

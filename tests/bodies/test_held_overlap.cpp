@@ -8,7 +8,7 @@ namespace {
 
 using namespace testing;
 
-// Tubes of radius 1 and length 6 along z, the first 48 and the last 48 vertices held.
+// Tubes of radius 1 and length 6 along z; the first 48 and the last 48 vertices are held.
 struct Held {
   TriangleSurface rest = tube(1, 6, 48, 40);
   Points carried = rest.points;
@@ -60,7 +60,7 @@ TEST(HeldOverlap, AnEndWithinAWiderOneDoesNotMeetIt) {
   EXPECT_EQ(held_overlap(a.body(), b.body()).depth, 0);
 }
 
-// An end that presses on the middle of another wall: that wall can yield.
+// An end that presses on the middle of another wall: that wall can deform.
 TEST(HeldOverlap, AnEndInsideAFreeWallIsContactsBusiness) {
   Held a(0, 3);
   const Held b(2.3);

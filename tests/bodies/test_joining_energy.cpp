@@ -22,8 +22,8 @@ TEST(JoiningEnergy, GradientAndHessianMatchDifferences) {
   EXPECT_LT(hessian_error(gradient, p, for_xyz(joining_energy_hessian(0.7, joins, 6))), 1e-8);
 }
 
-// Two points pulled apart by springs of stiffness 1 to their own anchors: with every update the gap
-// shrinks by the ratio of anchor to anchor + joining stiffness, whatever the joining stiffness.
+// Springs connect two points to anchors of their own and pull them apart. Every update reduces the
+// gap by the ratio of anchor stiffness to anchor + joining stiffness, for any joining stiffness.
 TEST(JoiningEnergy, MultipliersCloseTheGapAtAFiniteStiffness) {
   const double k_j = 2;
   std::vector<Join> joins{{0, 1, Vec3::Zero()}};

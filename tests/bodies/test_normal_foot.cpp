@@ -35,7 +35,7 @@ TriangleSurface dented() {
   return t;
 }
 
-// The oracle is the definition: points are put over known places of the wall.
+// The oracle is the definition: points are placed above known points of the wall.
 TEST(NormalFoot, FindsThePlaceAPointWasPutOver) {
   const Wall wall(dented());
   for (int triangle = 150; triangle < 700; triangle += 7)
@@ -74,7 +74,8 @@ TEST(NormalFoot, PassesADentsEdgeWithoutTheClosestPointsJump) {
   EXPECT_GT(closest_moves, 100 * step);
 }
 
-// In a narrow groove the walls' normals cross: over some places there is no foot nearby.
+// In a narrow groove the walls' normals cross: above some points of the wall there is no foot
+// nearby.
 TEST(NormalFoot, IsTheClosestPointWhereThereIsNone) {
   TriangleSurface groove;
   groove.points.resize(6, 3);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-// An equilateral patch, its interior vertices at least two edges from the rim.
+// An equilateral patch. Its interior vertices are at least two edges from the rim.
 struct Patch {
   TriangleSurface surface;
   std::vector<char> inside;
@@ -45,8 +45,8 @@ Coefficients of(const Patch& patch) {
                                 {thickness, 5, patch.h, patch.vertex_area()});
 }
 
-// The energy of the springs of an inner triangle's share: half of each edge, over the triangle's
-// area, against the plane stress energy of a sheet with E t and nu = 1/3.
+// Spring energy per area of an inner triangle's share (half of each edge), to compare with the
+// plane stress energy of a sheet with E t and nu = 1/3.
 double spring_density(const Patch& patch, const Eigen::Matrix2d& strain) {
   const double k = of(patch).stretching;
   double sum = 0;
@@ -79,8 +79,8 @@ TEST(Coefficients, TheUmbrellaCarriesThePlateModulusOfTheWall) {
   const int n = static_cast<int>(patch.surface.points.rows());
   const Umbrella umbrella(edges_of(patch.surface.triangles), n);
   const double plate = young * std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
-  // w = (c1 x^2 + c2 y^2) / 2: the plate energy per area is D/2 (c1 + c2)^2 when the Gaussian part
-  // is left out
+  // w = (c1 x^2 + c2 y^2) / 2: the plate energy per area is D/2 (c1 + c2)^2 without the Gaussian
+  // part
   for (const auto& [c1, c2] : {std::pair{1e-3, 0.0}, std::pair{0.0, 1e-3}, std::pair{1e-3, 2e-3}}) {
     Points p = patch.surface.points;
     for (int i = 0; i < n; ++i) p(i, 2) = 0.5 * (c1 * p(i, 0) * p(i, 0) + c2 * p(i, 1) * p(i, 1));

@@ -1,4 +1,4 @@
-// Tubes that press on things, for the tests of contact in the coupled minimum.
+// Tubes pressed onto other bodies, for the tests of contact in the coupled minimum.
 #pragma once
 
 #include "coupled/held_tubes.h"
@@ -15,7 +15,7 @@ inline SurfaceBody body_of(const HeldTube& tube, const std::string& name, const 
   return body;
 }
 
-/// Adds a tube turned by `turn`, then placed by `shift`, its sections as given (relative to the
+/// Adds a tube rotated by `turn`, then moved by `shift`, with the given sections (relative to the
 /// tube along z from the origin).
 inline void add_tube(CoupledProblem& problem, const HeldTube& tube, const std::string& name,
                      const Vec3& shift, std::vector<HeldSection> sections,
@@ -44,8 +44,8 @@ inline void add_obstacle(CoupledProblem& problem, const std::string& name,
   problem.vessels.emplace_back();
 }
 
-/// Bodies start where their sections' motions carry them as a whole: all sections of a body move
-/// alike.
+/// Starts every body in its rest shape, moved with its sections. All sections of a body must have
+/// the same motion.
 inline void carry_by_sections(CoupledProblem& problem) {
   std::vector<CarriedBody> full;
   std::vector<Vec3> moves;
@@ -73,7 +73,7 @@ inline void carry_by_sections(CoupledProblem& problem) {
   };
 }
 
-/// A plate in the plane x = height, seen from above (+x).
+/// A plate in the plane x = height, its front towards +x.
 inline TriangleSurface plate(double height, double half_width, double z0, double z1) {
   TriangleSurface s;
   s.points.resize(4, 3);

@@ -47,7 +47,7 @@ struct HeldTube {
   }
 };
 
-/// Where a straight axis carries the tube when its strain (v, u) is constant, z the axis.
+/// The tube carried rigidly section by section by a straight axis with constant strain (v, u).
 inline CarriedBody carried_by(const HeldTube& t, const Vec6& strain,
                               const std::vector<double>& sections) {
   CarriedBody body;
@@ -62,7 +62,7 @@ inline CarriedBody carried_by(const HeldTube& t, const Vec6& strain,
   return body;
 }
 
-/// One tube between two sections, its end carried by a constant strain change (v - (0, 0, 1), u).
+/// One tube between two sections; a constant strain change (v - (0, 0, 1), u) moves its end.
 inline CoupledProblem bent(const HeldTube& t, const Vec6& change, HeldSection start,
                            HeldSection end) {
   const auto strain_at = [=](double time) {

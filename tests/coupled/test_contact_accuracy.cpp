@@ -1,4 +1,5 @@
-// Contact of whole tubes between meshes; the benchmark contact_accuracy goes to 25,000 vertices.
+// Contact of whole tubes on different meshes. The benchmark contact_accuracy goes to 25,000
+// vertices.
 #include <gtest/gtest.h>
 
 #include "accuracy/pressed_tubes.h"
@@ -29,7 +30,7 @@ TEST(ContactAccuracy, TwoTubesThatBothYieldPressAlikeOnTwoMeshes) {
   EXPECT_NEAR(coarse.force.norm(), fine.force.norm(), 0.02 * fine.force.norm());
 }
 
-// Held in the mean only they slide on each other until the contact's places are where they press.
+// Held in the mean only, the tubes slide on each other until the contact points no longer change.
 TEST(ContactAccuracy, TwoTubesBetweenSoftEndsSettleSideBySide) {
   const PressedTubes coarse = two_tubes(Meeting::side_by_side, 20),
                      fine = two_tubes(Meeting::side_by_side, 28);

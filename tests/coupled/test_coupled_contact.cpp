@@ -15,7 +15,7 @@ HeldSection moved(HeldSection section, const Vec3& by) {
   return section;
 }
 
-// A tube between rigid ends that sinks by `depth` onto a cylinder of radius 12 across it.
+// A tube between rigid ends, pressed by `depth` onto a perpendicular cylinder of radius 12.
 CoupledProblem pressed(double depth, double gap = 0.01, int around = 32, int along = 38) {
   const HeldTube tube(length, radius, thickness, around, along);
   CoupledProblem problem;
@@ -83,8 +83,7 @@ TEST(CoupledContact, TheForceDoesNotDependOnThePenalty) {
   EXPECT_NEAR(forces[0], forces[1], 1e-3 * forces[0]);
 }
 
-// The pressures times areas, along the cylinder's normals where they act, against what the ends
-// hold.
+// The sum of pressure times area along the cylinder's normals, compared with the supports' force.
 TEST(CoupledContact, ThePressuresAddUpToTheSupports) {
   const HeldTube tube(length, radius, thickness, 32, 38);
   CoupledSolver solver(pressed(3));
@@ -101,10 +100,10 @@ TEST(CoupledContact, ThePressuresAddUpToTheSupports) {
   EXPECT_NEAR(sum.x(), -support(s, 0).x(), 1e-3 * sum.x());
 }
 
-// A short tube hung at its ends' mean positions sinks onto a plate: a ring under a line load P per
-// length against a vertical load spread round it. With a_n cos(n theta) without stretch the energy
-// is pi/2 (E I / R^3) (n^2 - 1)^2 a_n^2, so the contact line rises against the ring's mean by P R^3
-// / (pi E I) sum_{n >= 2} 1 / (n^2 - 1)^2, and that sum is pi^2 / 12 - 11 / 16.
+// A short tube held at its ends' mean positions is pressed onto a plate: a ring under a line load P
+// per length against a distributed vertical load. For an inextensional motion a_n cos(n theta) the
+// energy is pi/2 (E I / R^3) (n^2 - 1)^2 a_n^2. The contact line therefore moves relative to the
+// ring's mean by P R^3 / (pi E I) sum_{n >= 2} 1 / (n^2 - 1)^2, and the sum is pi^2 / 12 - 11 / 16.
 TEST(CoupledContact, ARingOnAPlateHasItsClosedFormStiffness) {
   const double t = 0.2, gap = 0.01, sink = 0.11;
   HeldTube tube(4, 8, t, 64, 6, 0);
@@ -131,7 +130,7 @@ TEST(CoupledContact, ARingOnAPlateHasItsClosedFormStiffness) {
 TEST(CoupledContact, TwoTubesPushEachOtherEquallyHard) {
   const HeldTube one(length, radius, thickness, 28, 32), other(length, radius, 0.8, 24, 28);
   CoupledProblem problem;
-  // The other lies across, a little off the middle.
+  // The other tube lies across, slightly off the middle.
   const Mat3 across = exp_rotation(Vec3(M_PI / 2, 0, 0));
   const Vec3 down(-3, 0, 0), aside(-2 * radius - 1.01, 31, 29);
   add_tube(problem, one, "one", Vec3::Zero(), {moved(one.start(), down), moved(one.end(), down)});
@@ -150,8 +149,8 @@ TEST(CoupledContact, TwoTubesPushEachOtherEquallyHard) {
   EXPECT_GT((s.surface.bodies[1].positions - rest).cwiseAbs().maxCoeff(), 0.1);
 }
 
-// Side by side, the rigid ends of one are taken 3 into the other's: there is no answer there, but
-// there is one between the ends, and the way to it does not matter.
+// Side by side, the rigid ends of one tube are moved by 3 into those of the other. The contact has
+// no solution at the ends, but it has one between them that does not depend on the path.
 TEST(CoupledContact, ParallelTubesWhoseRigidEndsOverlapPressInBetween) {
   const HeldTube one(length, radius, thickness, 28, 38), other(length, radius, 0.8, 24, 32);
   const Vec3 down(-3, 0, 0), beside(-2 * radius - 1.01, 0, 0);

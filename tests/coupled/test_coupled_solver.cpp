@@ -28,7 +28,7 @@ Vec6 strain(double stretch, double curvature, double twist) {
   return change;
 }
 
-// One tube, whatever the motion: t/R = 0.1.
+// One tube for all motions: t/R = 0.1.
 HeldTube thin_tube() {
   return {60, 6, 0.6, 24, 36};
 }
@@ -52,7 +52,7 @@ TEST(CoupledSolver, APullBetweenSoftEndsAnswersWithEATimesStrain) {
 }
 
 TEST(CoupledSolver, ReactionsAreTheEnergysDerivativeAlongTheMotion) {
-  // Bent to half the Brazier curvature between rigid ends; the motion turned a little more about
+  // Bent to half the Brazier curvature between rigid ends, with a small additional rotation about
   // the end's centre.
   const HeldTube tube = thin_tube();
   const double curvature = 0.5 * 0.471 * 0.6 / (36 * std::sqrt(0.91));
@@ -79,7 +79,7 @@ CoupledSolution cantilever(const HeldTube& tube, double load) {
   return CoupledSolver(bent(tube, strain(0, 0, 0), tube.start(), end)).solve();
 }
 
-// Far into where the energy's digits have cancelled the answer stays proportional to the load.
+// The answer stays proportional to the load even where the energy has lost its digits.
 TEST(CoupledSolver, TinySideLoadsAreAnsweredInProportion) {
   const HeldTube tube = thin_tube();
   const double compliance = cantilever(tube, 1e-6).sections[0][1].center.x() / 1e-6;
@@ -93,8 +93,8 @@ TEST(CoupledSolver, TinySideLoadsAreAnsweredInProportion) {
   }
 }
 
-// ... and where the forces' have too the result says so. It is the best seen all the same: its end
-// is pulled by its load.
+// ... and where the forces have lost them too, the result says so. It is still the best state seen:
+// its end follows its load.
 TEST(CoupledSolver, LoadsThatRoundingHidesAreNamed) {
   const double load = 3e-13;
   const CoupledSolution solution = cantilever({30, 6, 0.6, 16, 14}, load);
@@ -163,7 +163,8 @@ TEST(CoupledSolver, UnitsDoNotMatter) {
   const HeldTube tube = thin_tube();
   const Vec6 change = strain(0.002, 2e-3, 0.001);
   const CoupledSolution one = CoupledSolver(bent(tube, change, tube.start(), tube.end())).solve();
-  // The same in a thousandth of the length unit and a million of the stress unit.
+  // The same tube in a length unit a thousand times smaller and a stress unit a million times
+  // larger.
   HeldTube other(60e3, 6e3, 0.6e3, 24, 36);
   other.wall.material = Material::isotropic(1e-6, 0.3);
   Vec6 small = change;

@@ -18,8 +18,8 @@ VectorXd noise(Eigen::Index n, double size, unsigned seed) {
   return v;
 }
 
-// A short tube, its start on a rigid section with some freedoms left and loaded, its end on a soft
-// one, with a seam between its middle and its rim and contacts against a plane and itself.
+// A short tube. Its start has a rigid section with some free and loaded components, its end a soft
+// one; a seam joins its middle and its rim; it touches a plane and itself.
 struct Everything {
   HeldTube tube{4, 1.5, 0.4, 6, 3};
   std::unique_ptr<WallEnergy> energy;

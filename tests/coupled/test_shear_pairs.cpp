@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-// Vertices shifted along the wall by up to a quarter of their spacing, the ends' apart.
+// Shifts all but the end vertices along the wall by up to a quarter of their spacing.
 void shift_vertices(HeldTube& t) {
   const Eigen::VectorXd random = noise(2 * t.surface.points.rows(), 5);
   for (int i = t.tube.around; i < t.surface.points.rows() - t.tube.around; ++i) {
@@ -54,8 +54,8 @@ TEST(ShearPairs, ASingleTriangleStaysAlone) {
   EXPECT_EQ(shear_pairs(one), std::vector<int>{-1});
 }
 
-// A slightly bent tube whose shear modulus is a hundred times an isotropic wall's: moment E I k all
-// the same. Without pairs it was 46 % above that (shifted: 32 %) with 24 around.
+// A slightly bent tube whose shear modulus is a hundred times that of an isotropic wall: the moment
+// is still E I k. Without pairs it is 46 % too large with 24 vertices around (shifted: 32 %).
 TEST(ShearPairs, AWallStiffInShearBendsLikeABeam) {
   for (const bool shifted : {false, true}) {
     HeldTube tube(100, 10, 1, 24, 44);

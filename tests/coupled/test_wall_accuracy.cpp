@@ -1,5 +1,5 @@
-// The coupled minimum of whole tubes against closed forms and against finer meshes: the rows of
-// benchmarks/accuracy that a test can afford.
+// The coupled minimum of whole tubes compared with closed forms and finer meshes: the fast rows of
+// benchmarks/accuracy.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -83,8 +83,8 @@ TEST(WallAccuracy, ACurvedTubeSoftensAsVonKarmanSays) {
   }
 }
 
-// The ring that judges the wall, against what is known of it: the first terms of Brazier's
-// expansion and the maximum of the moment that Reissner's equations give.
+// The reference ring itself, compared with the first terms of Brazier's expansion and the maximum
+// of the moment from Reissner's equations.
 TEST(BentRing, IsBraziersForSmallCurvatures) {
   const double t = 1, unit = t / (radius * radius * std::sqrt(1 - nu * nu)), k_b = 0.02;
   const BentRing ring = bent_ring(radius, t, nu, k_b * unit);
@@ -102,8 +102,8 @@ TEST(BentRing, HasItsLargestMomentAtTheKnownCurvature) {
   EXPECT_LT(moment(0.5), moment(0.475));
 }
 
-// From 3,000 vertices to four times as many, against a structured mesh of 27,000. The benchmark
-// goes to 100,000.
+// From 3,000 vertices to four times as many, compared with a structured mesh of 27,000. The
+// benchmark goes to 100,000.
 TEST(WallAccuracy, RefiningChangesLittleOnRegularAndIrregularMeshes) {
   constexpr int fine = 120;
   const BentTube reference(structured(100, radius, fine));

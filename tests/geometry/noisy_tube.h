@@ -1,4 +1,4 @@
-// Irregular test surfaces that need no other folder: bent, tapered, jittered open tubes.
+// Irregular test surfaces without other dependencies: bent, tapered, jittered open tubes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,9 +9,9 @@
 
 namespace vasorod::testing {
 
-/// An open tube round a circular arc (or the z axis where `bend` is 0), with `jitter` (fraction of
-/// an edge) random displacement of every vertex within the surface and flipped diagonals, so that
-/// no two triangles are alike.
+/// An open tube around a circular arc (or the z axis if `bend` is 0). `jitter` (fraction of an
+/// edge) displaces every vertex randomly within the surface; diagonals are flipped, so that no two
+/// triangles are equal.
 struct TubeShape {
   int around = 24, along = 30;
   double radius = 5, length = 40;
@@ -57,7 +57,7 @@ inline TriangleSurface noisy_tube(const TubeShape& shape) {
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
       const int a = j * n + i, b = j * n + (i + 1) % n;  // this row
-      const int c = a + n, e = b + n;                    // the next row, half an edge further round
+      const int c = a + n, e = b + n;  // the next row, half an edge further around
       if (shape.jitter > 0 && uniform(random) > 0.8) {
         tube.triangles.row(t++) << a, b, e;
         tube.triangles.row(t++) << a, e, c;

@@ -30,8 +30,8 @@ TEST(Loops, TheOffsetOfTwoCirclesIsTheirAngle) {
   for (const double turn : {0.3, 1.7, 4.0}) {
     const LoopCurve a(circle(64, 2, 0, +1)), b(circle(80, 2.5, turn, -1));
     const double offset = opposite_offset(a, b);
-    // b starts at angle `turn` and runs the other way: it is at angle 2 pi u where w = turn / (2
-    // pi) - u.
+    // b starts at angle `turn` and has the opposite orientation: it is at angle 2 pi u where
+    // w = turn / (2 pi) - u.
     EXPECT_NEAR(std::remainder(offset - turn / (2 * M_PI), 1.0), 0, 2e-4);  // both are polygons
     EXPECT_NEAR(opposite_distance(a, b, offset), 0.25, 1e-3);
   }

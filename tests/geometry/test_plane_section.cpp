@@ -14,8 +14,8 @@ TEST(PlaneSection, SectionOfAStraightTubeIsItsPolygon) {
   shape.around = n;
   shape.radius = radius;
   const auto tube = testing::noisy_tube(shape);
-  // A row's own height: vertices exactly on the plane must not break the loop. There the section is
-  // a regular polygon.
+  // The height of a row: vertices exactly on the plane must not break the loop. The section there
+  // is a regular polygon.
   const auto loops = plane_sections(tube, {0, 0, 40.0 / 30 * 7}, Vec3::UnitZ());
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_TRUE(loops[0].closed);

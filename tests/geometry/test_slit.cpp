@@ -16,7 +16,7 @@ TEST(Slit, OpensARowOfATubeWithTheFirstBankOnTheLeftOfThePath) {
   const auto tube = testing::noisy_tube(shape);
   SurfaceEditor editor(tube);
   const std::vector<int> path{4 * 12, 4 * 12 + 1, 4 * 12 + 2,
-                              4 * 12 + 3};  // counter-clockwise round the tube
+                              4 * 12 + 3};  // counter-clockwise around the tube
   const auto slit = open_slit(editor, path);
   ASSERT_EQ(slit.rim.size(), 6U);
   EXPECT_EQ(slit.other_tip, 3);
@@ -26,7 +26,7 @@ TEST(Slit, OpensARowOfATubeWithTheFirstBankOnTheLeftOfThePath) {
   const auto loops = boundary_loops(open.triangles);
   ASSERT_EQ(loops.size(), 3U);
   EXPECT_EQ(std::count(loops.begin(), loops.end(), slit.rim), 1);
-  // The left of the path is above: the first bank keeps the triangles there.
+  // The left of the path is above: the triangles there keep the first bank.
   for (const int t : editor.triangles_of(slit.rim[1])) {
     double mean = 0;
     for (const int v : editor.triangle(t)) mean += editor.point(v).z() / 3;

@@ -42,7 +42,7 @@ TEST(TriangleSurface, OpenTubeHasEulerNumberZeroAndTwoLoops) {
 TEST(TriangleSurface, LoopsRunWithTheSurfaceOnTheirLeft) {
   const auto tube = open_tube(40, 5, 2, 10);
   const auto loops = boundary_loops(tube.triangles);
-  // Seen from outside with the surface on the left, the area vector of an end points into the
+  // With the surface on the left, seen from outside, the area vector of an end points into the
   // vessel.
   const double polygon_area = 0.5 * 40 * 4 * std::sin(2 * M_PI / 40);
   EXPECT_NEAR((area_vector(tube.points, loops[0]) - Vec3(0, 0, polygon_area)).norm(), 0, 1e-12);

@@ -88,7 +88,7 @@ TEST(Tube, AreaOfAFineTorusPieceMatchesPappus) {
   tube.bend_deg = 120;
   tube.around = 192;
   tube.along = 400;
-  // Pappus: a circle's centroid travels the axis, so the area is that of the straight tube.
+  // Pappus: the centroid of a circle is on the axis, so the area is that of the straight tube.
   EXPECT_NEAR(total_area(tube_surface(tube)) / (2 * M_PI * 10 * 100), 1, 2e-4);
 }
 

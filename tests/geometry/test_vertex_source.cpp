@@ -6,8 +6,8 @@ namespace vasorod {
 namespace {
 
 TEST(VertexSource, TwoEditsInARowAreOneMean) {
-  // First edit: vertex 2 halfway between 0 and 1. Second: its vertex 1 a quarter of the way from
-  // the first's 2 to 1.
+  // First edit: vertex 2 halfway between 0 and 1. Second edit: its vertex 1 a quarter of the way
+  // from 2 to 1 of the first.
   const VertexSources first{
       VertexSource::original(0), VertexSource::original(1), {{0, 1}, {0.5, 0.5}}};
   const VertexSources second{VertexSource::original(0), {{1, 2}, {0.25, 0.75}}};

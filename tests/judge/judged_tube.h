@@ -1,4 +1,4 @@
-// A straight tube as a prepared vessel, and the poses of simple deformations of it, for metrics and
+// A straight tube as a prepared vessel, with the poses of simple deformations, for metrics and
 // validity.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace vasorod::shapes {
 
-/// Length `length`, mid-wall radius 10, thickness 1, E = 0.5, nu = 0.3; all times `unit`, stresses
-/// times `stress`.
+/// Length `length`, mid-wall radius 10, thickness 1, all multiplied by `unit`; E = 0.5 multiplied
+/// by `stress`; nu = 0.3.
 inline PreparedVessel judged_tube(double length = 100, double unit = 1, double stress = 1) {
   Tube tube;
   tube.length = length * unit;
@@ -24,7 +24,7 @@ inline PreparedVessel judged_tube(double length = 100, double unit = 1, double s
   return prepared;
 }
 
-/// Poses of the tube's rod when every element has the strain (0, 0, 1) + `change`.
+/// Poses of the tube's rod with the strain (0, 0, 1) + `change` in every element.
 inline RodPoses strained(const RodTree& rod, const Vec6& change) {
   RodPoses poses = rod.rest;
   for (const RodElement& e : rod.elements)

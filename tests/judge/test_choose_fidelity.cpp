@@ -15,8 +15,8 @@ using enum LoadKind;
 
 constexpr const char *skin = "skin", *paper = "paper", *coupled = "coupled";
 
-// Two meshes; skin grows with every load, paper is better in bending and ends earlier, coupled
-// reaches furthest.
+// Two meshes. The error of skin increases with every load, paper is better in bending but has a
+// smaller range, coupled has the largest range.
 constexpr AccuracyRow table[] = {
     {skin, stretch, 0.1, 0.1, 0.03},    {skin, twist, 0.1, 0.5, 0.001},
     {skin, bend, 0.1, 0.2, 0.01},       {skin, bend, 0.1, 0.4, 0.03},
@@ -67,7 +67,7 @@ class ChooseFidelity : public testing::Test {
     scene.vessels.assign(1, tube.spec);
     return choose_fidelity(scene, {{&tube, &poses, {}}}, coupled, rows);
   }
-  // the tube's own mesh, whatever its edge is
+  // for the tube's own mesh, whatever its mean edge is
   std::vector<AccuracyRow> for_its_mesh() {
     std::vector<AccuracyRow> rows(std::begin(table), std::end(table));
     std::erase_if(rows, [](const AccuracyRow& row) { return row.edge > 0.1; });
@@ -83,7 +83,7 @@ TEST_F(ChooseFidelity, TheCheapestThatWillDo) {
   EXPECT_NEAR(*rough.promised, 0.01, 1e-6);
   EXPECT_EQ(choose(0.005, 0.2, rows).fidelity, paper);
   EXPECT_EQ(choose(0.001, 0.2, rows).fidelity, coupled);
-  EXPECT_EQ(choose(0.01, 0.4, rows).fidelity, coupled);  // paper does not reach there
+  EXPECT_EQ(choose(0.01, 0.4, rows).fidelity, coupled);  // beyond the range of paper
   EXPECT_NE(choose(0.02, 0.2, rows).reason.find("bend ratio 0.2"), std::string::npos);
 }
 
@@ -117,7 +117,7 @@ TEST_F(ChooseFidelity, OutsideOfTheTableTheDearestWithoutAPromise) {
   const FidelityChoice pressed = choose(0.05, 0.05, rows, -0.02);
   EXPECT_FALSE(pressed.promised);
   EXPECT_NE(pressed.reason.find("not pressed"), std::string::npos) << pressed.reason;
-  EXPECT_TRUE(choose(0.05, 0.05, rows, -0.001).promised);  // what a bend along an arc may leave
+  EXPECT_TRUE(choose(0.05, 0.05, rows, -0.001).promised);  // as may remain of a bend along an arc
 
   scene.glenn.emplace();
   EXPECT_NE(choose(0.02, 0.2, rows).reason.find("not of operations"), std::string::npos);

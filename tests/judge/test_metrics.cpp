@@ -48,7 +48,7 @@ TEST(Metrics, BendingStretchesTheOuterFibres) {
   EXPECT_NEAR(metrics.stretch[1], 1 + stretch, 1e-9);
 }
 
-// Sections squeezed to ellipses of semi-axes 8 and 11: width 16 of 20, lumen by Steiner's formula
+// Sections squeezed to ellipses with semi-axes 8 and 11: width 16 of 20, lumen by Steiner's formula
 // for the perimeter.
 TEST(Metrics, SqueezedSectionsFlattenAndNarrow) {
   const PreparedVessel tube = judged_tube();
@@ -68,8 +68,8 @@ TEST(Metrics, SqueezedSectionsFlattenAndNarrow) {
   EXPECT_TRUE(metrics.where.contains("flattening"));
 }
 
-// A segmented surface: no two sections have their vertices at the same angles, and none on a
-// diameter.
+// An irregular surface: no two sections have vertices at the same angles, and no section has
+// vertices on a diameter.
 TEST(Metrics, SqueezedSectionsOfAnIrregularMeshFlattenAsMuch) {
   PreparedVessel tube = judged_tube();
   Points& rest = tube.vessel.surface.points;

@@ -43,8 +43,8 @@ TEST(Validity, ShortTubesAreMeasuredAgainstLocalWrinkling) {
   EXPECT_NEAR(validity.wrinkling_ratio, 0.004 * 100 / 0.605, 1e-8);
 }
 
-// Least axial strain at which a cylinder with a fibre along it wrinkles: Donnell's linear
-// equations, nu_LT = 0, over waves along and around.
+// The smallest axial strain at which a cylinder with an axial fibre wrinkles: Donnell's linear
+// equations, nu_LT = 0, over axial and circumferential waves.
 double donnell_strain(double e_l, double e_t, double g, double radius, double t) {
   double least = std::numeric_limits<double>::infinity();
   const double scale = 1 / std::sqrt(radius * t), d = t * t * t / 12;
@@ -59,7 +59,7 @@ double donnell_strain(double e_l, double e_t, double g, double radius, double t)
   return least;
 }
 
-// The constant is the isotropic wall's 0.605, nu = 0.3, where Donnell has 3^(-1/2).
+// The constant is that of the isotropic wall, 0.605 with nu = 0.3; Donnell's is 3^(-1/2).
 TEST(Validity, AFibreMovesTheWrinklingStrainAsDonnellHasIt) {
   for (const auto& [e_t, g] :
        {std::pair{0.5, 0.25}, {0.5, 0.02}, {0.5, 10.0}, {0.1, 0.005}, {4.0, 0.1}}) {
@@ -71,7 +71,8 @@ TEST(Validity, AFibreMovesTheWrinklingStrainAsDonnellHasIt) {
   }
 }
 
-// A section that is stiff across flattens later, by the root, and twists later by a power of 5/8.
+// A transversely stiff section flattens later, by the square root, and wrinkles in twist later, by
+// a power of 5/8.
 TEST(Validity, AFibreMovesBrazierAndTwist) {
   PreparedVessel tube = judged_tube(300);
   const Vec6 change = change_of(0, Vec3(0.001, 0, 0.001));

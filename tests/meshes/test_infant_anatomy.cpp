@@ -1,5 +1,5 @@
-// The committed infant anatomy: what the scenes in benchmarks/cases/glenn and the README say about
-// it.
+// The bundled infant anatomy: checks what the scenes in benchmarks/cases/glenn and the README state
+// about it.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -30,8 +30,8 @@ const TriangleSurface& part(const std::string& name) {
   return loaded[name] = load_surface(scene().vessel(name), scene()).surface;
 }
 
-// Equivalent radius of the section nearest `point` across `direction`: that of the circle of equal
-// area.
+// Equivalent radius (circle of equal area) of the section nearest to `point`, perpendicular to
+// `direction`.
 double radius_at(const std::string& name, const Vec3& point, const Vec3& direction) {
   const auto loops = plane_sections(part(name), point, direction.normalized());
   const int around = section_around(loops, point, direction.normalized());

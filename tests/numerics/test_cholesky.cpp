@@ -33,7 +33,7 @@ TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
   const Eigen::MatrixXd rhs = random_points(60, 2);
   Cholesky cholesky;
   cholesky.analyse(a);
-  for (const Matrix& m : {a, b}) {  // the second with the kept analysis
+  for (const Matrix& m : {a, b}) {  // the second reuses the analysis
     ASSERT_TRUE(cholesky.factorise(m));
     Eigen::MatrixXd x(60, 3);
     cholesky.solve(rhs.data(), x.data(), 3);
@@ -41,7 +41,7 @@ TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
   }
 }
 
-// In single precision: near the exact one, symmetric and positive.
+// In single precision: close to the exact solution, symmetric and positive.
 TEST(Cholesky, PreconditionsAlmostAsItSolves) {
   const Matrix a = random_positive(400, 1, 0);
   const Eigen::MatrixXd rhs = random_points(400, 2);
@@ -61,8 +61,8 @@ TEST(Cholesky, PreconditionsAlmostAsItSolves) {
   EXPECT_EQ(alone, x.col(0));
 }
 
-// A clamped beam of 3,000 differences, condition 1e13: single precision would make another beam of
-// it.
+// A clamped beam of 3,000 finite differences, condition 1e13: single precision would solve a
+// different beam.
 TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
   constexpr int n = 3000;
   std::vector<Eigen::Triplet<double>> entries;
@@ -117,7 +117,7 @@ TEST(Cholesky, SaysWhenAMatrixIsNotPositiveDefinite) {
   cholesky.analyse(a);
   EXPECT_FALSE(cholesky.factorise(indefinite));
   EXPECT_FALSE(cholesky.factorised());
-  EXPECT_TRUE(cholesky.factorise(a));  // and goes on after it
+  EXPECT_TRUE(cholesky.factorise(a));  // still works afterwards
 }
 
 TEST(Blas, IsOpenBlas) {

@@ -81,7 +81,7 @@ TEST(Lbfgs, NamesEveryOtherEnd) {
   options.stop = [](int, double, double) { return true; };
   EXPECT_EQ(lbfgs(rosenbrock, identity, x, options).status, LbfgsStatus::interrupted);
   const auto lying = [](const VectorXd& at, VectorXd& g,
-                        double& residual) {  // its gradient points uphill
+                        double& residual) {  // returns a gradient of the wrong sign
     g = -2 * at;
     residual = 1;
     return at.squaredNorm();

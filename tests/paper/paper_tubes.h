@@ -1,4 +1,4 @@
-// Tubes and how a rod would carry them, for the tests of the paper's surface energies.
+// Tubes carried by a rod, for the tests of the paper's surface energies.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -46,8 +46,8 @@ struct Carried {
   std::vector<Mat3> rotations;
 };
 
-/// Sections of a straight tube along z carried to an arc of `bend` radians in the x-z plane, turned
-/// by `twist` radians over the length and stretched by the factor `stretch`.
+/// Sections of a straight tube along z, carried to an arc of `bend` radians in the x-z plane,
+/// rotated by `twist` radians over the length and stretched by the factor `stretch`.
 inline Carried bent(const Points& rest, double length, double bend, double twist, double stretch) {
   Carried c{Points(rest.rows(), 3), {}};
   for (int i = 0; i < rest.rows(); ++i) {
@@ -83,7 +83,7 @@ inline std::vector<Mat3> random_rotations(int count, unsigned seed) {
   return r;
 }
 
-/// Largest difference between a gradient and central differences of a value, over the gradient's
+/// Largest difference between a gradient and central differences of the value, over the gradient's
 /// largest entry.
 template <class Value>
 double gradient_error(const Value& value, const Points& p, const Points& gradient,
@@ -99,7 +99,7 @@ double gradient_error(const Value& value, const Points& p, const Points& gradien
   return worst / gradient.cwiseAbs().maxCoeff();
 }
 
-/// The same for a Hessian (3n x 3n, full) and differences of a gradient.
+/// The same for a Hessian (3n x 3n, dense) and differences of the gradient.
 template <class Gradient>
 double hessian_error(const Gradient& gradient, const Points& p, const Eigen::MatrixXd& hessian,
                      double step = 1e-5) {
@@ -118,7 +118,7 @@ double hessian_error(const Gradient& gradient, const Points& p, const Eigen::Mat
   return worst / hessian.cwiseAbs().maxCoeff();
 }
 
-/// A V x V matrix that stands for x, y and z as a full 3V x 3V one.
+/// Expands a V x V matrix, the same for x, y and z, to a dense 3V x 3V matrix.
 inline Eigen::MatrixXd for_xyz(const Eigen::SparseMatrix<double>& matrix) {
   const Eigen::MatrixXd dense(matrix);
   Eigen::MatrixXd full = Eigen::MatrixXd::Zero(3 * dense.rows(), 3 * dense.cols());

@@ -15,7 +15,7 @@ SurfaceBody deformable(const std::string& name, int around, int along) {
   body.name = name;
   body.rest = tube(radius, length, around, along);
   body.rest.points.col(2).array() -= length / 2;
-  const double fine = 3200.0 / (around * (along + 1));  // the paper's sums are mesh dependent
+  const double fine = 3200.0 / (around * (along + 1));  // the paper's sums depend on the mesh
   body.k = {0.02 * fine, 1, 0.3};
   return body;
 }
@@ -57,13 +57,12 @@ TEST(PaperContact, ATubePressedOntoACylinderIsHeldByTheRod) {
   ASSERT_EQ(s.contacts.size(), 1u);
   const double force = s.contacts[0].force.x();
   EXPECT_GT(force, 0);
-  // what the cylinder gives the tube, the rod takes up
+  // the rod carries the force of the cylinder on the tube
   EXPECT_LT((s.contacts[0].force + s.bodies[0].binding).norm(), 1e-6 * force);
   EXPECT_LT((s.contacts[0].force + s.bodies[1].contact).norm(), 1e-9 * force);
   EXPECT_NEAR(std::abs(s.contacts[0].force.y()) + std::abs(s.contacts[0].force.z()), 0,
               2e-3 * force);
-  // the patch is flat enough for its pressure to add up to the force but for the tilt of its
-  // normals
+  // the patch is nearly flat: its pressure adds up to the force except for the tilt of its normals
   double along_x = 0;
   const Eigen::VectorXd area = vertex_areas(problem.bodies[0].rest);
   for (int i = 0; i < area.size(); ++i) along_x += s.bodies[0].pressure[i] * area[i];
@@ -111,7 +110,7 @@ TEST(PaperContact, ForceFallsMonotonicallyToZeroWithTheDepth) {
   }
 }
 
-// Two deformable tubes crossing at right angles, the upper pressed into the lower.
+// Two deformable tubes crossing at right angles; the upper tube is pressed into the lower.
 BodyProblem crossing(double depth, double overlap_at_rest = 0) {
   BodyProblem problem;
   SurfaceBody upper = deformable("upper", 30, 36), lower = deformable("lower", 26, 30);
@@ -146,12 +145,12 @@ TEST(PaperContact, TwoDeformableVesselsShareTheForceAndBothCarryPressure) {
 
 TEST(PaperContact, OverlapAtRestCarriesNoPressureAtRest) {
   BodyProblem problem = crossing(0, 1.5);
-  problem.bodies[0].carried.col(1).array() += 1e-9;  // its rod moves, but by nothing that matters
+  problem.bodies[0].carried.col(1).array() += 1e-9;  // its rod moves by a negligible amount
   const SurfaceSolution s = solve_paper(problem);
   EXPECT_EQ(s.status, Status::converged);
   EXPECT_LT(s.bodies[0].contact.norm(), 1e-6);
 
-  // and pressed further it answers about as if it had touched without overlap
+  // pressed further, it responds nearly as if it had touched without overlap
   const SurfaceSolution pressed_on = solve_paper(crossing(1, 1.5));
   EXPECT_GT(pressed_on.bodies[0].contact.x(), 0);
 }

@@ -8,7 +8,7 @@ namespace {
 
 using namespace testing;
 
-// Two small tubes, joined, with contacts that press, that are open, and against a standing plane.
+// Two small joined tubes with contacts: pressing, open, and against a fixed plane.
 PaperSystem two_tubes() {
   PaperSystem system;
   const TriangleSurface t = tube(1, 2, 6, 3);
@@ -88,8 +88,8 @@ TEST(PaperEnergy, FixedVerticesStandAloneInTheMatrices) {
   }
 }
 
-// Moving carried points, rotations, multipliers, normals and positions rigidly changes no energy
-// and turns every force.
+// A rigid motion of carried points, rotations, multipliers, normals and positions changes no energy
+// and rotates every force.
 TEST(PaperEnergy, TurnsWithTheSpace) {
   PaperSystem system = two_tubes();
   const Points p = start(system);

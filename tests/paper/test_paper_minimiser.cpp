@@ -10,7 +10,7 @@ namespace {
 using namespace testing;
 constexpr double pi = std::numbers::pi;
 
-// A tube bent by 90 degrees, twisted by 60, stretched by 5 %, its end ring pulled onto a flattened
+// A tube bent by 90 degrees, twisted by 60 and stretched by 5 %, its end ring pulled onto a flat
 // slit.
 struct Problem {
   PaperSystem system;
@@ -21,7 +21,7 @@ struct Problem {
     const Carried carried = bent(t.points, length, pi / 2, pi / 3, 1.05);
     const auto n = static_cast<size_t>(t.points.rows());
     append_body(system, t, carried.points, carried.rotations, k, std::vector<char>(n, 0));
-    // The slit: standing vertices of a body of their own, joined to the last ring.
+    // The slit: fixed vertices of another body, joined to the last ring.
     const int ring = around * along;
     TriangleSurface slit;
     slit.points.resize(around, 3);
@@ -48,8 +48,8 @@ struct Problem {
 };
 
 TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
-  // k_s/k_b -> iterations to 1e-6 for 3.2k vertices, with room: 18 for the last, where the springs'
-  // whole bound in the constant matrix takes 26 by the tables of the reference
+  // k_s/k_b -> iterations to 1e-6 for 3.2k vertices, with a margin. The last ratio takes 18; with
+  // the full bound of the springs in the constant matrix it takes 26 by the reference's tables.
   for (const auto& [ratio, most] : {std::pair{0.01, 8}, std::pair{0.1, 16}, std::pair{1.0, 22}}) {
     Problem problem(40, 80, {0.1, 1, ratio});
     KeptFactor bound;
@@ -108,7 +108,7 @@ TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
 
   Points by_hessian = problem.start;
   options.max_factorisations = 40;
-  options.patience = 1;  // to the true Hessian at once
+  options.patience = 1;  // switches to the exact Hessian immediately
   const PaperMinimiserSummary newton = minimiser.minimise(by_hessian, options);
   EXPECT_EQ(newton.status, LbfgsStatus::converged);
   EXPECT_GT(newton.factorisations, 0);
@@ -118,7 +118,7 @@ TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
   EXPECT_TRUE(minimiser.stable(by_lbfgs));
 }
 
-// Stiff springs compressed by a weak binding: where L-BFGS with the constant matrix crawls.
+// Stiff springs compressed by a weak binding: L-BFGS with the constant matrix converges slowly.
 TEST(PaperMinimiser, TheTrueHessianTakesOverWhereEdgesBuckle) {
   Problem problem(24, 40, {0.1, 1, 10});
   KeptFactor bound;

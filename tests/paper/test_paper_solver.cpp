@@ -11,8 +11,8 @@ namespace {
 using namespace testing;
 constexpr double pi = std::numbers::pi;
 
-// A tube along x with a slit in its top, and one above it along -z whose lowest ring is to be
-// joined to the slit's rim.
+// A tube along x with a slit in its top, and one above it along -z whose lowest ring is joined to
+// the slit's rim.
 struct Glenn {
   BodyProblem problem;
   int around = 24;
@@ -29,8 +29,8 @@ struct Glenn {
     mouth.k = {0.01, 1, 0.5};
     mouth.fixed.assign(static_cast<size_t>(mouth.rest.points.rows()), 0);
     for (int i = 0; i < around; ++i) mouth.fixed[static_cast<size_t>(i)] = 1;
-    // The other body: a tube continuing from the mouth, at rest, a little off and of another
-    // radius.
+    // The other body: a tube at rest that continues from the mouth, slightly offset and with
+    // another radius.
     SurfaceBody other;
     other.name = "rpa";
     other.rest = tube(0.8 * radius, 40, around, 20);
@@ -109,7 +109,7 @@ TEST(PaperSolver, ARigidMotionOfTheSceneMovesTheAnswerWithIt) {
       b.carried = (b.carried * r.transpose()).eval().rowwise() + shift;
     else
       b.carried = b.rest.points;
-    // rotations are from the turned rest to the turned carried
+    // rotations from the rotated rest surface to the rotated carried surface
     for (Mat3& rotation : b.rotations) rotation = r * rotation * r.transpose();
   }
   const SurfaceSolution here = solve_paper(glenn.problem), there = solve_paper(turned);

@@ -40,7 +40,7 @@ Vec3 vec3_of(const YAML::Node& node) {
   return {node[0].as<double>(), node[1].as<double>(), node[2].as<double>()};
 }
 
-// OBJ with all digits: one of the formats the program reads.
+// OBJ with all digits, one of the supported formats.
 void write_obj(const std::filesystem::path& file, const TriangleSurface& surface) {
   std::ofstream out(file);
   out << std::setprecision(17);

@@ -1,4 +1,4 @@
-// The bundled infant scene as something a test can turn, move and write in other units.
+// The bundled infant scene, which tests can rotate, move and write in other units.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,11 +22,11 @@ inline GlennScene infant() {
   return {};
 }
 
-/// Runs `vasorod solve` on a case file as it stands; returns result.json. Fails the test on exit
-/// codes above 1.
+/// Runs `vasorod solve` on an unchanged case file and returns result.json. Exit codes above 1 fail
+/// the test.
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
-/// Writes the scene changed as told, its surfaces too, and runs it.
+/// Writes the changed scene with its surfaces and runs it.
 nlohmann::json solve_glenn(const GlennScene& scene, const std::string& options);
 
 }  // namespace vasorod::testing

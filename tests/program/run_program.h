@@ -1,4 +1,4 @@
-// Runs a built program as a user would and keeps what it said.
+// Runs a built program like a user and captures its output.
 #pragma once
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ inline std::string contents_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// A folder of this test's own, empty, removed with the object.
+/// An empty folder for one test; removed with the object.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -38,7 +38,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// `command`: program and arguments as a shell reads them.
+/// `command`: program and arguments in shell syntax.
 inline ProgramRun run_program(const std::string& command) {
   const ScratchFolder scratch;
   const auto out = scratch / "out", err = scratch / "err";

@@ -1,4 +1,4 @@
-// A small Glenn shunt of two generated tubes, in range and solvable in seconds.
+// A small Glenn shunt of two generated tubes, in the model's range and solved within seconds.
 #pragma once
 
 #include <string>

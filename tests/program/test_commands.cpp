@@ -1,4 +1,4 @@
-// The commands' contract with a shell: exit codes, one sentence on standard error, what is written.
+// The commands' interface to a shell: exit codes, one sentence on standard error, files written.
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -80,16 +80,16 @@ TEST(Commands, APulledTubeAnswersWithEATimesStrain) {
     EXPECT_EQ(run.err, "") << "silent in a pipe";
     const auto result = nlohmann::json::parse(run.out);
     EXPECT_EQ(result, nlohmann::json::parse(contents_of(scratch / fidelity / "result.json")));
-    // E A (l - 1), A = 2 pi R t, to what the mesh's polygon of 32 sides makes of R.
+    // E A (l - 1), A = 2 pi R t, up to the error of the mesh's polygon of 32 sides.
     const double exact = 1.0 * 2 * M_PI * 10 * 1 * 0.05;
     EXPECT_NEAR(result.at("ends")[1].at("force")[2].get<double>(), exact, 0.01 * exact);
     EXPECT_NEAR(result.at("ends")[0].at("force")[2].get<double>(), -exact, 0.01 * exact);
-    // The wall itself stretches a little less beside rigid ends, which keep it from narrowing, and
-    // so more elsewhere.
+    // Rigid ends prevent the wall from narrowing. The wall therefore stretches slightly less beside
+    // them and slightly more elsewhere.
     EXPECT_NEAR(result.at("metrics")[0].at("stretch")[1].get<double>(), 1.05,
                 fidelity == "coupled" ? 1e-3 : 1e-6);
     EXPECT_TRUE(result.at("validity").at("in_range").get<bool>());
-    // Rods always have it; on a surface `paper` has to be asked for it.
+    // Rods always have it; on a surface, `paper` computes it only on request.
     EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive").is_null(),
               fidelity == "paper");
   }
@@ -161,7 +161,7 @@ TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "report.html"));
 }
 
-// A vessel's name is those of its files, in XML too.
+// A vessel's name becomes the names of its files, in XML too.
 TEST(Commands, FitNamesItsVesselAsASceneCould) {
   const ScratchFolder scratch;
   std::filesystem::copy(source + "/meshes/infant/svc.vtp", scratch / "a&b <c.vtp");

@@ -1,4 +1,4 @@
-// Fidelity coupled as a user runs it: one minimum of the walls, its result folder.
+// Fidelity coupled through the built program: one minimum of the walls, its result folder.
 #include <Eigen/SVD>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -49,13 +49,13 @@ TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   EXPECT_EQ(result.at("energy").at("rod"), 0) << "the walls carry all of it";
   EXPECT_GT(result.at("energy").at("stretching").get<double>(), 0);
   EXPECT_GT(result.at("energy").at("bending").get<double>(), 0);
-  // E I k with I of the ring, softened by a few percent of flattening, which the rigid ends hinder.
+  // E I k with I of the ring, reduced by a few percent of flattening, which the rigid ends hinder.
   const double rod = M_PI * 1000 * (1 + 0.0025) * M_PI / 18 / 100;
   const double moment = result.at("ends")[1].at("moment")[1].get<double>();
   EXPECT_LT(moment, rod);
   EXPECT_GT(moment, 0.95 * rod);
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.01);
-  // Away from the ends the sections' means are bent as the motion asks.
+  // Away from the ends, the means of the sections have the prescribed curvature.
   EXPECT_NEAR(result.at("metrics")[0].at("largest_curvature").get<double>(), M_PI / 1800,
               0.1 * M_PI / 1800);
 }
@@ -90,7 +90,7 @@ Centerline read_centerline(const std::filesystem::path& file) {
   return line;
 }
 
-/// The pose that fits a row of the tube's vertices best, against the same row at rest.
+/// The pose that fits a row of the tube's vertices best, relative to the same row at rest.
 Pose mean_pose(const Points& rest, const Points& now) {
   const Vec3 from = rest.colwise().mean(), to = now.colwise().mean();
   const Mat3 spread =
@@ -101,8 +101,9 @@ Pose mean_pose(const Points& rest, const Points& now) {
   return {svd.matrixU() * sign * svd.matrixV().transpose(), to};
 }
 
-// A long thin tube pulled, bent and twisted a little at once: what its centerline reports is the
-// mean of its sections, and times the rod's stiffnesses it is the force and the moment there.
+// A long thin tube, slightly pulled, bent and twisted at once. The centerline's strains are the
+// means of the sections; multiplied by the rod's stiffnesses they are the force and the moment
+// there.
 TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
   const double length = 200, radius = 10, thickness = 1, nu = 0.3;
   const Vec6 strain = (Vec6() << 0, 0, 1.0005, 0, 2e-4, 2e-4).finished();
@@ -180,8 +181,7 @@ TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
   EXPECT_NEAR(result.at("ends")[1].at("moment")[2].get<double>(), exact, 0.01 * exact);
 }
 
-// Bent to 0.9 of the Brazier curvature this tube between rigid ends kinks on the way, near 0.75
-// (design.md, section 1).
+// Bent to 0.9 of the Brazier curvature between rigid ends, this tube kinks on the way, near 0.75.
 TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
   const json result =
       solve(tube("kink", isotropic, "rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]"), 1);
@@ -191,8 +191,8 @@ TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.3);
 }
 
-// Twisted by 30 degrees it wrinkles on the way (design.md: at 20); the wrinkles may turn about the
-// axis at no cost, which is no instability.
+// Twisted by 30 degrees, it wrinkles on the way, at 20 degrees. The wrinkles can rotate about the
+// axis without energy, which is not an instability.
 TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
   const json result = solve(tube("wrinkles", isotropic, "rotate_deg: [0, 0, 30]"), 1);
   EXPECT_EQ(result.at("status"), "buckled");
@@ -201,9 +201,9 @@ TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
   EXPECT_LT(result.at("ends")[1].at("moment")[2].get<double>(), 0.9 * smooth);
 }
 
-// With a tenth of the ordinary shear modulus the limit is at a third (Donnell's equations,
-// tests/vessel): half of Brazier's curvature, which a tube with the ordinary one takes smoothly, is
-// past it.
+// With a tenth of the ordinary shear modulus, the limit is at a third (Donnell's equations,
+// tests/judge/test_validity.cpp). Half of Brazier's curvature is beyond it; with the ordinary
+// modulus the tube bends smoothly to that curvature.
 TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
   const json result = solve(tube("soft_shear",
                                  "{thickness: 1.0, young: 1.0, shear: 0.05, "
@@ -215,8 +215,8 @@ TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
   EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
 }
 
-// A section free to flatten kinks earlier: the same tube between soft ends between 0.40 and 0.45 of
-// that curvature.
+// A section that can flatten kinks earlier: the same tube between soft ends, between 0.40 and 0.45
+// of that curvature.
 TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
   std::string scene = tube(
       "soft", isotropic, "section: soft, rotate_deg: [0, 12.7302, 0], move: [11.0646, 0, -0.8206]");
@@ -227,8 +227,8 @@ TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.2);
 }
 
-// Two tubes side by side, the held ends of one moved into the other's: settled, with the reason why
-// contact beside the ends is missing.
+// Two tubes side by side, the held ends of one moved into those of the other: converged, with the
+// reason why contact beside the ends is missing.
 TEST(Coupled, ParallelTubesWhoseHeldEndsOverlapSettleAndSaySo) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "scene.yaml") << R"(scene: parallel
@@ -263,8 +263,8 @@ fidelity: coupled
   }
 }
 
-// Two tubes, one cut and joined to the other's side: everything yields, the seam closes, both
-// vessels balance.
+// Two tubes, one cut and joined to the side of the other: both deform, the seam closes, both
+// vessels are in balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
   const json result = solve(small_glenn("coupled"));
   EXPECT_EQ(result.at("status"), "converged");

@@ -1,5 +1,5 @@
-// The whole way from two picked points to a predicted shunt, as a user runs it: issue by issue what
-// the paper shows.
+// The complete pipeline from two picked points to a predicted shunt, through the built program,
+// compared with what the paper shows.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -57,7 +57,7 @@ TEST(Glenn, ShortVeinPressesOnTheAortaALongerOneLessALongOneNotAtAll) {
   EXPECT_GT(high, low);
   EXPECT_GT(low, 0);
   EXPECT_EQ(pressure_between(longer, "svc", "aorta"), 0);
-  // The aorta's own entry feels the same.
+  // The aorta's own entry has the same value.
   EXPECT_GT(entry(shorter.at("metrics"), "vessel", "aorta").at("largest_pressure").get<double>(),
             0);
   EXPECT_EQ(entry(longer.at("metrics"), "vessel", "aorta").at("largest_pressure").get<double>(), 0);
@@ -93,7 +93,7 @@ void expect_same(const json& a, const json& b, const std::string& where) {
   }
 }
 
-// Lengths, areas and pressures to the original's units and frame, by name.
+// Converts lengths, areas and pressures to the original's units and frame, by name.
 json in_original_units(json value, const std::string& name, const GlennScene& scene) {
   if (value.is_object()) {
     for (auto& [key, item] : value.items()) item = in_original_units(item, key, scene);

@@ -1,5 +1,5 @@
-// The bundled anatomy at fidelity coupled: half a minute each, so apart from the default tests
-// (label long).
+// The bundled anatomy at fidelity coupled. Each test takes half a minute and is not among the
+// default tests (label long).
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,8 +31,8 @@ TEST(GlennCoupled, AShorterVeinToo) {
   expect_one_minimum(solve_case("infant_short.yaml", "--fidelity coupled"));
 }
 
-// At the slit's tip the vein's wall folds sharper than its mesh can follow; that is named, not
-// lost.
+// At the slit's tip, the vein's wall folds more sharply than its mesh can resolve; the result
+// states this.
 TEST(GlennCoupled, ALongerVeinToo) {
   const auto result = solve_case("infant_long.yaml", "--fidelity coupled");
   expect_one_minimum(result);

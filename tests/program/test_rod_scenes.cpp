@@ -1,5 +1,5 @@
-// Every bare-rod scene of benchmarks/cases/rod through the built program, against the digits in its
-// first lines.
+// Every bare-rod scene of benchmarks/cases/rod through the built program, compared with the digits
+// in its first lines.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ struct Digits {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr std::nullopt_t none = std::nullopt;
-// An extrapolated scene reaches the digits, the others are second order in their elements.
+// An extrapolated scene reaches the digits; the others are second order in the element size.
 const std::vector<Digits> table = {
     {"b1-elastica",
      "converged",
@@ -183,7 +183,7 @@ TEST_P(RodCase, ReachesItsDigits) {
   const Digits& d = GetParam();
   const auto result = solved(d.name, d.status == "converged" ? 0 : 1);
   EXPECT_EQ(result.at("status"), d.status) << d.name;
-  // without an energy there is no curvature to speak of
+  // without an energy, there is no curvature to report
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"),
             d.status == "converged" ? nlohmann::json(true) : nlohmann::json(nullptr))
       << d.name;

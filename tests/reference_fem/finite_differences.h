@@ -1,4 +1,4 @@
-// A cell's residual and tangent against central differences of its energy and residual.
+// Compares a cell's residual and tangent with central differences of its energy and residual.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace vasorod::fem {
 
-/// A state without any symmetry, of `size` per degree of freedom.
+/// A state without symmetry; `size` is the magnitude per degree of freedom.
 inline Eigen::VectorXd uneven_state(const Model& model, double size) {
   Eigen::VectorXd u(model.dof_count());
   for (int i = 0; i < u.size(); ++i) u[i] = size * std::sin(3.0 * i);
   return u;
 }
 
-/// `has_energy`: false where a follower load works beside the strain energy.
+/// `has_energy`: false if a follower load acts in addition to the strain energy.
 inline void expect_derivatives(const Model& model, int cell, const Eigen::VectorXd& u, double load,
                                bool has_energy) {
   CellTerms at, plus, minus;

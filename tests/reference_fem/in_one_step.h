@@ -1,5 +1,5 @@
-// The equilibrium at the full load in a single step, for tests whose loads are small or whose
-// supports hold nearly everything.
+// Equilibrium at the full load in a single step, for tests with small loads or with supports that
+// hold nearly everything.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ inline Equilibrium in_one_step(const Model& model, Supports supports, double tol
   return out;
 }
 
-/// Holds the nodes' displacements where `u` (of the rest position) says.
+/// Holds the nodes at the displacements `u` (a function of the rest position).
 template <class Nodes, class Displacement>
 void hold_at(Supports& supports, const Points& rest, const Nodes& nodes, const Displacement& u) {
   for (const int node : nodes) {

@@ -79,8 +79,8 @@ inline Rows cantilever_shear(const std::vector<double>& loads, const std::array<
   });
 }
 
-/// 3.2: the tip's edge is a rigid section under a moment about -y. By the Biot law, whose moment is
-/// linear in curvature as in the elastica (S = C : E stiffens by (h curvature)^2).
+/// 3.2: the tip's edge is a rigid section under a moment about -y. By the Biot law, the moment is
+/// linear in the curvature as in the elastica (S = C : E stiffens by (h curvature)^2).
 inline Rows cantilever_moment(const std::vector<double>& loads, const std::array<int, 3>& cells,
                               int degree) {
   const Shell shell = cantilever(12, cells, degree, LawKind::biot);
@@ -185,7 +185,7 @@ inline Solid solid_cantilever(double length, const std::array<int, 3>& cells, in
       law);
 }
 
-/// -u and w of the tip, mean of its upper and lower corner (p = 3 has no node between).
+/// -u and w of the tip, the mean of its upper and lower corner (p = 3 has no node in between).
 inline std::function<std::array<double, 2>(const Eigen::VectorXd&)> middle_of_tip(
     const Solid& solid) {
   const int low = solid.mesh().nearest_node({1, 0, 0}), high = solid.mesh().nearest_node({1, 0, 1});
@@ -207,8 +207,8 @@ inline Rows solid_cantilever_shear(const std::vector<double>& loads,
   return follow(solid, supports, loads, 0.05, 0.2, middle_of_tip(solid));
 }
 
-/// 3.2: the tip's face is a rigid section (nu = 0: bending leaves it undeformed), Biot law as for
-/// the shell.
+/// 3.2: the tip's face is a rigid section (with nu = 0, bending does not deform it), Biot law as
+/// for the shell.
 inline Rows solid_cantilever_moment(const std::vector<double>& loads,
                                     const std::array<int, 3>& cells, int degree) {
   const Solid solid = solid_cantilever(12, cells, degree, LawKind::biot);
@@ -225,8 +225,8 @@ inline Rows solid_cantilever_moment(const std::vector<double>& loads,
   return follow(solid, supports, loads, 0.05, 0.1, middle_of_tip(solid));
 }
 
-/// 3.7: the load shared by the crown's nodes through the thickness, by their shares of it; their
-/// mean deflection, weighted likewise (what the load does work on).
+/// 3.7: the load is distributed over the crown's nodes through the thickness by their shares; the
+/// deflection is their mean with the same weights, which is conjugate to the load.
 inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::array<int, 3>& cells,
                                 int degree) {
   const Solid solid = make_body(
@@ -241,8 +241,7 @@ inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::arr
   hold(supports, mesh.nodes_on(1, 0), {0, 1, 2}, 3);
   hold(supports, mesh.nodes_on(0, 0), {2}, 3);
   hold(supports, mesh.nodes_on(0, 1), {0}, 3);
-  // the nodes on the line through the thickness, in proportion to their shares of the face beside
-  // it
+  // the nodes on the line through the thickness, in proportion to their shares of the adjacent face
   const std::map<int, double> shares = parameter_shares(mesh, 0, 1);
   std::vector<std::pair<int, double>> line;
   double sum = 0;
@@ -260,8 +259,8 @@ inline Rows solid_semi_cylinder(const std::vector<double>& loads, const std::arr
   });
 }
 
-/// 3.2 against the strip's own exact solution, within `bound` of its length 12, and, by the rule of
-/// 1 % or 0.002, against the elastica.
+/// Compares 3.2 with the strip's exact solution, within `bound` of its length 12, and, within 1 %
+/// or 0.002, with the elastica.
 inline void expect_rolled(const std::vector<double>& loads, const Rows& path,
                           reference::RolledStrip::Kind kind, double bound) {
   using reference::RolledStrip;

@@ -1,5 +1,5 @@
-// A shallow arch pushed through by a dead load: the path in arc length against the one that an
-// imposed displacement of the crown gives.
+// A shallow arch under a dead load that snaps through: the path in arc length compared with the
+// path under an imposed displacement of the crown.
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 namespace vasorod::fem {
 namespace {
 
-/// Half of a hinged cylindrical strip, radius 100, half angle 0.2, width 1, thickness 1.4: rise
-/// over thickness is 1.4, so it snaps; above about 2 the crown's deflection would turn back too.
-/// The crown is at parameter 0.
+/// Half of a hinged cylindrical strip, radius 100, half angle 0.2, width 1, thickness 1.4. Rise
+/// over thickness is 1.4, so the strip snaps; above about 2 the crown's deflection would reverse
+/// too. The crown is at parameter 0.
 struct Arch {
   Shell shell = sze::make_shell(
       {{4, 1, 1}, false, 3},
@@ -31,7 +31,7 @@ struct Point {
   double load, crown;
 };
 
-/// Force on the crown that holds it `down` below its rest.
+/// Force that holds the crown at `down` below its rest position.
 double held_force(double down) {
   Arch arch;
   const std::vector<int> crown = arch.shell.mesh().nodes_on(0, 0);
@@ -71,7 +71,7 @@ TEST(ArcLength, FollowsAShallowArchThroughItsLimitPoints) {
   EXPECT_EQ(summary.load, 1);
   EXPECT_EQ(summary.positive_definite, true);
   ASSERT_EQ(summary.limit_loads.size(), 1u);
-  // the crown goes down all the way; the load comes down between two limit points
+  // the crown moves down all the way; the load decreases between two limit points
   std::size_t lowest = 0;
   double highest = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -86,7 +86,7 @@ TEST(ArcLength, FollowsAShallowArchThroughItsLimitPoints) {
   for (const std::size_t i : {lowest / 2, lowest, path.size() - 1})
     EXPECT_NEAR(held_force(path[i].crown) / (full * path[i].load), 1, 1e-6) << path[i].crown;
 
-  options.arc_steps = 0;  // without it the path ends at the first limit point, and says where
+  options.arc_steps = 0;  // the path then ends at the first limit point and states where
   options.on_step = nullptr;
   const StepperSummary stopped = follow_path(system, state, assembly, options);
   EXPECT_EQ(stopped.status, PathStatus::stuck);

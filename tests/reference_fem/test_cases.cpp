@@ -1,5 +1,5 @@
-// The scenes of benchmarks/cases/reference: closed forms; solid and shell against the recorded
-// output beside them, and against each other, which must be the closer the thinner the wall.
+// The scenes of benchmarks/cases/reference compared with closed forms; solid and shell compared
+// with the recorded output beside them and with each other, where thinner walls must agree better.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -52,7 +52,7 @@ TEST(Cases, SolidAndShellAgreeTheBetterTheThinnerTheWall) {
       EXPECT_LT(gap, kind == "twist" ? 0.002 : 0.01) << name;
       EXPECT_LT((shell.displacement - solid.displacement).rowwise().norm().maxCoeff(), 0.01 * 10)
           << name;
-      EXPECT_LT(gap, std::max(before, 1e-5)) << name;  // below 1e-5 it is the meshes' own error
+      EXPECT_LT(gap, std::max(before, 1e-5)) << name;  // below 1e-5, mesh errors dominate
       before = gap;
       std::printf("%s: solid %.8g, shell %.8g, relative %.1e, displacements %.1e of R\n",
                   name.c_str(), solid.reaction, shell.reaction, gap,

@@ -1,4 +1,4 @@
-// Cook's membrane by the split neo-Hookean law, compressible and nearly incompressible.
+// Cook's membrane with the split neo-Hookean law, compressible and nearly incompressible.
 #include <cstdio>
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace vasorod::fem {
 namespace {
 
-// Cook's membrane, compressible split neo-Hookean, plane strain, dead shear of 1 N: 14.74 mm at the
-// middle of the right edge.
+// Cook's membrane, compressible split neo-Hookean, plane strain, dead shear force of 1 N: 14.74 mm
+// at the middle of the right edge.
 double cooks_tip(double kappa, int cells, int degree) {
   const double mu = 0.4225;
   const Solid solid(make_solid({{cells, cells, 1}, false, degree},
@@ -35,7 +35,7 @@ double cooks_tip(double kappa, int cells, int degree) {
   System::Assembly assembly;
   EXPECT_EQ(follow_path(system, state, assembly).status, PathStatus::complete);
   const int corner = mesh.nearest_node({1, 0, 0}), top = mesh.nearest_node({1, 1, 0});
-  // the middle of the edge is a node of even degree or an even number of cells
+  // the middle of the edge is a node for even degrees and for even numbers of cells
   const int middle = mesh.nearest_node({1, 0.5, 0});
   EXPECT_NE(middle, corner);
   EXPECT_NE(middle, top);
@@ -49,8 +49,8 @@ TEST(Cook, Compressible) {
   EXPECT_NEAR(tip, 14.74, 0.015);
 }
 
-// No locking near incompressibility (bulk modulus 1e4 mu): few large cells give the fine mesh's
-// answer as closely as they do for the compressible law.
+// No locking near incompressibility (bulk modulus 1e4 mu): few large cells are as close to the fine
+// mesh's answer as with the compressible law.
 TEST(Cook, NearlyIncompressible) {
   const double kappa = 1e4 * 0.4225;
   const double fine = cooks_tip(kappa, 8, 4), coarse = cooks_tip(kappa, 4, 2),

@@ -1,7 +1,6 @@
-// A bent tube followed through its kink: L / R = 10, t / R = 0.2, ends turned as rigid disks and
-// free to approach. A quarter of it, by symmetry: the kink forms in the middle. The angle itself
-// folds back: the path in arc length shows it, and a test bench that turns the ends snaps across
-// it.
+// A bent tube through its kink: L / R = 10, t / R = 0.2, the ends rotate as rigid disks and may
+// approach. A quarter of the tube by symmetry: the kink forms in the middle. The angle has a limit
+// point: the path in arc length shows it, and a tube with prescribed end rotations snaps across it.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -72,7 +71,7 @@ const Bent& largest_moment(const std::vector<Bent>& path) {
                            [](const Bent& a, const Bent& b) { return a.moment < b.moment; });
 }
 
-/// Where the angle turns back, and where it turns on again.
+/// Where the angle reverses, and where it increases again.
 struct Fold {
   Bent first, second;
 };
@@ -96,7 +95,7 @@ TEST(Kink, IsFollowedThroughTheFoldOfItsAngle) {
   for (const Bent& b : fine)
     std::printf("%.4f degrees: moment %.4f, energy %.4f, height %.4f\n", b.angle, b.moment,
                 b.energy, b.height);
-  // on both meshes the moment has its maximum just before the angle turns back
+  // on both meshes, the moment has its maximum just before the angle reverses
   EXPECT_NEAR(fold.first.angle, 44.60, 0.03);
   EXPECT_NEAR(fold.first.angle, other.first.angle, 0.03);
   EXPECT_NEAR(fold.second.angle, 39.33, 0.1);
@@ -105,7 +104,8 @@ TEST(Kink, IsFollowedThroughTheFoldOfItsAngle) {
   EXPECT_NEAR(largest_moment(fine).moment / largest_moment(coarse).moment, 1, 1e-3);
   EXPECT_LT(largest_moment(fine).angle, fold.first.angle);
   EXPECT_NEAR(fine.back().moment / coarse.back().moment, 1, 5e-3);
-  // equilibrium all along: the moment's work is the energy, backwards through the fold too
+  // equilibrium along the whole path: the moment's work is the energy, also where the angle
+  // decreases
   double work = 0;
   Bent before{0, 0, 0, 1};
   for (const Bent& b : fine) {
@@ -114,10 +114,11 @@ TEST(Kink, IsFollowedThroughTheFoldOfItsAngle) {
     EXPECT_LT(b.height, before.height) << b.angle;  // the section only flattens
     before = b;
   }
-  EXPECT_GT(before.height, thickness / (2 * radius));  // the walls have not met
+  EXPECT_GT(before.height, thickness / (2 * radius));  // the walls do not touch yet
 }
 
-// With turned ends the tube cannot go back: it snaps, and arrives where the arc-length path does.
+// With prescribed end rotations the angle cannot decrease: the tube snaps to the state of the
+// arc-length path.
 TEST(Kink, SnapsToTheSameBranchWhereTheEndsAreTurned) {
   const Tube tube({6, 12, 1});
   StepperOptions options;

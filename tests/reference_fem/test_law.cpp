@@ -1,5 +1,5 @@
-// The laws against finite differences of their own energy, closed forms, and each other at small
-// strain.
+// The laws compared with finite differences of their energy, with closed forms, and with each other
+// at small strain.
 #include <Eigen/Dense>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Mat3 rotation() {
   return Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
 }
 
-/// General, with two and with three equal stretches, and the rest state.
+/// Deformation gradients: general, with two and with three equal stretches, and the rest state.
 std::vector<Mat3> gradients() {
   Mat3 general;
   general << 1.1, 0.2, -0.1, 0.05, 0.85, 0.15, 0.3, -0.2, 1.25;
@@ -114,7 +114,7 @@ TEST(Law, StiffnessMatchesItsClosedForm) {
   EXPECT_NEAR(C(5, 5), m.shear, 1e-14);
 }
 
-/// P11 of a bar of E = 1, nu = 0.3 pulled to `stretch`, its sides free (Newton on the lateral
+/// P11 of a bar of E = 1, nu = 0.3 pulled to `stretch` with free sides (Newton on the lateral
 /// stretch).
 double bar(const MaterialLaw& law, double stretch, double& lateral) {
   lateral = 1;
@@ -128,8 +128,8 @@ double bar(const MaterialLaw& law, double stretch, double& lateral) {
 TEST(Law, FiniteUniaxialTension) {
   const Moduli m = Moduli::isotropic(1, 0.3);
   double lateral = 0;
-  // stretch, neo-Hookean lateral stretch and P, solved independently from mu (lt^2 - 1) + lambda ln
-  // J = 0
+  // stretch, neo-Hookean lateral stretch and P, solved independently from
+  // mu (lt^2 - 1) + lambda ln J = 0
   const double table[][3] = {{0.5, 1.2107673905, -0.9353520569},
                              {0.8, 1.0673383693, -0.2400053820},
                              {1.2, 0.9456326243, 0.1749291474},

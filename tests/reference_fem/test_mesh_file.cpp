@@ -1,6 +1,6 @@
-// gmsh meshes: the same numbers as the built-in mesh of the same cells, and one sentence for each
-// file that deal.II would misread or that is not the scene's tube. One test has meshes/tube.py make
-// its files.
+// gmsh meshes: equal results to the built-in mesh of the same cells, and one sentence for each file
+// that deal.II would misread or that is not the scene's tube. One test makes its files with
+// meshes/tube.py.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -21,13 +21,13 @@
 namespace vasorod::fem {
 namespace {
 
-/// A hexahedral (quadrilateral) mesh of the straight tube in gmsh's format 2.2, its cells in an
-/// order and with local axes that differ from cell to cell.
+/// A hexahedral (quadrilateral) mesh of the straight tube in gmsh's format 2.2. The order and the
+/// local axes of the cells vary.
 struct Written {
   int around = 6, along = 3, layers = 2;  ///< no layers: the mid-wall
   double length = 30, radius = 10, thickness = 2;
   std::string header = "2.2 0 8";
-  std::string cell_type;   ///< in place of the right one
+  std::string cell_type;   ///< replaces the correct one
   int start_tag = 1;       ///< of the faces at the start
   double shift = 0;        ///< of one vertex, along the axis
   bool leave_out = false;  ///< the last cell
@@ -104,7 +104,7 @@ class File {
 
 const TubeShape straight{30, 10, 2, 10, 2, 0, {}};
 
-/// Bent by 8 degrees between a held and a moved rigid end: energy, then force and moment.
+/// Bent by 8 degrees between a held and a moved rigid end: energy, force and moment.
 struct Answer {
   double energy = 0;
   Vec6 force = Vec6::Zero();
@@ -178,7 +178,7 @@ TEST(MeshFile, HalvedCellsLieOnTheTubeAndUnitsArePassedOn) {
                  straight));
 }
 
-// By meshes/tube.py: bent by 60 degrees, tapered in radius and thickness; both of gmsh's formats.
+// A file of meshes/tube.py: bent by 60 degrees, tapered in radius and thickness; both gmsh formats.
 TEST(MeshFile, CurvedTaperedTubeOfGmsh) {
   const testing::ScratchFolder scratch;
   const std::string hexahedra = (scratch / "hex.msh").string(),

@@ -1,5 +1,5 @@
-// vasorod-fem as a user runs it: exit codes, one sentence for what it cannot do, the last converged
-// state where a path ends, and the same numbers from two processes.
+// The built program vasorod-fem: exit codes, one sentence for unsupported scenes, the last
+// converged state if a path ends, and equal results with two processes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -60,7 +60,7 @@ TEST(FemProgram, RefusesWithOneSentenceAndNamesWhatItCanDo) {
       "elements: 4}], stiffness: {axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}}\n" +
           ends,
       "found the bare rod \"tube\"; " + can);
-  // admissible one by one, not together: 1 - 0.3 - 2 * 0.3^2 * 100 < 0
+  // each admissible alone, but not together: 1 - 0.3 - 2 * 0.3^2 * 100 < 0
   std::string wall = head;
   wall.replace(wall.find("young: 1, poisson: 0.3"), 22,
                "young: 0.01, shear: 0.4, transverse: {young: 1, poisson: 0.3, coupling: 0.3}");
@@ -75,7 +75,7 @@ TEST(FemProgram, AMissingMeshFileIsAFilesError) {
 }
 
 TEST(FemProgram, WhereThePathEndsTheLargestLoadIsWrittenWithExitCode1) {
-  // S = C : E has no more strength in compression below 1 / sqrt(3)
+  // S = C : E loses its strength in compression below 1 / sqrt(3)
   std::string crush = ends;
   crush.replace(crush.find("rotate_deg: [0, 8, 0], move: [2.8, 0, -0.1]"), 43,
                 "move: [0, 0, -39.5]");

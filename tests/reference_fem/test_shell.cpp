@@ -52,7 +52,7 @@ TEST(Shell, RigidMotionsCostNothing) {
   }
 }
 
-// The body of the bent, tapered tube is the solid's: volumes agree to the meshes' geometric error.
+// The bent, tapered shell has the volume of the solid, up to the meshes' geometric error.
 TEST(Shell, HasTheVolumeOfTheSolid) {
   const TubeShape tube{8, 2, 0.6, 1.6, 0.4, 0.9, {}};
   const Block block{{8, 4, 1}, true, 3};
@@ -80,8 +80,8 @@ TEST(Shell, HasTheVolumeOfTheSolid) {
   EXPECT_NEAR(energy / law.evaluate(2 * Mat3::Identity()).energy / volume, 1, 1e-5);
 }
 
-// A flat plate of distorted cells, its edge nodes moved by one gradient: the same inside, the
-// thickness that of plane stress.
+// A flat plate of distorted cells whose edge nodes follow one gradient: the inside has the same
+// gradient, and the thickness is that of plane stress.
 TEST(Shell, PatchTestOnDistortedCells) {
   Mat3 H = Mat3::Zero();
   H.topLeftCorner<2, 2>() << 0.15, 0.2, -0.05, -0.1;
@@ -131,7 +131,7 @@ TEST(Shell, SzeCantileverUnderEndShear) {
   }
 }
 
-// p = 4: what twelve cells of p = 3 are too stiff by is of the size of the difference between the
+// p = 4: the stiffness error of twelve cells of p = 3 is as large as the difference between the
 // exact solutions.
 TEST(Shell, SzeCantileverRolledToACircleByAnEndMoment) {
   const std::vector<double> loads{0.25, 0.5, 0.75, 1.0};

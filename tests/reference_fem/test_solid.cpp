@@ -1,5 +1,5 @@
-// The solid against exact solutions: patch test, manufactured solution, Lame's tube, uniaxial bar,
-// residual and tangent.
+// The solid compared with exact solutions: patch test, manufactured solution, Lame's tube, uniaxial
+// bar, residual and tangent.
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdio>
@@ -43,8 +43,7 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
   expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);  // a face under pressure
 }
 
-// The split law on cells whose volume ratio is projected: energy, residual and tangent belong
-// together.
+// The split law on cells with projected volume ratio: energy, residual and tangent are consistent.
 TEST(Solid, ProjectedVolumeRatioIsConsistent) {
   for (const int degree : {1, 2, 3}) {
     const Solid solid(make_solid({{1, 1, 1}, false, degree}, skewed), MaterialLaw::split(0.4, 50),
@@ -114,7 +113,7 @@ struct Manufactured {
 
 struct Errors {
   double displacement, gradient;
-  double potential;  ///< strain energy less the body force's work, itself, not yet an error
+  double potential;  ///< strain energy minus the body force's work (the value, not an error)
 };
 
 /// The exact potential: the skewed block fills the unit cube.

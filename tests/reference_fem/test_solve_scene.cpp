@@ -1,5 +1,5 @@
-// Scenes through the reference: units, placement, solid against shell, loads, what is refused,
-// where a path ends.
+// Scenes through the reference: units, placement, solid and shell compared, loads, refused scenes,
+// paths that end early.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -70,7 +70,7 @@ TEST(SolveScene, APlacedTubeIsTheSameTube) {
   SolveOptions options = coarse();
   options.degree = 2;
   const Result a = solve_scene(scene_of(bend), options);
-  // the whole scene turned so that z goes to x, x to y, y to z, and shifted
+  // the whole scene rotated so that z becomes x, x becomes y, y becomes z, and shifted
   std::string turned =
       with(bend, "radius: 10}",
            "radius: 10, position: [5, -3, 7], tangent: [1, 0, 0], normal: [0, 1, 0]}");
@@ -122,14 +122,14 @@ TEST(SolveScene, ErrorEstimateFromTwoMeshesHoldsAgainstAFinerOne) {
 }
 
 TEST(SolveScene, PressureWidensTheTube) {
-  // soft ends that may slide: Lame's open tube, u(r = 10) at p = 1e-3 times a small factor
+  // soft ends that can slide: Lame's open tube, u(r = 10) at p = 1e-3 times a small factor
   const std::string text =
       "scene: lame\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
       "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: "
       "0.3}, "
       "pressure: 1e-6}\nends:\n"
       "  - {vessel: tube, end: start, hold: true, section: soft}\n";
-  // the shell's thickness is t / R = 0.2: its strain is linear through it, Lame's is not
+  // the shell with t / R = 0.2 has a linear strain through the thickness, Lame's solution has not
   for (const auto& [model, bound] :
        {std::pair{ModelKind::solid, 2e-3}, std::pair{ModelKind::shell, 5e-3}}) {
     const Result r = solve_scene(scene_of(text), coarse(model));

@@ -1,4 +1,4 @@
-// Sze, Liu and Lo's longer benchmarks, each along its whole path: 1 % or 0.002, 3 % in the snap
+// The long benchmarks of Sze, Liu and Lo, each along its whole path: 1 % or 0.002, 3 % in the snap
 // zone of 3.7.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ void compare(const sze::Rows& path, const std::vector<std::array<double, 2>>& ta
     }
 }
 
-// With the shell among the default tests.
+// The shell is among the default tests.
 TEST(Sze, CantileverRolledToACircleAsASolid) {
   const std::vector<double> loads{0.25, 0.5, 0.75, 1.0};
   sze::expect_rolled(loads, sze::solid_cantilever_moment(loads, {12, 1, 1}, 4),
@@ -48,8 +48,8 @@ TEST(Sze, HemisphereWithAHole) {
           loads);
 }
 
-// Small-load anchor from an independent high-order shell code (quarter load 10): +0.18493629 and
-// 0.18902206.
+// Reference value at a small load from an independent high-order shell code (quarter load 10):
+// +0.18493629 and 0.18902206.
 TEST(Sze, HemisphereAtSmallLoad) {
   const auto path = sze::hemisphere({0.01}, {10, 10, 1}, 4);
   std::printf("%.6f %.6f\n", path[0][0], path[0][1]);

@@ -1,7 +1,7 @@
-// Finite torsion and stretch of the tube ri = 9, ro = 11: the exact one-dimensional solutions'
-// torque and axial force, computed independently, to every digit printed, by the one-dimensional
-// minimiser here and by the solid: a piece of the infinite tube whose end sections have the exact
-// deformed shape.
+// Finite torsion and stretch of the tube ri = 9, ro = 11. Torque and axial force of the exact
+// one-dimensional solutions were computed independently. The one-dimensional minimiser here and the
+// solid must agree with them to every digit printed. The solid is a piece of the infinite tube
+// whose end sections have the exact deformed shape.
 #include <gtest/gtest.h>
 
 #include "reference_fem/in_one_step.h"
@@ -76,8 +76,8 @@ TEST(Torsion, CompressibleLaws) {
   }
 }
 
-// Rivlin's torsion of an incompressible neo-Hookean tube, mu = 1, as the limit of the split law:
-// what a bulk modulus of 1e5 mu leaves is below 1e-6.
+// Rivlin's torsion of an incompressible neo-Hookean tube, mu = 1, as the limit of the split law. A
+// bulk modulus of 1e5 mu gives an error below 1e-6.
 TEST(Torsion, RivlinsIncompressibleTube) {
   struct Row {
     double twist, torque, force, inner, outer;
@@ -96,7 +96,7 @@ TEST(Torsion, RivlinsIncompressibleTube) {
 }
 
 // Torque over G J D of a transversely isotropic tube, E = 1, nu = 0.3, G = f / 2.6, S = C : E, at
-// fixed length and with the axial force zero: every factor and twist of the table.
+// fixed length and with zero axial force: every factor and twist of the table.
 TEST(Torsion, TransverselyIsotropicTable) {
   struct Row {
     double twist;

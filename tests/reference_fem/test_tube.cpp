@@ -1,4 +1,4 @@
-// Tubes with rigid and soft ends against closed forms and one-dimensional exact solutions.
+// Tubes with rigid and soft ends compared with closed forms and one-dimensional exact solutions.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -78,8 +78,8 @@ TEST(Tube, VolumeConvergesToPappus) {
 }
 
 TEST(Tube, SmallTwistAndBendingOfTheSection) {
-  // ri 9, ro 11, L 60, one layer, p = 4, 4 x 4 cells: errors -3.56e-6 (twist) and -3.53e-6
-  // (bending, nu = 0) known for this mesh
+  // ri 9, ro 11, L 60, one layer, p = 4, 4 x 4 cells. The errors of this mesh are known: -3.56e-6
+  // (twist) and -3.53e-6 (bending, nu = 0).
   Case c;
   c.tube.length = 60;
   c.cells = {4, 4, 1};
@@ -101,13 +101,14 @@ double hutchinson(double inner, double outer, double nu) {
          (7 * a4 + 34 * ab + nu * (12 * a4 + 48 * ab) + nu * nu * (4 * a4 + 16 * ab));
 }
 
-// Column, one end held and the other free under a dead force along the axis: the certificate
+// A column with one end held and the other free under a dead force along the axis. The certificate
 // changes sign at
-//   P (1 + P / k G A - P / E A) = (1 + nu P / E A)^2 pi^2 E I / 4 L^2,
-// Euler's load (1.566), less by shear, more by the shortening before it and by the section's
-// widening, which lengthens the bent fibres' arms. k is Hutchinson's. (Haringx's closed form with
-// Cowper's k, without shortening and widening: 1.482.) nu = 0, or a soft root, leave the section
-// free to widen: within 0.2 %. A rigid root hinders it, which adds 0.2 to 0.6 %.
+//   P (1 + P / k G A - P / E A) = (1 + nu P / E A)^2 pi^2 E I / 4 L^2.
+// This is Euler's load (1.566), reduced by shear and increased by the preceding shortening and by
+// the widening of the section, which lengthens the arms of the bent fibres. k is Hutchinson's.
+// (Haringx's closed form with Cowper's k, without shortening and widening: 1.482.) With nu = 0, or
+// with a soft root, the section can widen: within 0.2 %. A rigid root prevents this, which adds 0.2
+// to 0.6 %.
 TEST(Tube, TheCertificateChangesAtTheColumnsBucklingLoad) {
   struct Row {
     double nu;
@@ -153,9 +154,9 @@ TEST(Tube, SoftEndsLetAStretchedTubeNarrow) {
   EXPECT_NEAR(u.dot(member.arm) / member.arm.squaredNorm(), -0.3 * 0.2, 1e-4);
 }
 
-// Uniform torsion at fixed length, walls free: torque and axial force of the one-dimensional exact
-// solutions. Soft ends do not hinder the contraction; what is left is their traction, linear over
-// the section, against the exact one.
+// Uniform torsion at fixed length with free walls: torque and axial force of the one-dimensional
+// exact solutions. Soft ends do not hinder the contraction. The remaining difference is their
+// traction, which is linear over the section, compared with the exact one.
 TEST(Tube, FiniteTorsionAtFixedLength) {
   struct Row {
     LawKind kind;

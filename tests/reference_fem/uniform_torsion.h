@@ -1,7 +1,7 @@
-// Uniform torsion and stretch of a tube as a one-dimensional problem: r(R) alone is unknown. F has
-// the local columns (radial, hoop, axis) = (r' e_r, r / R e_t, l e_z + r D e_t); the energy per
-// length is minimised over r(R) in Chebyshev-spaced polynomials. An independent path to M and N,
-// and the end sections' exact shape for the three-dimensional models.
+// Uniform torsion and stretch of a tube as a one-dimensional problem with the only unknown r(R). F
+// has the local columns (radial, hoop, axis) = (r' e_r, r / R e_t, l e_z + r D e_t). The energy per
+// length is minimised over r(R) in polynomials with Chebyshev-spaced nodes. This gives M and N
+// independently, and the exact shape of the end sections for the three-dimensional models.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,11 +15,11 @@ namespace vasorod::fem::reference {
 
 class UniformTorsion {
  public:
-  /// Twist D per undeformed length, stretch l; walls free.
+  /// Twist D per undeformed length, stretch l; free walls.
   UniformTorsion(const MaterialLaw& law, double inner, double outer, double twist, double stretch)
       : law_(law), inner_(inner), outer_(outer), twist_(twist), stretch_(stretch) {
     nodal_ = Eigen::VectorXd::Zero(degree + 1);
-    for (int k = 0; k <= degree; ++k) nodal_[k] = radius_at(k);  // r = R to start with
+    for (int k = 0; k <= degree; ++k) nodal_[k] = radius_at(k);  // starts with r = R
     for (int iteration = 0; iteration < 60; ++iteration) {
       const double h = 1e-6;
       const Eigen::VectorXd g = gradient(nodal_);
@@ -48,7 +48,7 @@ class UniformTorsion {
     return 0.5 * (inner_ + outer_) -
            0.5 * (outer_ - inner_) * std::cos(std::numbers::pi * k / degree);
   }
-  /// Lagrange basis through the nodes: values, or slopes by products.
+  /// Lagrange basis through the nodes: values or slopes.
   double basis(int k, double R, bool slope) const {
     double sum = 0, product = 1;
     for (int j = 0; j <= degree; ++j) {

@@ -17,7 +17,7 @@ double covered(const Picture& picture) {
   return sum;
 }
 
-// The shoelace formula on the table's own text: contours that turn the other way are holes.
+// The shoelace formula on the table's own data: contours of opposite orientation are holes.
 double area_of(const Glyph& glyph) {
   double sum = 0;
   std::string contour;

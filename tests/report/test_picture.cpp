@@ -11,7 +11,7 @@
 namespace vasorod {
 namespace {
 
-// A sphere about a point, as rings of triangles between its poles.
+// A sphere around a point: rings of triangles between its poles.
 TriangleSurface sphere(const Vec3& centre, double radius) {
   constexpr int around = 96, along = 48;
   TriangleSurface ball = test::tube(1, M_PI, around, along);
@@ -61,7 +61,7 @@ TEST(Picture, ASphereCoversTheDiskPerspectiveGivesIt) {
   const TriangleSurface ball = sphere(Vec3::Zero(), radius);
   const Picture picture =
       render({drawn(ball, {0.8F, 0.2F, 0.2F})}, from_above(distance, half), 400, 300);
-  // The rays that graze the sphere meet the plane of its centre at r D / sqrt(D^2 - r^2).
+  // The rays tangent to the sphere meet the plane of its centre at r D / sqrt(D^2 - r^2).
   const double seen = radius * distance / std::sqrt(distance * distance - radius * radius);
   const double pixels = M_PI * std::pow(seen * 150 / half, 2);
   EXPECT_NEAR(covered(picture), pixels,
@@ -142,7 +142,7 @@ TEST(Picture, ValuesAreColouredByTheirScale) {
     const Picture picture = render({surface}, from_above(10, 1.5), 40, 40);
     const std::uint8_t* seen = pixel(picture, 20, 20);
     const Colour expected = scale(value);
-    // Lit white light leaves the ratio of the channels.
+    // White light keeps the ratio of the channels.
     const std::size_t main = value < 0 ? 2 : 0, other = value < 0 ? 0 : 2;
     EXPECT_NEAR(double(seen[other]) / seen[main], expected[other] / expected[main], 0.12);
   }

@@ -20,7 +20,7 @@ bool has(const std::string& page, const std::string& text) {
   return page.find(text) != std::string::npos;
 }
 
-// Decodes by the definition: six bits a character.
+// Decodes by the definition: six bits per character.
 std::string decoded(const std::string& text) {
   static const std::string digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -105,8 +105,8 @@ TEST(Report, TheStumpIsThereFromTheCutOn) {
     EXPECT_NE(with[stage].png, without[stage].png) << stage;
 }
 
-// Pressed on one side or on the other: one of the two is out of sight from where the other pictures
-// are taken.
+// Contact on one side or on the other: one of the two is not visible in the direction of the other
+// pictures.
 TEST(Report, TheContactPressureIsLookedAtFromItsSide) {
   int turned = 0;
   for (const double side : {-1.0, 1.0}) {
@@ -176,7 +176,7 @@ TEST(Report, AnOperationIsAboutTheVesselsItJoins) {
   result.vessels[1].name = "rpa";
   result.vessels[1].obstacle = false;
   VesselResult beside = test::obstacle(24, 30);
-  beside.obstacle = false;  // it may move, but the operation does not join it
+  beside.obstacle = false;  // deformable, but not joined by the operation
   result.vessels.push_back(beside);
   const auto wanted = [&] {
     std::map<std::string, bool> names;

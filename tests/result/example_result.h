@@ -1,4 +1,4 @@
-// A result made by hand: a tube twisted, bent and stretched by a formula, beside an obstacle.
+// A hand-made result: a tube twisted, bent and stretched by a formula, beside an obstacle.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -39,8 +39,8 @@ inline TriangleSurface tube(double radius, double length, int around, int along,
   return surface;
 }
 
-/// Bends a point of a tube along z into an arc of curvature k in the x z plane, after a twist of
-/// rate w and a stretch v.
+/// Bends a point of a tube along z to an arc of curvature k in the x z plane, after a twist of rate
+/// w and a stretch v.
 inline Vec3 deformed(const Vec3& p, double k, double w, double v) {
   const double s = v * p.z(), c = std::cos(w * p.z()), n = std::sin(w * p.z());
   const double x = c * p.x() - n * p.y(), y = n * p.x() + c * p.y();
@@ -183,7 +183,7 @@ inline Result example_result(int around = 24, int along = 30) {
   return r;
 }
 
-/// A folder of its own for a test, removed with everything in it.
+/// A temporary folder for one test, removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

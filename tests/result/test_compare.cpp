@@ -92,8 +92,8 @@ TEST_F(Compare, AnotherMeshOfTheSameMotionDiffersOnlyByTheChords) {
   a.vessels[0] = affine_tube(40, 50, gradient, {1, 2, 3});
   b.vessels[0] = affine_tube(28, 33, gradient, {1, 2, 3});
   const VesselComparison c = compare(a, b).vessels.at(0);
-  // A point of A lies at most the sagitta of B's chords away; the motion differs by the gradient's
-  // norm times that.
+  // A point of A is at most the sagitta of B's chords away. The motion differs by at most the
+  // gradient's norm times this distance.
   const double sagitta = 1 - std::cos(M_PI / 28);
   EXPECT_LT(c.rest_distance, 1.1 * sagitta);
   EXPECT_GT(c.rest_distance, 0.5 * sagitta);
@@ -102,7 +102,7 @@ TEST_F(Compare, AnotherMeshOfTheSameMotionDiffersOnlyByTheChords) {
 }
 
 TEST_F(Compare, TheMeanIsWeightedByArea) {
-  // One row of the tube is moved: its share of the area is known.
+  // One row of the tube is moved; its share of the area is known.
   Result a = test::example_result(), b = a;
   const int around = 24, along = 30, row = 7;
   for (int i = 0; i < around; ++i) b.vessels[0].current(row * around + i, 1) += 0.5;

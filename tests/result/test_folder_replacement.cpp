@@ -112,7 +112,7 @@ TEST(FolderReplacement, TheCurrentFolderIsRefused) {
   fs::current_path(before);
 }
 
-// In a process of its own, which lays down the right to write anywhere where the tests have it.
+// In a separate process, which gives up root's right to write anywhere if the tests have it.
 TEST(FolderReplacement, AFolderThatCannotBeWrittenToIsRefused) {
   const test::TemporaryFolder base;
   fs::permissions(base.path, static_cast<fs::perms>(0555));

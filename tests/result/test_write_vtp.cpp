@@ -110,7 +110,7 @@ TEST(WriteVtp, TheFileIsBinaryAndCompressed) {
   EXPECT_EQ(bytes, vessel_vtp(test::deformed_tube(24, 30))) << "two writes of one vessel differ";
 }
 
-// Another reader, written from the format's description.
+// An independent reader, written from the format's description.
 TEST(WriteVtp, ReadsTheSameWithoutVtk) {
   const VesselResult vessel = test::deformed_tube(24, 30);
   const test::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Rods the tests share.
+// Rods shared by the tests.
 #pragma once
 
 #include <vector>
@@ -65,10 +65,10 @@ inline Vec6 isotropic(double ga, double ea, double ei, double gj) {
   return vec6(ga, ga, ea, ei, ei, gj);
 }
 
-/// B7: the 45 degree bend, clamped at the origin, tangent +y, turning towards +x; dead tip force
+/// B7: the 45 degree bend, clamped at the origin, tangent +y, bending towards +x; dead tip force
 /// along +z.
 inline RodTree bend45(int elements, const Vec6& stiffness) {
-  // d3 = y; turning towards x: with d1 = x, u = (0, 1/R, 0) turns d3 towards d1
+  // d3 = y, bending towards x: with d1 = x, u = (0, 1/R, 0) rotates d3 towards d1
   return chain(frame({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), 100 * 3.14159265358979323846 / 4,
                {0, 0.01, 0}, elements, stiffness);
 }

@@ -9,7 +9,7 @@
 namespace vasorod {
 namespace {
 
-// A helical rod: constant strain, so that every section's frame is known in closed form.
+// A helical rod: its strain is constant, so every section's frame is known in closed form.
 RodTree helix(int elements, double length, const Vec3& curvature) {
   RodTree tree;
   Pose start;
@@ -74,7 +74,7 @@ TEST(Binding, PointsBeyondTheEndsKeepTheirPlaceByZ) {
 }
 
 TEST(Binding, SectionsReachingTheCentreOfCurvatureAreRefused) {
-  const RodTree tree = helix(16, 40, Vec3(0, 0.1, 0));  // turns about a centre 10 away along +d1
+  const RodTree tree = helix(16, 40, Vec3(0, 0.1, 0));  // bends about a centre 10 away along +d1
   Points points(1, 3);
   points.row(0) = helix_frame(tree, 20) * Vec3(9, 0, 0);
   EXPECT_NO_THROW(vasorod::bind(tree, points, {}));
@@ -85,7 +85,7 @@ TEST(Binding, SectionsReachingTheCentreOfCurvatureAreRefused) {
 TEST(Binding, CarriesSectionsRigidlyWithAnyPose) {
   const RodTree tree = helix(6, 30, Vec3(0.01, 0, 0.03));
   RodPoses poses = tree.rest;
-  for (size_t k = 0; k < poses.size(); ++k) {  // bend, stretch and twist on top
+  for (size_t k = 0; k < poses.size(); ++k) {  // adds bending, stretch and twist
     Vec6 twist;
     twist << 0.3 * static_cast<double>(k), -0.1, 0.4, 0.05 * static_cast<double>(k), 0.02, -0.1;
     poses[k] = exp_motion(twist) * poses[k];

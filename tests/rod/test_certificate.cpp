@@ -1,4 +1,4 @@
-// What the solver says about an equilibrium: lowest modes, symmetries of the scene, best states.
+// The solver's statements about an equilibrium: lowest modes, symmetries of the scene, best states.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -28,9 +28,9 @@ struct Column {
   }
 };
 
-// z^T H z / z^T M z by the element's own Hessian, M the lengths at each node; dead forces add
-// nothing in (r, omega) about a straight rod's axis but their bracket term F.(omega x v)/2, which
-// the elimination has too.
+// z^T H z / z^T M z by the element's own Hessian; M contains the lengths at each node. In (r,
+// omega) about a straight rod's axis, dead forces contribute only their bracket term F.(omega x
+// v)/2, which the elimination contains too.
 double rayleigh(const RodTree& tree, const RodPoses& poses, const std::vector<Vec6>& stress,
                 const RodStep& mode) {
   double up = 0, weight = 0;
@@ -55,7 +55,7 @@ TEST(Certificate, TheLowestModeIsTheBucklingMode) {
     RodProblem problem(column.tree, column.conditions);
     RodState state = problem.state_at(column.tree.rest);
     for (Vec6& s : state.stress) s[2] = -1.05 * critical;
-    EXPECT_EQ(certify(problem, state).negative, 2);  // either way sideways
+    EXPECT_EQ(certify(problem, state).negative, 2);  // in both lateral directions
     const RodStep mode = lowest_mode(problem, state);
     double force_term = 0, weight = 0;  // second-order work of the dead force in these coordinates
     for (std::size_t k = 0; k < mode.twist.size(); ++k)
@@ -65,7 +65,7 @@ TEST(Certificate, TheLowestModeIsTheBucklingMode) {
                         .dot(mode.twist[32].tail<3>().cross(mode.twist[32].head<3>())) /
                    weight;
     EXPECT_LT(rayleigh(column.tree, column.tree.rest, state.stress, mode) + force_term, 0) << held;
-    // sideways everywhere, largest where the closed form is
+    // lateral everywhere, largest where the closed form is largest
     const std::size_t largest = held ? 16 : 32;
     for (const Vec6& t : mode.twist) {
       EXPECT_LE(t.segment<2>(1).norm(), mode.twist[largest].segment<2>(1).norm() * (1 + 1e-9));
@@ -89,7 +89,7 @@ TEST(Certificate, ABuckledColumnIsOneOfAFamily) {
   EXPECT_NE(s.summary.message.find("while the sections turn back"), std::string::npos);
 }
 
-TEST(Certificate, AnUnequalColumnIsNot) {  // it buckles in its weak plane, to either side
+TEST(Certificate, AnUnequalColumnIsNot) {  // it buckles in its weak plane, in both directions
   const Column column(1.3 * pi * pi / 4, vec6(1e8, 1e8, 1e8, 1, 2, 0.7), false);
   const RodSolution s = solve_rod(column.tree, column.conditions);
   EXPECT_EQ(s.summary.status, Status::converged);
@@ -121,9 +121,9 @@ TEST(Certificate,
       << free.summary.message;
 }
 
-// A straight rod closed to a ring may roll about its tangent at no cost. Sections that shear more
-// easily one way are no symmetry, and the ring is not sheared: a direction that costs nothing
-// without one.
+// A straight rod closed to a ring can roll about its tangent without energy. Sections with a weaker
+// shear direction have no symmetry, and the ring has no shear: a zero-energy mode without a
+// symmetry.
 TEST(Certificate, ADirectionThatCostsNothingWithoutASymmetryIsNotCalledAMinimum) {
   for (const double second : {1e6, 2e6}) {
     RodTree tree = chain(along_x, 2 * pi, {0, 1, 0}, 64, vec6(1e6, second, 1e6, 1, 1, 0.7));
@@ -153,7 +153,7 @@ TEST(Certificate, AnInterruptedSolveReturnsTheBestState) {
     ASSERT_EQ(s.summary.status, Status::interrupted) << limit;
     for (const Pose& p : s.poses) ASSERT_TRUE(p.position.allFinite() && p.rotation.allFinite());
     EXPECT_TRUE(std::isfinite(s.summary.residual));
-    if (limit + 3 >= all) {  // the last of Newton's steps: never worse than a step earlier
+    if (limit + 3 >= all) {  // in Newton's last steps: never worse than the previous step
       EXPECT_LE(s.summary.residual, before) << limit;
       before = s.summary.residual;
     }

@@ -1,4 +1,4 @@
-// Orders of convergence against closed forms and an independent shooting solver.
+// Orders of convergence, compared with closed forms and an independent shooting solver.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -47,13 +47,12 @@ TEST(Convergence, Elastica) {  // B1: Mattiasson 1981, EA L^2 / EI = 1e8
 }
 
 TEST(Convergence, ElasticaExtrapolatedIsOrderFour) {
-  const auto error =
-      [](int n) {  // EA L^2 / EI = 1e11: the digits are those of a rod that cannot stretch
-        const RodSolution a = elastica(n, 5, 1e11), b = elastica(2 * n, 5, 1e11);
-        return ((4 * b.poses.back().position - a.poses.back().position) / 3 -
-                Vec3(1 - 0.387628360724, 0.713791523612, 0))
-            .norm();
-      };
+  const auto error = [](int n) {  // EA L^2 / EI = 1e11: the digits are those of an inextensible rod
+    const RodSolution a = elastica(n, 5, 1e11), b = elastica(2 * n, 5, 1e11);
+    return ((4 * b.poses.back().position - a.poses.back().position) / 3 -
+            Vec3(1 - 0.387628360724, 0.713791523612, 0))
+        .norm();
+  };
   double before = error(8);
   for (const int n : {16, 32}) {
     const double now = error(n);
@@ -70,7 +69,7 @@ TEST(Convergence, ElasticaOfEveryTabulatedLoad) {
         {5, 0.713791523612, 0.387628360724, 1.21536811761},
         {10, 0.81060902488, 0.554995597754, 1.4302855388},
         {50, 0.917155447304, 0.80000039605, 1.56798190157}}) {
-    // n and 2n extrapolated leave fourth order
+    // extrapolation from n and 2n has order four
     const RodSolution a = elastica(128, alpha, 1e10), b = elastica(256, alpha, 1e10);
     EXPECT_EQ(b.summary.status, Status::converged) << alpha;
     const Vec3 tip = (4 * b.poses.back().position - a.poses.back().position) / 3;
@@ -191,7 +190,7 @@ TEST(Convergence, PrescribedEndPoses) {  // B12
   }
 }
 
-// Slenderness 1e6 between clamps is as good as 1e2: few iterations, and what remains is round-off.
+// A slenderness of 1e6 between clamps works as well as 1e2: few iterations, round-off only.
 TEST(Convergence, TwoClampsAtAnySlenderness) {
   for (int e = 1; e <= 6; ++e) {
     const double ea = 12 * std::pow(10., 2 * e);

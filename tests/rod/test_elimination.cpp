@@ -1,5 +1,5 @@
-// The block elimination against the same Newton step by a dense matrix, built from the tested
-// element derivatives.
+// The block elimination compared with a Newton step by a dense matrix, which is built from the
+// tested element derivatives.
 #include <Eigen/Dense>
 #include <array>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace vasorod {
 namespace {
 
-// Trunk and two branches, deformed, stressed, with a full stiffness; nodes already parents first.
+// Trunk and two branches, deformed and stressed, with a full stiffness; nodes are parents first.
 struct Fixture {
   RodTree tree;
   std::vector<Pose> poses;
@@ -43,8 +43,8 @@ struct Fixture {
   }
 };
 
-// Dense step in space-axes node twists: B^T (C/L)(B z + eps) + G(stress) z = loads, with held
-// freedoms removed.
+// Dense step in space-axes node twists: B^T (C/L)(B z + eps) + G(stress) z = loads, with fixed
+// degrees of freedom removed.
 Eigen::VectorXd dense_step(const Fixture& f, const std::vector<bool>& held,
                            const Eigen::VectorXd& load, const Eigen::MatrixXd& node_terms,
                            int* negative) {
@@ -122,9 +122,9 @@ TEST(Elimination, IsTheDenseNewtonStepAndItsInertia) {
   }
 }
 
-// The reactions as unknowns: two branches held at their ends meet in a junction, one of them also
-// halfway, so that more than six reactions arrive at a node and some are eliminated there. Dense:
-// held freedoms struck out.
+// Reactions as unknowns: two branches held at their ends meet in a junction; one of them is also
+// held halfway. More than six reactions then arrive at a node, and some are eliminated there.
+// Dense: fixed degrees of freedom are removed.
 TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
   for (const double size : {1., 30., -60.})
     for (const bool held_junction : {false, true}) {
@@ -159,8 +159,8 @@ TEST(Elimination, SeveralSupportsAreTheDenseStepAndItsInertia) {
     }
 }
 
-// A prescribed end that is still away from its target: the step takes it there, and is the dense
-// one with that motion given.
+// A prescribed end that has not reached its target: the step moves it there and equals the dense
+// step with the same prescribed motion.
 TEST(Elimination, StepsOntoItsTargets) {
   Fixture f;
   NodeCondition root, tip;
@@ -177,17 +177,17 @@ TEST(Elimination, StepsOntoItsTargets) {
   std::vector<Vec6> step, stress, stretch;
   elimination.solve(step, stress, stretch);
   EXPECT_LT((step[4] - way).norm(), 1e-13);
-  // the junction's forces balance: what the links pass to it adds up to nothing at the linearised
+  // the junction's forces balance: the forces of the links on it add up to zero in the linearised
   // state
   const int n = static_cast<int>(f.poses.size());
   std::vector<bool> held(index(6 * n), false);
   for (int i = 0; i < 6; ++i) held[index(i)] = held[index(24 + i)] = true;
-  // dense: move the tip's given step to the right-hand side
+  // dense: moves the tip's prescribed step to the right-hand side
   int negative = 0;
   Eigen::MatrixXd none = Eigen::MatrixXd::Zero(6 * n, 6 * n);
   std::vector<bool> only_root(index(6 * n), false);
   for (int i = 0; i < 6; ++i) only_root[index(i)] = true;
-  // a very stiff spring to the target is the same to its own softness
+  // a very stiff spring to the target gives the same up to its compliance
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(6 * n);
   const double spring = 1e9;
   none.block<6, 6>(24, 24) = spring * Mat6::Identity();

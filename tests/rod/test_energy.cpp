@@ -90,7 +90,7 @@ TEST(Energy, RigidMotionsCostNothing) {
   const Pose g = exp_motion(vec6(-30, 20, 5, 1.0, 2.0, -0.5));
   const double e = element_energy(f.element, f.first, f.second);
   EXPECT_NEAR(element_energy(f.element, g * f.first, g * f.second), e, 1e-13 * e);
-  // the gradient does no work on a rigid motion, written in both body frames
+  // the gradient does no work on a rigid motion, expressed in both body frames
   const Vec6 twist = vec6(0.3, -0.5, 0.2, 0.7, 0.1, -0.9);
   Vec12 rigid;
   rigid << adjoint(f.first.inverse()) * twist, adjoint(f.second.inverse()) * twist;

@@ -1,4 +1,4 @@
-// What must not matter: where the scene stands, the unit of stress, the way to the end (case B14).
+// Invariance: placement of the scene, unit of stress, path to the end state (case B14).
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -42,8 +42,8 @@ TEST(Invariance, ARigidMotionOfTheWholeSceneChangesNoStrain) {
     EXPECT_EQ(s.summary.status, Status::converged);
     EXPECT_NEAR(s.summary.energy, here.summary.energy, 1e-12 * here.summary.energy);
     const std::vector<Vec6> same = element_strains(there, s.poses);
-    // a strain is a difference of positions over a length: 1e-12 of what round-off makes of
-    // coordinates of 45
+    // a strain is a difference of positions over a length: 1e-12 times the round-off of coordinates
+    // of 45
     const double round_off = 1e-12 * std::max(1., g.position.norm());
     for (std::size_t e = 0; e < same.size(); ++e)
       EXPECT_LT((same[e] - strains[e]).norm(), round_off) << e;
@@ -91,7 +91,7 @@ TEST(Invariance, TheUnitOfLengthChangesNoStrain) {
     for (Pose& p : tree.rest) p.position *= size;
     for (RodElement& e : tree.elements) {
       e.length *= size;
-      const Vec6 unit = vec6(1, 1, 1, size, size, size);  // forces stay, moments grow
+      const Vec6 unit = vec6(1, 1, 1, size, size, size);  // forces stay, moments increase
       e.stiffness = (unit.asDiagonal() * e.stiffness * unit.asDiagonal()).eval();
     }
     RodConditions conditions = moved_end(32);
@@ -112,7 +112,7 @@ TEST(Invariance, TwoWaysToOneEnd) {
   RodOptions steps;
   steps.path_steps = 7;
   const RodSolution followed = solve_rod(tree, end, steps);
-  // first the move alone, then the turn on top of it, each from the state before
+  // first the translation alone, then the rotation in addition, each from the previous state
   RodConditions first = end;
   first.supports[1].motion.rotate.setZero();
   first.supports[1].motion.move *= 0.5;

@@ -54,8 +54,8 @@ TEST(Newton, PrescribedEndPose) {  // case B12, 60 degrees, slenderness 1e3, sec
             1e-6 * s.reactions[0].force.norm());
   const Pose target = target_pose(tree, conditions.supports[1]);
   EXPECT_LT((s.poses.back().position - target.position).norm(), 1e-15);
-  // warm start at the solution: nothing left to do; with the end moved on: the same answer as from
-  // rest
+  // warm start at the solution: nothing remains to be done; with the end moved further: the same
+  // answer as from rest
   EXPECT_LE(solve_rod(tree, conditions, {}, &s.poses).summary.iterations, 2);
   conditions.supports[1] = clamp_at(
       tree, 128,

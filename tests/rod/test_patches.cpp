@@ -1,4 +1,4 @@
-// States of constant strain are exact with one element of less than half a turn.
+// States of constant strain are exact with one element of less than half a revolution.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -13,9 +13,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const Vec6 stiffness = vec6(30, 40, 70, 1.3, 2.1, 0.9);
 
-// One element with natural strain `natural`, clamped at its start, under the stress of `strain` as
-// a dead force and a body moment at its end. With force and moment parallel as they must be (see
-// each test) that state is exact.
+// One element with natural strain `natural`, clamped at its start. The stress of `strain` acts as a
+// dead force and a body moment at its end. If force and moment are parallel as required (see each
+// test), this state is exact.
 void expect_exact(const Vec6& natural, const Vec6& strain, double length, const Pose& root) {
   RodTree tree = chain(root, length, natural.tail<3>(), 1, stiffness);
   tree.elements[0].natural_strain = natural;
@@ -59,7 +59,7 @@ TEST(Patch, Bend) {
   expect_exact(straight, vec6(0, 0, 1, 0, -1.5, 0), 2, somewhere);
 }
 
-TEST(Patch, Helix) {  // moments alone: u x m = 0 asks for m along u, so the natural strain follows
+TEST(Patch, Helix) {  // moments alone: u x m = 0 requires m along u; this fixes the natural strain
   const Vec3 u(0, 0.9, 0.6), m = 0.5 * u;
   const Vec6 strain = vec6(0, 0, 1, u[0], u[1], u[2]);
   Vec6 natural = strain;
@@ -77,7 +77,7 @@ TEST(Patch, HelicalSpringUnderAnAxialForce) {
     strain << v, u;
     natural << v - n.cwiseQuotient(stiffness.head<3>()), u - m.cwiseQuotient(stiffness.tail<3>());
     expect_exact(natural, strain, 2.5, somewhere);
-    // and with many elements over five turns
+    // and with many elements over five revolutions
     const int elements = 24;
     const double length = 5 * 2 * pi / u.norm();
     RodTree tree = chain(somewhere, length, natural.tail<3>(), elements, stiffness);

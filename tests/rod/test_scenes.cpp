@@ -1,4 +1,4 @@
-// The scene files of benchmarks/cases/rod, read, solved and compared with the published or computed
+// The scene files of benchmarks/cases/rod, read, solved and compared with published or computed
 // digits.
 #include <Eigen/Geometry>
 #include <cmath>
@@ -123,8 +123,7 @@ TEST(RodScenes, TreeConvergesAtOrderTwo) {
   EXPECT_LT((last_point(r, 0) - Vec3(59.2262221974, -5.5860004037, 6.6719754204)).norm(), 1e-6);
   EXPECT_LT((last_point(r, 1) - tip1).norm() + (last_point(r, 2) - tip2).norm(), 3e-6);
   EXPECT_NEAR(r.energy.rod, 3.055132910623, 1e-6);
-  // the support acts against the root moment of the digits' convention (theirs is the rod's on the
-  // root)
+  // the digits are the moment of the rod on the root, the support's moment is the opposite
   EXPECT_LT((end_of(r, "trunk", "start").moment + Vec3(5.3657261692, -8.2957307198, -6.0994099985))
                 .norm(),
             1e-5);
@@ -173,12 +172,12 @@ TEST(RodScenes, SectionForcesAndMomentsAreWritten) {
     EXPECT_LT((circle.moment[i] - Vec3(2 * pi, 0, 0)).norm(), 1e-10) << i;
     EXPECT_LT(circle.force[i].norm(), 1e-10) << i;
   }
-  const Result bend = solve(
-      "b7-bend45-extrapolated");  // a dead end force: the same in every section, to second order
+  const Result bend =
+      solve("b7-bend45-extrapolated");  // a dead end force: the same in every section, second order
   const CenterlineResult& line = *bend.vessels[0].centerline;
   for (std::size_t i = 1; i + 1 < line.force.size(); ++i)
     EXPECT_LT((line.directors[i] * line.force[i] - Vec3(0, 0, 600)).norm(), 2e-3 * 600) << i;
-  // and the moment at a section is that force times its lever
+  // and the moment at a section is that force times its lever arm
   const std::size_t middle = line.force.size() / 2;
   const Vec3 lever = last_point(bend) - Vec3(line.current.row(static_cast<Eigen::Index>(middle)));
   EXPECT_LT((line.directors[middle] * line.moment[middle] - lever.cross(Vec3(0, 0, 600))).norm(),

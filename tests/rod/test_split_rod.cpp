@@ -6,7 +6,7 @@
 namespace vasorod {
 namespace {
 
-// Root branch of three elements, two branches of two elements at its end; helical throughout.
+// Root branch of three elements, two branches of two elements at its end; all helical.
 RodTree fork() {
   RodTree tree;
   tree.rest.push_back({});
@@ -42,7 +42,7 @@ double length_of(const RodTree& tree) {
   return sum;
 }
 
-// Every element's strain carries its first node's rest frame to its second's.
+// Every element's strain maps its first node's rest frame to its second's.
 void expect_consistent(const RodTree& tree) {
   for (const RodElement& e : tree.elements) {
     const Pose& a = tree.rest[static_cast<size_t>(e.first)];

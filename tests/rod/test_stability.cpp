@@ -1,5 +1,5 @@
-// The certificate against closed forms: it changes sign where columns, twisted rods and rings
-// buckle, and what has buckled is found from the saddle.
+// The certificate compared with closed forms: it changes sign where columns, twisted rods and rings
+// buckle. Buckled states are found from the saddle.
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(Stability, EulerColumnWithShearAndStretch) {  // Haringx
                       above = column(ea, ga, 1.01 * critical, false);
     EXPECT_EQ(below.summary.status, Status::converged) << ea << ' ' << ga;
     EXPECT_EQ(above.summary.status, Status::unstable) << ea << ' ' << ga;
-    EXPECT_EQ(above.summary.negative_directions, 2);  // either way sideways
+    EXPECT_EQ(above.summary.negative_directions, 2);  // in both lateral directions
   }
 }
 
@@ -50,13 +50,13 @@ TEST(Stability, BuckledColumnFromTheStraightSaddle) {  // elliptic integrals
                                     {2.54225837, -.10692324, .75038837},
                                     {4.03008597, -.34031886, .62460351}}) {
     const RodSolution s = column(1e8, 1e8, ratio * pi * pi / 4, true);
-    // the plane it buckles in costs nothing to choose
+    // the choice of the buckling plane costs no energy
     EXPECT_EQ(s.summary.status, Status::converged) << ratio;
     EXPECT_EQ(s.summary.neutral_directions, 1);
     EXPECT_EQ(s.summary.negative_directions, 0);
     const Vec3 tip = s.poses.back().position;
     // near the critical load the amplitude is the root of a small difference: a load error of 2e-4
-    // shows as 0.8 % of it
+    // becomes 0.8 % of the amplitude
     const double tolerance = ratio < 1.03 ? 4e-3 : 1e-3;
     EXPECT_NEAR(tip.x(), x, tolerance) << ratio;
     EXPECT_NEAR(std::hypot(tip.y(), tip.z()), y, tolerance) << ratio;
@@ -97,10 +97,10 @@ TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
   for (const double gj : {0.587, 2. / 3, 1.}) {
     const double ga = 1e6;
     for (const double factor : {0.99, 1.01}) {
-      // Drawn as the ring it is bent to, sections without twist; its unstressed shape is straight
-      // and twisted back. Nothing in it prefers a direction, so the ring may turn about its tangent
-      // at the clamp while the sections roll back: that is a symmetry of the scene, and not counted
-      // as negative.
+      // Drawn as the ring, with sections without twist; the unstressed shape is straight and
+      // twisted back. The rod has no preferred direction, so the ring can rotate about its tangent
+      // at the clamp while the sections roll back. This is a symmetry of the scene and does not
+      // count as negative.
       const double tau = factor * std::sqrt(3.) / gj;
       RodTree tree = chain(along_x, 2 * pi, {0, 1, 0}, 64, isotropic(ga, ga, 1, gj));
       for (RodElement& e : tree.elements) e.natural_strain << 0, 0, 1, 0, 0, -tau;
@@ -109,7 +109,7 @@ TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
       RodOptions options;
       options.leave_saddle = false;
       const RodSolution s = solve_rod(tree, conditions, options);
-      // the ring is the equilibrium, up to the error of 64 elements and the turn that is free
+      // the ring is the equilibrium, up to the error of 64 elements and the free rotation
       EXPECT_NEAR(s.summary.energy, pi * (1 + gj * tau * tau), 2e-3 * s.summary.energy);
       EXPECT_NEAR((s.poses[32].position - s.poses[0].position).norm(), 2, 0.02);
       EXPECT_EQ(s.summary.neutral_directions, 1) << gj << ' ' << factor;
@@ -121,8 +121,8 @@ TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
 }
 
 // Ball joints and a dead axial moment at both ends: (M / 2 EI)^2 = (pi / L)^2 + T / EI. There is no
-// energy, so nothing to certify; the tangent is singular there, so the answer to a force from the
-// side changes sign.
+// energy and thus no certificate. The tangent is singular there, so the response to a lateral force
+// changes sign.
 TEST(Stability, GreenhillTangentIsSingular) {
   for (const double tension : {0., 10., -5.}) {
     const double critical = 2 * std::sqrt(pi * pi + tension);
@@ -176,7 +176,7 @@ TEST(Stability, GreenhillTangentIsSingular) {
       answer[side] = step[32][0];
     }
     EXPECT_GT(answer[0] * 1e3, 1. / 48)
-        << tension;  // more than a beam without moment gives: EI = L = 1, 1/48
+        << tension;  // more than for a beam without moment: EI = L = 1, 1/48
     EXPECT_LT(answer[1], 0) << tension;
   }
 }
@@ -212,7 +212,7 @@ TEST(Stability, OneCoilAlongItsPathIsAMinimum) {
   RodPoses poses = straight.rest;
   RodSolution s;
   for (int step = 1; step <= 16;
-       ++step) {  // the end goes where the helix of part of the strain has it
+       ++step) {  // moves the end along helices with a share of the strain
     const double t = step / 16.;
     const Pose end = along_x * exp_motion(length * vec6(0, 0, 1, 0, t * kappa, t * tau));
     conditions.supports = {clamp(0), clamp_at(straight, n, end)};

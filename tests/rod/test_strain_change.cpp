@@ -5,7 +5,7 @@
 namespace vasorod {
 namespace {
 
-// A parent of two elements (nodes 0 1 2) and a side branch of `count` elements that leaves node 2.
+// A parent of two elements (nodes 0 1 2) and a side branch of `count` elements from node 2.
 RodTree forked(int count) {
   RodTree rod;
   rod.rest.resize(3 + static_cast<size_t>(count));

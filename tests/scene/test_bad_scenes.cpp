@@ -1,5 +1,5 @@
-// Scenes that must be refused with one sentence, and mutations of good ones that must never do
-// anything else.
+// Scenes that must be refused with one sentence, and mutations of valid scenes that must be read or
+// refused.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
@@ -30,7 +30,7 @@ surgery:
 fidelity: paper
 )";
 
-// The first occurrence of `from` becomes `to`; the sentence must hold all of `says`.
+// Replaces the first occurrence of `from` by `to`. The sentence must contain all of `says`.
 struct Bad {
   std::string what, from, to;
   std::vector<std::string> says;
@@ -261,7 +261,7 @@ TEST_F(BadFile, MissingEmptyFolderAndBinary) {
   EXPECT_FALSE(refusal(write("deep.yaml", std::string(20000, '['))).empty());
 }
 
-// Every mutation is read or refused with one line; nothing else may come out of the reader.
+// Every mutation is read or refused with one line; no other outcome is allowed.
 TEST_F(BadFile, MutationsAreReadOrRefused) {
   std::mt19937 random(1);
   const std::string letters = "[]{}:,-#&*!|>'\"%@` \n\t0123456789.eE+xaz_\xc3\xa9\x01";
@@ -306,7 +306,7 @@ TEST_F(BadFile, MutationsAreReadOrRefused) {
   EXPECT_GT(refused, rounds / 2);
 }
 
-// Every value of the scene in turn replaced by one of a wrong kind.
+// Replaces every value of the scene in turn by one of a wrong type.
 TEST_F(BadFile, WrongKindsOfEveryValue) {
   for (const char* wrong : {"[]", "{}", "[[1]]", "{a: 1}", "~", "-1", "0", "1e400", ".inf", "\"\"",
                             "*x", "&x", "!!int a"}) {

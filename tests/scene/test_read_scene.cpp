@@ -8,7 +8,7 @@
 namespace vasorod {
 namespace {
 
-// Every key of docs/scene.md at least once.
+// Every key of a scene file at least once.
 const char* const tubes = R"(scene: bend-10
 units: {length: cm, stress: kPa}
 vessels:
@@ -134,7 +134,7 @@ TEST_F(ReadScene, ReadsRods) {
   EXPECT_FALSE(trunk.pieces[1].natural);
   const RodSpec& branch = *scene.vessel("branch").rod;
   EXPECT_EQ(*branch.parent, "trunk");
-  EXPECT_EQ(branch.tangent, Vec3::UnitZ());  // straight on from the parent's end
+  EXPECT_EQ(branch.tangent, Vec3::UnitZ());  // continues straight from the parent's end
   EXPECT_EQ(scene.ends[1].end.at, 0.5);
   EXPECT_EQ(to_string(scene.ends[2].end), "at(0.25)");
 }

@@ -1,5 +1,4 @@
-// Surfaces and files for the tests of the readers. Files are written by VTK where an encoding
-// matters.
+// Surfaces and files for the tests of the readers. VTK writes the files whose encoding matters.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +14,7 @@ namespace vasorod {
 
 TubeSpec small_tube();  ///< length 40, radius 10 mm, 24 around, 20 strips
 TriangleSurface sample_tube();
-/// `sample_tube` with a fan over each of `ends` (0, 1); its centre stands `height` outside the
+/// `sample_tube` with a fan over each of `ends` (0, 1). The fan's centre is `height` outside the
 /// end's plane.
 TriangleSurface closed_tube(const std::vector<int>& ends, double height);
 TriangleSurface joined(const TriangleSurface& a, const TriangleSurface& b);
@@ -28,7 +27,7 @@ void write_stl(const std::filesystem::path& file, const TriangleSurface& surface
 void write_ply(const std::filesystem::path& file, const TriangleSurface& surface, bool ascii);
 void write_obj(const std::filesystem::path& file, const TriangleSurface& surface);
 
-/// A vessel that reads `file`, in a scene in millimetres.
+/// A vessel with the surface `file`, in a scene in millimetres.
 VesselSpec vessel_of(const std::filesystem::path& file);
 
 }  // namespace vasorod

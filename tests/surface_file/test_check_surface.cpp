@@ -13,8 +13,7 @@ namespace {
 
 class CheckSurface : public ScratchFolder {
  protected:
-  // The sentence with which the file is refused; empty when it is not. Nothing may reach the
-  // terminal.
+  // The sentence that refuses the file; empty if it is accepted. The terminal must stay empty.
   std::string refusal(const std::filesystem::path& file, Role role = Role::deformable) const {
     VesselSpec vessel = vessel_of(file);
     vessel.role = role;
@@ -122,7 +121,7 @@ TEST_F(CheckSurface, NonManifoldEdge) {
 
 TEST_F(CheckSurface, NonManifoldPoint) {
   TriangleSurface other = sample_tube();
-  other.points.col(0).array() += 20;  // its point at -10 falls on the first tube's at 10
+  other.points.col(0).array() += 20;  // its point at -10 coincides with the first tube's at 10
   TriangleSurface both = joined(sample_tube(), other);
   const int shared = 24 * 10, twin = static_cast<int>(other.points.rows()) + 24 * 10 + 12;
   ASSERT_LT((both.points.row(shared) - both.points.row(twin)).norm(), 1e-12);
@@ -185,7 +184,7 @@ TEST_F(CheckSurface, HoleInTheWall) {
 }
 
 TEST_F(CheckSurface, Handle) {
-  // A torus without the triangles around two of its points.
+  // A torus without the triangles around two of its points: two ends.
   constexpr int n = 40, m = 16;
   TriangleSurface torus;
   torus.points.resize(n * m, 3);
@@ -210,7 +209,7 @@ TEST_F(CheckSurface, Handle) {
 
 TEST_F(CheckSurface, SelfIntersection) {
   TriangleSurface surface = sample_tube();
-  surface.points.row(24 * 10) << -15, 0, 20;  // pulled through the opposite wall
+  surface.points.row(24 * 10) << -15, 0, 20;  // moved through the opposite wall
   expect_says(refusal(surface), "crosses itself");
 }
 

@@ -94,7 +94,7 @@ TEST_F(CleanSurface, TurnsTheLongEdgeOfAFlatTriangle) {
 TEST_F(CleanSurface, RemovesAFlatTriangleOnAnEnd) {
   TriangleSurface surface = sample_tube();
   ASSERT_EQ(surface.triangles.row(0),
-            Eigen::RowVector3i(0, 1, 24));  // its side 0, 1 lies on the end
+            Eigen::RowVector3i(0, 1, 24));  // its edge 0-1 lies on the end
   split(surface, 0, inside(surface, 0, 0.5, 0.5 - 1e-6, 1e-6));
   expect_clean(surface);
   EXPECT_EQ(report.straightened, 1);

@@ -1,5 +1,4 @@
-// Files that were damaged on their way: every one is read or refused with one sentence, whatever
-// byte is wrong.
+// Damaged files: each is read or refused with one sentence, whichever byte is wrong.
 #include <gtest/gtest.h>
 #include <random>
 
@@ -18,7 +17,7 @@ class DamagedFiles : public ScratchFolder {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  // Damages the file in `rounds` ways; returns how many were refused.
+  // Damages the file in `rounds` ways and returns the number of refused files.
   int damage(const std::string& name) const {
     const std::string whole = contents(folder / name);
     const std::string damaged = "damaged" + std::filesystem::path(name).extension().string();
@@ -28,7 +27,7 @@ class DamagedFiles : public ScratchFolder {
     ::testing::internal::CaptureStderr();
     for (int round = 0; round < rounds; ++round) {
       std::string text = whole;
-      // Half of the damage to the head, where sizes and types stand.
+      // Half of the damage is in the header, which contains sizes and types.
       const size_t reach = round % 2 == 0 ? std::min<size_t>(600, text.size()) : text.size();
       for (size_t k = 0; k <= pick(3); ++k) {
         const size_t at = pick(std::min(reach, text.size()));

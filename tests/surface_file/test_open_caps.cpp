@@ -47,7 +47,7 @@ TEST(OpenCaps, LeavesOpenTubesRoundEndsAndCoarseTubesAlone) {
 }
 
 TEST(OpenCaps, ACubeHasNoLidsToTakeOff) {
-  // Its faces are flat and creased all around, but they share their borders.
+  // Its faces are flat with creases all around, but they share their borders.
   TriangleSurface cube;
   cube.points.resize(14, 3);
   for (int i = 0; i < 8; ++i)
@@ -66,8 +66,8 @@ TEST(OpenCaps, ACubeHasNoLidsToTakeOff) {
 }
 
 TEST(OpenCaps, UsesTheFacesASimVascularModelNames) {
-  // Domed by 7 degrees: facets across the lid differ by 14 and are no flat region by angle, but one
-  // face by name.
+  // A lid domed by 7 degrees: its facets differ by up to 14 degrees, so they are no flat region by
+  // angle, but the file names them one face.
   LoadedSurface loaded;
   loaded.surface = closed_tube({0, 1}, 1.2);
   EXPECT_EQ(opened(loaded.surface).report.removed_caps, 0);
@@ -92,7 +92,7 @@ TEST_F(CappedFile, OpensWithStartAtTheLowestPoint) {
   EXPECT_EQ(loaded.report.text(), "2 lids over ends removed");
   EXPECT_EQ(boundary_loops(loaded.surface.triangles)[0][0], 0);
   VesselSpec obstacle = vessel_of(folder / "tube.vtp");
-  obstacle.role = Role::obstacle;  // nothing flows through it: stays closed
+  obstacle.role = Role::obstacle;  // without flow: stays closed
   EXPECT_EQ(load_surface(obstacle, Scene()).surface.triangles, surface.triangles);
 }
 

@@ -56,8 +56,8 @@ TEST_F(ReadSurface, ReadsPlyAndObj) {
 }
 
 TEST_F(ReadSurface, ReadsPlyWithOtherElementsAndArrays) {
-  // As in Turk's page, with a colour per vertex, a quality per face, edges behind and both of the
-  // old type names.
+  // As in Turk's description, with a colour per vertex, a quality per face, trailing edges and both
+  // of the old type names.
   const auto tube = sample_tube();
   std::string text = "ply\nformat ascii 1.0\ncomment made for a test\nelement vertex " +
                      std::to_string(tube.points.rows()) +
@@ -136,8 +136,8 @@ TEST_F(ReadSurface, ReadsObjWithRelativeNumbersQuadsAndContinuedLines) {
 }
 
 TEST_F(ReadSurface, CutsPolygonsAndStripsIntoTriangles) {
-  // A tube of eight sides: one ring of quads, one of strips of two triangles each, one of hexagons
-  // (an extra point on two sides of each quad).
+  // A tube of eight sides: one ring of quads, one of triangle strips with two triangles each, one
+  // of hexagons (an extra point on two sides of each quad).
   std::string points, polys, strips;
   int count = 0;
   auto add = [&](double angle, double z) {
@@ -188,13 +188,12 @@ TEST_F(ReadSurface, CutsPolygonsAndStripsIntoTriangles) {
 
 TEST_F(ReadSurface, KeepsTheInputsArraysRowByRow) {
   TriangleSurface tube = sample_tube();
-  // A loose point first, so that every row moves by one.
+  // A loose point first, so that every row index increases by one.
   Points shifted(tube.points.rows() + 1, 3);
   shifted << 99, 99, 99, tube.points;
   tube.points = shifted;
   tube.triangles.array() += 1;
-  shifted(1, 0) =
-      std::numeric_limits<double>::quiet_NaN();  // an array may hold what points may not
+  shifted(1, 0) = std::numeric_limits<double>::quiet_NaN();  // allowed in arrays, not in points
   NamedArray radius{"Radius", shifted, false, ""}, id{"GlobalNodeID", {}, true, ""},
       face{"Regions", {}, true, ""};
   id.values.resize(shifted.rows(), 1);
@@ -229,7 +228,7 @@ TEST_F(ReadSurface, GeneratesTubesWithTheirThickness) {
 
 TEST_F(ReadSurface, RefusesRadiiOutsideTheUnitAndSaysWhichFits) {
   TriangleSurface tube = sample_tube();
-  tube.points /= 1000;  // written in metres
+  tube.points /= 1000;  // in metres
   write_vtp(folder / "tube.vtp", tube);
   VesselSpec vessel = vessel_of(folder / "tube.vtp");
   const std::string sentence = refusal(vessel);

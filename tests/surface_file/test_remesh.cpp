@@ -47,7 +47,7 @@ TEST(Remesh, KeepsEndsInPlaceAndInOrder) {
   EXPECT_EQ(loops[1][0], static_cast<int>(loops[0].size()));
 }
 
-// A file may number its far end first: `start` is then that end, before and after.
+// A file may number its far end first: that end is `start`, before and after.
 TEST(Remesh, KeepsAStartThatIsTheFarEnd) {
   TriangleSurface before = sample_tube();
   const int last = static_cast<int>(before.points.rows()) - 1;

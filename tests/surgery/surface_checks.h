@@ -1,4 +1,4 @@
-// What every operation promises of the surface it leaves, checked from scratch.
+// Properties that every operation guarantees of its surface, checked independently.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 
 namespace vasorod::testing {
 
-/// Every directed edge at most once: neighbouring triangles turn the same way round.
+/// Every directed edge at most once: neighbouring triangles have the same orientation.
 inline bool oriented(const Triangles& triangles) {
   std::set<std::pair<int, int>> seen;
   for (int t = 0; t < triangles.rows(); ++t)
@@ -28,8 +28,8 @@ struct MadeBySurgery {
   double smallest_angle = 180;                                     ///< degrees
 };
 
-/// The worst of the edges and triangles that are not the input's (between the input's unmoved
-/// vertices).
+/// The worst values of edges and triangles that are new (not between unmoved vertices of the
+/// input).
 inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const TriangleSurface& after,
                                      const VertexSources& sources) {
   std::set<std::pair<int, int>> old_edges;
@@ -68,7 +68,7 @@ inline MadeBySurgery made_by_surgery(const TriangleSurface& before, const Triang
   return worst;
 }
 
-/// Largest distance between a vertex and what its source says it is.
+/// Largest distance between a vertex and the position given by its source.
 inline double source_error(const TriangleSurface& before, const TriangleSurface& after,
                            const VertexSources& sources) {
   return (interpolate(sources, Eigen::MatrixXd(before.points)) - after.points)

@@ -43,8 +43,7 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
     EXPECT_EQ(boundary_loops(outcome.stump.triangles).size(), 1U);
     EXPECT_EQ(std::count(loops.begin(), loops.end(), outcome.mouth), 1);
 
-    // The mouth lies on the plane; everything kept on its own side; positions are what the sources
-    // say.
+    // The mouth lies on the plane, the kept part on its own side; positions agree with the sources.
     const Vec3 normal = section.rotation.col(2);
     for (const int v : outcome.mouth)
       EXPECT_NEAR((outcome.kept.points.row(v).transpose() - section.position).dot(normal), 0,
@@ -56,7 +55,7 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
     EXPECT_LT(testing::source_error(tube, outcome.kept, outcome.kept_sources), 1e-11);
     EXPECT_LT(testing::source_error(tube, outcome.stump, outcome.stump_sources), 1e-11);
 
-    // Nothing is lost but what snapping takes: the cap is flat, the rest is the tube.
+    // Only snapping changes the area: the cap is flat, the rest is the tube.
     double cap = 0;
     const Eigen::VectorXd areas = triangle_areas(outcome.stump);
     for (int t = 0; t < areas.size(); ++t) {
@@ -78,7 +77,7 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
       worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
       worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
     }
-    int last = -1;  // vertices keep the input's order
+    int last = -1;  // vertices stay in the input's order
     for (const auto& source : outcome.kept_sources) {
       if (!source.is_original()) continue;
       EXPECT_GT(source.vertex[0], last);
@@ -97,7 +96,7 @@ TEST(Cut, ThePlaneCutsOnlyWhereTheSectionIsWhenItMeetsTheVesselTwice) {
   shape.jitter = 0.2;
   const auto tube = testing::noisy_tube(shape);
   Pose section = testing::tube_frame(shape, 12);
-  section.rotation = Mat3::Identity();  // a plane z = const, which passes through the other leg too
+  section.rotation = Mat3::Identity();  // a plane z = const, which also meets the other leg
   const auto outcome =
       cut_vessel(tube, section, section.position, testing::on_tube(shape, 0, 60, 0));
   EXPECT_EQ(boundary_loops(outcome.kept.triangles).size(), 2U);

@@ -24,7 +24,7 @@ TEST(Incision, HundredsOfSlitsAreCleanParallelToTheAxisAndOfTheLengthAskedFor) {
     shape.seed = static_cast<unsigned>(i + 1);
     const auto tube = testing::noisy_tube(shape);
     const double theta = 2 * M_PI * uniform(random), s = 14 + 12 * uniform(random);
-    // A length on the outside of the bend is longer than along the axis: stay off the ends.
+    // A length on the outside of the bend is longer than on the axis: keeps away from the ends.
     const double length = 4 + 12 * uniform(random);
     const Vec3 pick = testing::on_tube(shape, theta, s, 5 + uniform(random));
     SCOPED_TRACE("slit " + std::to_string(i));
@@ -42,7 +42,7 @@ TEST(Incision, HundredsOfSlitsAreCleanParallelToTheAxisAndOfTheLengthAskedFor) {
     const int n = outcome.other_tip;
     ASSERT_EQ(outcome.rim.size(), 2 * static_cast<size_t>(n));
 
-    // Both banks lie on each other, have the length, and the pick's vertex in the middle.
+    // Both banks coincide, have the requested length, and the pick's vertex in the middle.
     double bank = 0, half = 0;
     const auto at = [&](int k) {
       return Vec3(outcome.surface.points.row(outcome.rim[static_cast<size_t>(k)]));
@@ -98,7 +98,7 @@ TEST(Incision, OnABentTubeTheSlitIsAsLongOnTheOuterSideAsOnTheInnerOne) {
     const auto outcome =
         open_incision(tube, rod, binding, {}, testing::on_tube(shape, theta, 20, 5), 10, 5);
     EXPECT_NEAR(outcome.length, 10, 1e-9);
-    // In rod arc length: the same slit covers more of the axis on the inner side (theta = 0,
+    // In arc length of the rod, the same slit covers more of the axis on the inner side (theta = 0,
     // towards the centre).
     const auto exact = testing::tube_binding(shape, outcome.surface.points);
     const double covered =

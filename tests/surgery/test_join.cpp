@@ -11,7 +11,7 @@
 namespace vasorod {
 namespace {
 
-// A cut SVC put on an opened RPA, both of irregular triangles.
+// A cut SVC placed on an opened RPA, both with irregular triangles.
 struct Operation {
   TriangleSurface svc, rpa;
   std::vector<int> mouth, rim;
@@ -69,7 +69,7 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     EXPECT_EQ(euler_number(seam.svc.triangles), 0);
     EXPECT_EQ(euler_number(seam.rpa.triangles), -1);
 
-    // The pairs are both loops, each vertex once, in opposite order.
+    // The pairs contain each vertex of both loops once, in opposite order.
     std::vector<int> on_mouth, on_rim;
     for (const auto& [a, b] : seam.pairs) {
       on_mouth.push_back(a);
@@ -86,7 +86,7 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     EXPECT_EQ(seam.pairs[static_cast<size_t>(seam.other_tip)][1],
               op.rim[static_cast<size_t>(op.other_tip)]);
 
-    // Nothing moves; the surfaces are what they were.
+    // No vertex moves; the surfaces keep their shape.
     EXPECT_LT(testing::source_error(op.svc, seam.svc, seam.svc_sources), 1e-11);
     EXPECT_LT(testing::source_error(op.rpa, seam.rpa, seam.rpa_sources), 1e-11);
     EXPECT_EQ(seam.svc.points.topRows(op.svc.points.rows()), op.svc.points);
@@ -101,7 +101,7 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
       worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
     }
 
-    // Arc length from the tip agrees on both sides to half the tolerance plus what pairing shifts.
+    // Arc lengths from the tip agree on both sides to half the tolerance plus the shift by pairing.
     const auto welded = weld(seam.svc, seam.rpa, seam.pairs);
     ASSERT_TRUE(testing::oriented(welded.surface.triangles));
     EXPECT_EQ(euler_number(welded.surface.triangles), -1);  // 0 - 1, glued along a circle
@@ -143,8 +143,8 @@ TEST(Join, PairsLieOppositeEachOtherByArcLength) {
 }
 
 TEST(Join, TurningTheMouthTurnsTheMatch) {
-  // The tips go to the mouth's points farthest along the recipient, whichever of its vertices those
-  // are.
+  // The tips are paired with the mouth's points farthest along the recipient, whichever vertices
+  // these are.
   for (const double phi : {0.0, 1.0, 2.5, -2.0}) {
     std::mt19937 random(21);
     const auto op = operate(4, phi, random);
@@ -152,7 +152,7 @@ TEST(Join, TurningTheMouthTurnsTheMatch) {
     const Vec3 first = seam.rpa.points.row(seam.pairs.front()[1]);
     const Vec3 other = seam.rpa.points.row(seam.pairs[static_cast<size_t>(seam.other_tip)][1]);
     const Vec3 along = (other - first).normalized();
-    // Where the mouth's partner of the first tip starts: by its source, a mean of mouth vertices.
+    // Start position of the mouth's partner of the first tip, from its source.
     Vec3 start = Vec3::Zero();
     const auto& source = seam.svc_sources[static_cast<size_t>(seam.pairs.front()[0])];
     for (size_t k = 0; k < source.vertex.size(); ++k) {

@@ -14,7 +14,7 @@ TEST(Pose, OutwardNormalOfANoisyTubeIsRadialWhateverTheRadius) {
   const auto tube = testing::noisy_tube(shape);
   for (const double theta : {0.3, 2.0, 4.4})
     for (const double radius :
-         {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to round the whole tube
+         {0.01, 3.0, 5.0, 9.0}) {  // from within one triangle to around the whole tube
       const Vec3 exact(std::cos(theta), std::sin(theta), 0);
       const Vec3 normal = outward_normal(tube, 5 * exact + Vec3(0, 0, 20), radius);
       EXPECT_NEAR(normal.norm(), 1, 1e-12);
@@ -44,7 +44,8 @@ TEST(Pose, MinimumOnTheCircleIsFoundAndNeverWorseThanTheBestSample) {
   const auto found = minimise_on_circle(smooth);
   EXPECT_NEAR(std::remainder(found.angle - 3.0, 2 * M_PI), 0, 1e-4);
   EXPECT_NEAR(found.value, 0.7, 1e-8);
-  // A kinked one, as a largest shear is; and one that is nowhere smooth and sometimes not a number.
+  // A kinked function, like a maximum of shears; and a function that is nowhere smooth and
+  // sometimes NaN.
   const auto kinked = [](double a) {
     return std::max(std::abs(std::remainder(a + 1.234, 2 * M_PI)), 0.01);
   };

@@ -1,4 +1,5 @@
-// The exact rod coordinates of the vertices of a noisy_tube, without the code that fits and binds.
+// Exact rod coordinates of the vertices of a noisy_tube, independent of the fitting and binding
+// code.
 #pragma once
 
 #include "geometry/noisy_tube.h"

@@ -1,4 +1,4 @@
-// Surfaces with known axes for the tests of this folder.
+// Surfaces with known axes for the tests of tests/vessel.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace vasorod::shapes {
 
-/// A tube about an axis that starts at the origin along +z and, where bent, turns towards +x on a
+/// A tube about an axis that starts at the origin along +z and, if bent, turns towards +x on a
 /// circle. Staggered rows, radius linear in arc length.
 struct Tube {
   double length = 100, radius = 10, end_radius = 10, bend = 0;  ///< bend: total angle, radians

@@ -17,7 +17,7 @@ struct AxisError {
          length = 0;  // over the radius, but tangent: radians
 };
 
-// Against the tube's own axis, node by node at equal arc length.
+// Compares with the tube's own axis, node by node at equal arc length.
 AxisError axis_error(const Vessel& vessel, const Tube& tube) {
   double total = 0, s = 0;
   for (const RodElement& e : vessel.rod.elements) total += e.length;
@@ -132,7 +132,7 @@ TEST(Fit, NoiseOfTheWallBarelyMovesTheAxis) {
   }
 }
 
-// The sentence a broken surface is refused with.
+// The sentence that refuses a broken surface.
 std::string refusal(const TriangleSurface& surface) {
   try {
     fit_vessel("vein", surface);
@@ -173,7 +173,7 @@ TEST(Fit, RefusesWhatIsNoTube) {
 
   Tube sharp;
   sharp.bend = M_PI;
-  sharp.length = 32;  // turns on a circle of 10.2, radius 10
+  sharp.length = 32;  // bends on a circle of radius 10.2, with radius 10
   EXPECT_NE(refusal(sharp.surface()).find("centre of curvature"), std::string::npos)
       << refusal(sharp.surface());
 

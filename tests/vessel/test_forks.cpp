@@ -22,7 +22,7 @@ TriangleSurface read(const std::filesystem::path& file, std::optional<double> ed
   return load_surface(vessel, scene).surface;
 }
 
-// What holds for every fitted vessel, whatever its shape.
+// Properties of every fitted vessel, whatever its shape.
 void expect_sound(const Vessel& vessel) {
   const RodTree& tree = vessel.rod;
   EXPECT_EQ(tree.branches.size(),
@@ -42,13 +42,13 @@ void expect_sound(const Vessel& vessel) {
       EXPECT_EQ(branch.nodes.front(),
                 tree.branches[static_cast<size_t>(branch.parent)].nodes.back());
     }
-    for (size_t k = 1; k < branch.elements.size(); ++k) {  // the first may turn at its fork
+    for (size_t k = 1; k < branch.elements.size(); ++k) {  // the first may bend at its fork
       const RodElement& e = tree.elements[static_cast<size_t>(branch.elements[k])];
       EXPECT_LT(e.rest_strain.segment<2>(3).norm() * tree.radius[static_cast<size_t>(e.second)],
                 0.95);
     }
   }
-  // Sections pass through their vertices, but beyond ends and at forks.
+  // Sections pass through their vertices, except beyond ends and at forks.
   int beside = 0;
   for (const RodCoordinates& at : vessel.binding)
     if (at.local.z() != 0) ++beside;
@@ -65,7 +65,7 @@ TEST(Forks, BundledAortaHasItsThreeArchVessels) {
     radii.push_back(vessel.rod.radius[static_cast<size_t>(end.node)]);
   const std::vector<double> expected{5.0, 3.6, 2.1, 1.5, 1.6};
   for (size_t k = 0; k < 5; ++k) EXPECT_NEAR(radii[k], expected[k], 0.02 * expected[k]);
-  // The arch goes on into the descending aorta: four branches in a row, the wide ones.
+  // The arch continues into the descending aorta: four branches in a row, the wide ones.
   int continued = 0;
   for (const RodBranch& b : vessel.rod.branches)
     if (vessel.rod.radius[static_cast<size_t>(b.nodes.back())] > 3) ++continued;
@@ -107,7 +107,7 @@ TEST(Forks, RealAnatomyIsFitted) {
   const Vessel svc = fit_vessel("svc", read(adult / "svc.vtp"));
   EXPECT_EQ(svc.ends.size(), 2U);
   expect_sound(svc);
-  EXPECT_NEAR(2 * svc.mean_radius, 20, 1.3);  // its sheet: diameter 18.8 to 21.3 mm
+  EXPECT_NEAR(2 * svc.mean_radius, 20, 1.3);  // its data sheet: diameter 18.8 to 21.3 mm
   expect_sound(fit_vessel("pulmonary_artery", read(adult / "pulmonary_artery.vtp")));
   const Vessel aorta = fit_vessel("aorta", read(adult / "aorta.vtp"));
   EXPECT_EQ(aorta.ends.size(), 5U);

@@ -37,7 +37,8 @@ TEST(SectionMeans, ARodIsFoundAgainInTheSurfaceItCarries) {
   const Vessel vessel = fitted_tube();
   const RodPoses exact = deformed(vessel.rod, 0.2);
   const Points carried = carried_points(vessel.rod, exact, vessel.binding);
-  // From itself exactly, from a neighbour to second order in the difference's change along a band.
+  // Exact from the poses themselves; from neighbouring poses, second order in the change of the
+  // difference along a band.
   for (const double other : {0.2, 0.19}) {
     const RodPoses found = section_means(vessel, carried, deformed(vessel.rod, other), {});
     for (size_t n = 0; n < exact.size(); ++n) {

@@ -16,8 +16,8 @@ TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
   Eigen::Matrix<double, 2, 3> gradients;
   gradients.rightCols<2>() = edges.inverse().transpose();
   gradients.col(0) = -gradients.col(1) - gradients.col(2);
-  // A quadratic surface w = 1/2 x.c x (towards the inside): b_k = sum of its slopes; c comes back
-  // by b_k g_k g_k^T.
+  // A quadratic surface w = 1/2 x.c x (towards the inside): b_k is the sum of its slopes; b_k g_k
+  // g_k^T gives c again.
   const Vec6 y = (Vec6() << 0.1, -0.2, 0.3, 0.05, 0.02, -0.04).finished();
   Vec3 c = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
@@ -31,7 +31,8 @@ TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
               area * ec.dot(wall_section_stiffness(section) * ec), 1e-14);
 }
 
-// A cylinder stretched along and widened uniformly: the facets' energy against the smooth wall's.
+// A cylinder stretched along its axis and widened uniformly: the facets' energy relative to the
+// smooth wall's.
 double relative_error(int around, double along, double wider) {
   const double r = 1, l = 2, t = 0.2, small = 1e-4;
   const Material m = Material::isotropic(1, 0.3);

@@ -19,7 +19,7 @@ struct Case {
   WallInput input;
 };
 
-// Two triangles of a tube lose an edge: a slit's rims, free; the tube's ends glued.
+// A tube without two of its triangles: the rims of a slit are free; the tube's ends are glued.
 WallInput slit_wall(const Material& material) {
   WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, material, true);
   Triangles kept = in.rest.triangles;
@@ -102,7 +102,7 @@ TEST(WallEnergy, HessianAgainstDifferencesOfTheGradient) {
   }
 }
 
-// Two triangles of a flat strip folded over their edge, to beyond a right angle.
+// Two triangles of a flat strip folded over their edge, beyond a right angle.
 struct Folded {
   WallInput input;
   explicit Folded() {
@@ -141,7 +141,7 @@ TEST(WallEnergy, SharpFoldsAgainstDifferences) {
   }
 }
 
-// Through a right angle the energy goes on smoothly; towards 180 degrees it grows without bound.
+// The energy is smooth through a right angle and grows without bound towards 180 degrees.
 TEST(WallEnergy, AFoldNeverLiesFlat) {
   const Folded folded;
   const WallEnergy wall(folded.input);
@@ -176,7 +176,7 @@ TEST(WallEnergy, RigidMotionCostsNothingAndTurnsTheForces) {
   }
 }
 
-// Lengths in another unit, moduli in another: the energy only changes its unit.
+// Lengths and moduli in other units: the energy only changes its unit.
 TEST(WallEnergy, UnitsDoNotMatter) {
   const double metre = 1e-3, pascal = 1e6;
   for (Case& c : cases()) {
@@ -197,7 +197,7 @@ TEST(WallEnergy, UnitsDoNotMatter) {
   }
 }
 
-// Numbering vertices and triangles otherwise changes the directions of edges, not the wall.
+// Another numbering of vertices and triangles changes the directions of edges, not the wall.
 TEST(WallEnergy, NumberingDoesNotMatter) {
   const WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, fibred, true);
   WallInput other = in;

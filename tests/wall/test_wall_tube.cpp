@@ -1,4 +1,5 @@
-// Tubes between rigid ends, against closed forms: the wall's accuracy, not only its consistency.
+// Tubes between rigid ends compared with closed forms: the wall's accuracy, not only its
+// consistency.
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double radius = 10, nu = 0.3, shear_modulus = 1 / (2 * (1 + nu));
 
-// Newton on the unknowns that are not held; the others keep their values in q.
+// Newton on the unknowns that are not held; held unknowns keep their values in q.
 void minimise(WallEnergy& wall, const std::vector<char>& held, const Eigen::VectorXd& load,
               Eigen::VectorXd& q, int steps) {
   std::vector<int> number(held.size(), -1);
@@ -44,7 +45,7 @@ void minimise(WallEnergy& wall, const std::vector<char>& held, const Eigen::Vect
   }
 }
 
-// A tube whose end is stretched by `stretch` and turned by `turn` about the axis: its state and
+// A tube whose end is stretched by `stretch` and rotated by `turn` about the axis: its state and
 // reaction.
 struct Pulled {
   WallInput input;
@@ -91,7 +92,7 @@ Pulled pull(double length, double thickness, double poisson, double stretch, dou
   return p;
 }
 
-// Mean of the axial stretch and of the radius over the rows in the middle half, away from the ends.
+// Means of axial stretch and radius over the rows in the middle half, away from the ends.
 std::pair<double, double> gauge(const Pulled& p, double length) {
   double top = 0, bottom = 0, inside = 0;
   double z1 = 0, z0 = 0;

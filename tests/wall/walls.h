@@ -1,4 +1,4 @@
-// Walls the tests of this folder share.
+// Walls shared by the tests of tests/wall.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace vasorod {
 
-/// A generated tube as a wall of thickness t; its axis is the fibre.
+/// A generated tube as a wall of thickness t; its axis is the fibre direction.
 inline WallInput tube_wall(const TubeSpec& tube, double t, const Material& material,
                            bool glued_ends) {
   WallInput in;

@@ -1,4 +1,4 @@
-// How far apart two results of one scene are: A against B.
+// Compares two results of one scene, A against B: displacements and reactions.
 #pragma once
 
 #include <filesystem>
@@ -10,58 +10,76 @@
 
 namespace vasorod {
 
-/// Distances between the displacements of the same material points, over the vessel's rest radius
-/// R.
+/// Distances between the displacements of the same material points, divided by the vessel's rest
+/// radius R (no unit).
 struct Distances {
-  double rms = 0;  ///< weighted by A's rest area (surface) or rest length (centerline)
-  double largest = 0;
-  Vec3 largest_at = Vec3::Zero();  ///< A's rest point where it occurs, length unit
+  /// Root mean square, weighted by A's rest area (surface) or rest length (centerline).
+  double rms = 0;
+  double largest = 0;              ///< the largest distance over R
+  Vec3 largest_at = Vec3::Zero();  ///< rest point of A where the largest distance occurs, length
 };
 
+/// The comparison of one deformable vessel.
 struct VesselComparison {
-  std::string name;
-  double radius = 0;  ///< R: mean of A's centerline radii by length, else B's, else of A's open
-                      ///< ends' perimeters over 2 pi
-  std::optional<Distances>
-      surface;  ///< each rest point of A against the closest rest point on B's triangles
-  std::optional<Distances>
-      centerline;  ///< each rest node of A against the closest rest point on B's polylines
-  double rest_distance = 0;  ///< the largest distance to that closest rest point, over R: meshes
-                             ///< and faces of the wall differ
+  std::string name;  ///< the vessel's name in the scene
+  /// R, length: the mean of A's centerline radii weighted by length; if A has none, B's; else the
+  /// mean of perimeter / (2 pi) over A's open ends.
+  double radius = 0;
+  /// Each rest point of A against the closest rest point on B's triangles. Empty if one of the
+  /// results has no surface.
+  std::optional<Distances> surface;
+  /// Each rest node of A against the closest rest point on B's polylines. Empty if one of the
+  /// results has no centerline.
+  std::optional<Distances> centerline;
+  /// Largest distance from a rest point of A to the closest rest point of B, over R. Not zero where
+  /// the meshes differ, or the faces of the wall that they describe.
+  double rest_distance = 0;
 };
 
-/// The support's force and moment at one end; B's moment is moved to A's centre.
+/// The support's force and moment at one end. B's moment is moved to A's centre.
 struct ReactionComparison {
-  std::string vessel, end;
-  Vec3 force_a = Vec3::Zero(), force_b = Vec3::Zero(), moment_a = Vec3::Zero(),
-       moment_b = Vec3::Zero();
-  double force_difference =
-      0;  ///< |A - B| over the largest force of A's ends; null where A has none
-  double moment_difference = 0;  ///< likewise for moments
+  std::string vessel,           ///< name of the vessel
+      end;                      ///< name of the end, as in EndReaction
+  Vec3 force_a = Vec3::Zero(),  ///< force in A, stress length^2, space axes
+      force_b = Vec3::Zero(),   ///< force in B
+      moment_a = Vec3::Zero(),  ///< moment in A, stress length^3, space axes
+      moment_b = Vec3::Zero();  ///< moment in B, about A's centre
+  /// |A - B| over the largest force at any of A's ends; NaN (JSON: null) where all are zero.
+  double force_difference = 0;
+  /// |A - B| over the largest moment at any of A's ends; NaN (JSON: null) where all are zero.
+  double moment_difference = 0;
 };
 
+/// Where one of the two results comes from.
 struct ComparedResult {
-  std::string folder, program, fidelity, status;
-  double seconds = 0;  ///< total; NaN where it is not known
+  std::string folder,  ///< path of the result folder
+      program,         ///< name and version of the program
+      fidelity,        ///< name of the fidelity
+      status;          ///< name of the status
+  double seconds = 0;  ///< total wall-clock time, s; NaN if unknown
 };
 
+/// Two results of one scene, compared.
 struct Comparison {
-  std::string scene, length_unit, stress_unit;
-  ComparedResult a, b;
-  std::vector<VesselComparison> vessels;  ///< the deformable ones, in A's order
-  std::vector<ReactionComparison> reactions;
+  std::string scene,                          ///< name of the scene, common to both results
+      length_unit,                            ///< mm, cm or m
+      stress_unit;                            ///< name of the stress unit
+  ComparedResult a,                           ///< the first result
+      b;                                      ///< the second result
+  std::vector<VesselComparison> vessels;      ///< deformable vessels, in A's order
+  std::vector<ReactionComparison> reactions;  ///< supported ends, in A's order
 };
 
-/// Reads and compares two result folders. Throws InputError, one sentence, where a folder is not a
-/// result or where the two are not of one scene: another name, unit, vessel, end or input file, or
-/// rest shapes more than half a radius apart.
+/// Reads and compares two result folders. Throws InputError (one sentence) if a folder is not a
+/// result, or if the results belong to different scenes: another name, unit, vessel, end or input
+/// file, or rest shapes more than half a radius apart.
 Comparison compare_results(const std::filesystem::path& folder_a,
                            const std::filesystem::path& folder_b);
 
-/// As JSON, with a line feed at its end; what is not finite is null.
+/// The comparison as JSON, with a final line feed. Non-finite numbers become null.
 std::string comparison_json(const Comparison& comparison);
 
-/// As a table for a terminal.
+/// The comparison as a table for a terminal.
 std::string comparison_table(const Comparison& comparison);
 
 }  // namespace vasorod

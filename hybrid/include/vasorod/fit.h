@@ -1,4 +1,4 @@
-// One vessel surface in, its centerline and reference rod out.
+// Fits a centerline and a reference rod to one vessel surface.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,17 @@
 
 namespace vasorod {
 
+/// What to fit.
 struct FitRequest {
-  std::filesystem::path surface;   ///< VTP, STL, PLY or OBJ
-  std::string length_unit = "mm";  ///< of the surface: mm, cm or m
-  std::optional<double> remesh;  ///< target edge, length: remeshed before the fit; absent: as it is
+  std::filesystem::path surface;   ///< surface file: VTP, STL, PLY or OBJ
+  std::string length_unit = "mm";  ///< unit of the surface: mm, cm or m
+  /// Target edge length of a remeshing before the fit, in the surface's unit; empty: no remeshing.
+  std::optional<double> remesh;
 };
 
-/// Reads, checks and fits a surface. The result's one vessel is at rest: `rest` and `current` are
-/// its surface, `centerline` its rod. Throws InputError (a sentence with the file) where the
-/// surface is not an open tubular vessel, FileError where it cannot be read.
+/// Reads, checks and fits a surface. The result has one vessel at rest: `rest` and `current` are
+/// its surface, `centerline` is its rod. Throws InputError (one sentence with the file) if the
+/// surface is not an open tubular vessel, FileError if the file cannot be read.
 Result fit(const FitRequest& request);
 
 }  // namespace vasorod

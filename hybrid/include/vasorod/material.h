@@ -1,5 +1,5 @@
-// The elastic material of a vessel's wall: isotropic, or transversely isotropic with the vessel's
-// axis as fibre.
+// The elastic material of a vessel's wall: isotropic, or transversely isotropic with the fibre
+// along the vessel's axis.
 #pragma once
 
 #include <optional>
@@ -7,53 +7,59 @@
 
 namespace vasorod {
 
-/// The strain in which the wall's energy 1/2 E : C : E is quadratic.
+/// The strain measure E in which the wall's energy density 1/2 E : C : E is quadratic.
 enum class Law {
   biot,  ///< E = U - I, engineering strain: rods and edge springs are linear in it
   svk,   ///< E = (F^T F - I) / 2, Saint-Venant and Kirchhoff
 };
+
+/// The law's name in scene files: "biot" or "svk".
 std::string to_string(Law law);
 
-/// Moduli in stress, Poisson's ratios without unit. L: along the fibre; T: across it.
+/// Elastic constants. Moduli in the scene's stress unit, Poisson's ratios without unit.
+/// L: along the fibre; T: transverse to the fibre.
 struct Material {
-  Law law = Law::biot;
-  double young_axial = 0;       ///< E_L, along the fibre
-  double young_transverse = 0;  ///< E_T, across it
-  double shear_axial = 0;       ///< G_L, between the fibre and its normals
-  double poisson_tt = 0;        ///< nu_TT, between the two directions across
-  double poisson_lt = 0;        ///< nu_LT: pulled along the fibre, the wall narrows by this
+  Law law = Law::biot;          ///< strain measure
+  double young_axial = 0;       ///< E_L, along the fibre, stress
+  double young_transverse = 0;  ///< E_T, transverse to the fibre, stress
+  double shear_axial = 0;       ///< G_L, between the fibre and its normals, stress
+  double poisson_tt = 0;        ///< nu_TT, between the two transverse directions
+  double poisson_lt = 0;        ///< nu_LT, transverse contraction under tension along the fibre
 
-  /// E_L = E_T = `young`, G = E / (2 (1 + nu)), both Poisson's ratios `poisson`.
+  /// An isotropic material: E_L = E_T = `young` (stress), G_L = E / (2 (1 + nu)), both Poisson's
+  /// ratios equal to `poisson`.
   static Material isotropic(double young, double poisson, Law law = Law::biot);
-  /// Whether the moduli are those of isotropic(young_axial, poisson_tt).
+  /// Whether the constants are those of isotropic(young_axial, poisson_tt).
   bool is_isotropic() const;
 };
 
-/// Why a material is none: what was found and what was expected, as a sentence needs them.
+/// Why a material is inadmissible, as the two parts of an error message.
 struct MaterialFault {
-  std::string found, expected;
+  std::string found,  ///< what was found
+      expected;       ///< what was expected instead
 };
 
-/// Empty where the three-dimensional law has positive energy (the positive definite compliance of a
+/// Checks that the three-dimensional energy is positive (positive definite compliance of a
 /// transversely isotropic solid): moduli positive and finite, |nu_TT| < 1,
-/// 1 - nu_TT - 2 nu_LT^2 E_T / E_L >= 0 (zero: incompressible).
+/// 1 - nu_TT - 2 nu_LT^2 E_T / E_L >= 0 (zero: incompressible). Returns the fault, or empty if the
+/// material is admissible.
 std::optional<MaterialFault> fault_of(const Material& material);
 
-/// Throws InputError, a sentence that begins with `where`, where `fault_of` finds one.
+/// Throws InputError if `fault_of` finds a fault. The message begins with `where`.
 void check_material(const Material& material, const std::string& where);
 
-/// k_c, k_b, k_s of the paper's energies [7-9], force / length. They depend on the mesh; derived
-/// from the wall where a scene gives none.
+/// k_c, k_b and k_s of the paper's energies [7-9], force / length. They depend on the mesh; where a
+/// scene gives none, they are derived from the wall.
 struct Coefficients {
-  double binding = 0;     ///< k_c
-  double bending = 0;     ///< k_b
-  double stretching = 0;  ///< k_s
+  double binding = 0;     ///< k_c of [7], force / length
+  double bending = 0;     ///< k_b of [8], force / length
+  double stretching = 0;  ///< k_s of [9], force / length
 };
 
 /// A vessel's wall.
 struct Wall {
   double thickness = 0;  ///< t, length
-  Material material;
+  Material material;     ///< elastic constants
 };
 
 }  // namespace vasorod

@@ -1,4 +1,4 @@
-// A data array that came with an input surface and leaves with the result unchanged.
+// A data array of an input surface that is copied to the result unchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,14 +8,15 @@
 
 namespace vasorod {
 
-/// rows = points (or triangles), columns = components. Integer arrays stay integer in what is
-/// written.
+/// A named array with one row per point or triangle. Integer arrays are written as integers.
 struct NamedArray {
-  std::string name;
+  std::string name;  ///< as in the input file
+  /// Rows: points or triangles. Columns: components.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
-  bool integer = false;
-  std::string type;  ///< as VTK's XML names it (Float32, Int32, UInt8, ...); empty: Float64, or
-                     ///< Int32 / Int64 if integer
+  bool integer = false;  ///< the values are integers
+  /// Type name of VTK's XML format (Float32, Int32, UInt8, ...). Empty: Float64, or Int32 / Int64
+  /// if `integer`.
+  std::string type;
 };
 
 }  // namespace vasorod

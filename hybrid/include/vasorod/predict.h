@@ -1,4 +1,4 @@
-// A scene in, a result out: the hybrid model as one call.
+// Solves a scene with the hybrid model: a scene in, a result out.
 #pragma once
 
 #include <functional>
@@ -11,26 +11,30 @@
 
 namespace vasorod {
 
+/// How a scene is solved.
 struct SolveOptions {
-  std::optional<std::string> fidelity;  ///< one of fidelity_names(); overrides the scene's
-  bool certify =
-      false;  ///< ask for the inertia of the surfaces' true Hessian too; costs a factorisation
-  int threads = 1;             ///< 1: two runs on one machine differ in nothing but seconds
-  std::function<bool()> stop;  ///< asked often; true ends with the best state so far; may be empty
-  std::function<void(const std::string&)>
-      progress;  ///< told one line on what is done now; may be empty
+  /// One of fidelity_names(); overrides the scene's fidelity. Empty: the scene's.
+  std::optional<std::string> fidelity;
+  /// Also compute the inertia of the surfaces' exact Hessian. Costs one factorisation.
+  bool certify = false;
+  /// Number of threads. With 1, two runs on one machine agree in everything but their times.
+  int threads = 1;
+  /// Called often; returning true ends the solve with the best state so far. May be empty.
+  std::function<bool()> stop;
+  /// Called with one line of text at each stage. May be empty.
+  std::function<void(const std::string&)> progress;
 
-  /// Empty where the options are valid; else one sentence that says which is not.
+  /// Empty if the options are valid; else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
 };
 
-/// The fidelities there are, from cheap to expensive.
+/// Names of the available fidelities, from cheap to expensive.
 std::vector<std::string> fidelity_names();
 
-/// Solves a scene with the hybrid model: vessels are read and fitted, the operation is done, rods
-/// are solved, then what the fidelity adds. Lengths and stresses are in the scene's units. A
-/// numerical outcome is the result's status. Throws InputError (one sentence) on what cannot be
-/// solved as asked, FileError where a surface cannot be read.
+/// Solves a scene with the hybrid model: reads and fits the vessels, performs the operation, solves
+/// the rods, then the fidelity's own surface problem. Lengths and stresses are in the scene's
+/// units. A numerical outcome is the result's status. Throws InputError (one sentence) if the scene
+/// cannot be solved as requested, FileError if a surface cannot be read.
 Result predict(const Scene& scene, const SolveOptions& options = {});
 
 }  // namespace vasorod

@@ -1,4 +1,4 @@
-// Scene files (docs/scene.md): YAML in, a checked scene out.
+// Reads scene files: YAML in, a checked scene out. README.md shows how to solve one.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,10 @@
 
 namespace vasorod {
 
+/// How a scene file is read.
 struct ReadOptions {
-  /// True in the finite-element reference only: the hybrid model knows no lumen pressure.
+  /// Accept `pressure:`. True in the finite-element reference only: the hybrid model has no lumen
+  /// pressure.
   bool accept_pressure = false;
 };
 

@@ -1,4 +1,4 @@
-// A result as data (docs/result.md). It knows no solver.
+// A result as plain data, independent of the solvers.
 #pragma once
 
 #include <array>
@@ -13,152 +13,207 @@
 
 namespace vasorod {
 
-/// Not-a-number is written as null.
+/// How well the discrete problem was solved. NaN is written as null.
 struct Certificate {
-  double relative_residual = 0;
-  std::optional<bool> smallest_curvature_positive;  ///< empty: not asked for
-  std::vector<std::string> notes;
+  double relative_residual = 0;  ///< largest relative residual of all solvers
+  /// Whether the smallest eigenvalue of the Hessian is positive; empty: not requested.
+  std::optional<bool> smallest_curvature_positive;
+  std::vector<std::string> notes;  ///< remarks, one sentence each
 };
 
+/// How close the vessels are to the limits of the model. The ratios are 1 at the limit.
 struct Validity {
-  bool in_range = true;
-  double brazier_ratio = 0, wrinkling_ratio = 0, twist_ratio = 0, largest_strain = 0;
-  std::vector<std::string> warnings;
+  bool in_range = true;      ///< false: a ratio is 0.9 or more, or the strain exceeds 0.2
+  double brazier_ratio = 0,  ///< change of curvature over Brazier's critical one, long vessels only
+      wrinkling_ratio = 0,   ///< bending strain over the strain of axial wrinkling
+      twist_ratio = 0,       ///< shear stress of twist over the stress of wrinkling
+      largest_strain = 0;    ///< strain of the wall's outer fibres, no unit
+  std::vector<std::string> warnings;  ///< one sentence each, from a ratio of 0.7 on
 };
 
+/// The parts of the energy, stress length^3.
 struct Energies {
-  double rod = 0, binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
-  double strain =
-      0;  ///< of the wall as a continuum: the finite-element reference only, written where not zero
+  double rod = 0,      ///< rods [3-5]
+      binding = 0,     ///< surfaces bound to rods [7]
+      bending = 0,     ///< bending of the surfaces [8]; in `coupled`, of the walls
+      stretching = 0,  ///< stretching of the surfaces [9]; in `coupled`, of the walls
+      joining = 0,     ///< seams
+      contact = 0;     ///< contact
+  /// Strain energy of the wall as a continuum. Finite-element reference only; written if not zero.
+  double strain = 0;
+  /// The sum of all parts.
   double total() const { return rod + binding + bending + stretching + joining + contact + strain; }
 };
 
-/// What the support does to the vessel at one end, about the end's current centre.
+/// Force and moment of the support on the vessel at one end, about the end's current centre, space
+/// axes.
 struct EndReaction {
-  std::string vessel, end;  ///< end: start, end, near(x, y, z) or at(f), as in the scene
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), center = Vec3::Zero();
+  std::string vessel,         ///< name of the vessel
+      end;                    ///< start, end, near(x, y, z) or at(f), as in the scene
+  Vec3 force = Vec3::Zero(),  ///< force, stress length^2
+      moment = Vec3::Zero(),  ///< moment about `center`, stress length^3
+      center = Vec3::Zero();  ///< current centre of the end, length
 };
 
-/// Sums of forces on one vessel. `residual` is their length over the largest of them.
+/// Sums of the forces on one vessel, space axes, stress length^2. support + load + join + contact +
+/// binding is zero up to `residual`.
 struct Balance {
-  std::string vessel;
-  Vec3 support = Vec3::Zero(), load = Vec3::Zero(), join = Vec3::Zero(), contact = Vec3::Zero();
-  double residual = 0;
-  std::optional<Vec3> binding;  ///< `paper`: what the rod does to the surface through the binding
-  std::optional<Vec3>
-      rod_unbalanced;  ///< `paper`: what the surface leaves on the rod, which was solved first
+  std::string vessel;           ///< name of the vessel
+  Vec3 support = Vec3::Zero(),  ///< of the supports
+      load = Vec3::Zero(),      ///< of the dead loads
+      join = Vec3::Zero(),      ///< of the seam
+      contact = Vec3::Zero();   ///< of the contacts
+  double residual = 0;          ///< length of the sum over the largest of the forces
+  /// Fidelity `paper` only: force of the rod on the surface through the binding.
+  std::optional<Vec3> binding;
+  /// Fidelity `paper` only: force of the surface on the rod, the opposite of `binding`. The rod is
+  /// solved before the surface, so nothing balances this force.
+  std::optional<Vec3> rod_unbalanced;
 };
 
+/// Contact between two vessels.
 struct ContactReport {
-  std::string a, b;
-  Vec3 force = Vec3::Zero();  ///< on a
-  double area = 0, largest_pressure = 0;
-  double smallest_gap = 0;
+  std::string a,              ///< name of the first vessel
+      b;                      ///< name of the second vessel
+  Vec3 force = Vec3::Zero();  ///< force on a, stress length^2
+  double area = 0,            ///< contact area, length^2
+      largest_pressure = 0;   ///< largest contact pressure, stress
+  double smallest_gap = 0;    ///< smallest gap, length
 };
 
-/// With where each extreme occurs (a point of the deformed surface or centerline).
+/// Extremes of one vessel, and where each occurs (a point of the deformed surface or centerline).
 struct VesselMetrics {
-  std::string vessel;
-  double flattening = 0;
-  double largest_twist_shear = 0;
-  std::array<double, 2> stretch{1, 1};  ///< smallest, largest v3
-  double largest_curvature = 0;         ///< length of (u1, u2), 1/length
-  double smallest_lumen_ratio = 1;      ///< lumen area over rest
-  double largest_pressure = 0, contact_area = 0;
-  std::map<std::string, Vec3> where;  ///< keys: the names above
+  std::string vessel;                   ///< name of the vessel
+  double flattening = 0;                ///< largest 1 - H / H_rest, H a section's width
+  double largest_twist_shear = 0;       ///< largest |r (u3 - u3^0)|, no unit
+  std::array<double, 2> stretch{1, 1};  ///< smallest and largest v3 over its rest value
+  double largest_curvature = 0;         ///< largest length of (u1, u2), 1/length
+  double smallest_lumen_ratio = 1;      ///< smallest lumen area over its rest value
+  double largest_pressure = 0,          ///< largest contact pressure, stress
+      contact_area = 0;                 ///< contact area, length^2
+  /// Place of each extreme, by the names above; smallest_stretch and largest_stretch for `stretch`.
+  std::map<std::string, Vec3> where;
 };
 
+/// What the model contained.
 struct ModelReport {
-  int rod_nodes = 0, vertices = 0, triangles = 0;
-  std::vector<std::string> terms;
-  std::map<std::string, std::string> left_out;
-  std::map<std::string, std::string> cleaning;  ///< per vessel, what reading collapsed or remeshed
+  int rod_nodes = 0,                            ///< rod nodes of all vessels
+      vertices = 0,                             ///< vertices of all vessels
+      triangles = 0;                            ///< triangles of all vessels
+  std::vector<std::string> terms;               ///< terms of the energy
+  std::map<std::string, std::string> left_out;  ///< what was left out, and why
+  std::map<std::string, std::string> cleaning;  ///< per vessel: what cleaning or remeshing did
 };
 
+/// What is needed to repeat a run.
 struct Environment {
-  std::string blas;
-  int threads = 1;
+  std::string blas;                           ///< name of the BLAS library
+  int threads = 1;                            ///< number of threads
   std::map<std::string, std::string> inputs;  ///< file name -> "sha256..."
 };
 
+/// The operation as it was performed.
 struct GlennReport {
-  std::string svc, rpa;
+  std::string svc,  ///< name of the vessel that was cut: the superior vena cava
+      rpa;          ///< name of the vessel that was incised: the right pulmonary artery
+  /// The cut through the SVC.
   struct {
-    double fraction = 0, perimeter = 0;
-    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
-  } cut;
+    double fraction = 0,        ///< kept length over the total length of the SVC's rod
+        perimeter = 0;          ///< perimeter of the mouth, length
+    Vec3 point = Vec3::Zero(),  ///< centroid of the mouth, length
+        normal = Vec3::Zero();  ///< unit normal of the cut's plane, out of the kept part
+  } cut;                        ///< the cut through the SVC
+  /// The incision in the RPA.
   struct {
-    double length = 0;
-    std::array<Vec3, 2> ends{};
-    double opened_area = 0;
-  } incision;
+    double length = 0;           ///< of the incision at rest, length
+    std::array<Vec3, 2> ends{};  ///< its two ends at rest, length
+    double opened_area = 0;      ///< area of the opened rim, length^2; NaN: nothing joined
+  } incision;                    ///< the incision in the RPA
+  /// The seam.
   struct {
-    int pairs = 0;
-    double rotation_deg = 0, largest_gap = 0, rms_gap = 0;
-  } join;
+    int pairs = 0;            ///< number of vertex pairs
+    double rotation_deg = 0,  ///< rotation of the vein's mouth about its axis, degrees
+        largest_gap = 0,      ///< largest gap of a pair, length
+        rms_gap = 0;          ///< root mean square gap of the pairs, length
+  } join;                     ///< the seam
 };
 
-/// `vasorod-fem` only.
+/// The discretisation of `vasorod-fem`; no other program fills this.
 struct Discretisation {
-  long dofs = 0;
-  int degree = 0;
-  std::optional<double> error_estimate, observed_order;  ///< empty: one mesh only
+  long dofs = 0;                         ///< number of degrees of freedom
+  int degree = 0;                        ///< polynomial degree
+  std::optional<double> error_estimate,  ///< grid convergence index; empty: one mesh only
+      observed_order;                    ///< order of convergence; empty: fewer than three meshes
 };
 
-/// A rod as it is written to NAME_centerline.vtp; one row per node, polylines by branch.
+/// A rod as written to NAME_centerline.vtp: one row per node, one polyline per branch.
 struct CenterlineResult {
-  Points rest, current;
-  std::vector<double> abscissa, radius;  ///< arc length from the branch's root; radius may be empty
-  std::vector<Mat3> directors;           ///< current, columns d1 d2 d3
-  std::vector<Vec3> u, v, u0, v0;        ///< strains averaged to nodes
-  std::vector<Vec3> force, moment;  ///< of the section, averaged to nodes, body axes: what v and u
-                                    ///< are worked by; may be empty
-  std::vector<std::vector<int>> lines;  ///< node indices per branch
+  Points rest,                   ///< node positions at rest, n x 3, length
+      current;                   ///< current node positions, n x 3, length
+  std::vector<double> abscissa,  ///< arc length from the branch's root, length
+      radius;                    ///< radius of the vessel, length; may be empty
+  std::vector<Mat3> directors;   ///< current directors, columns d1 d2 d3
+  std::vector<Vec3> u,  ///< current bending and twist, 1/length, averaged to nodes, body axes
+      v,                ///< current shear and stretch, averaged to nodes, body axes
+      u0,               ///< u at rest
+      v0;               ///< v at rest
+  /// Force of the section, stress length^2, work-conjugate to v; as v; may be empty.
+  std::vector<Vec3> force,
+      /// Moment of the section, stress length^3, work-conjugate to u; as u; may be empty.
+      moment;
+  std::vector<std::vector<int>> lines;  ///< node indices of each branch
 };
 
-/// One vessel as it is written. Per-vertex fields may be empty where they were not modelled
-/// (written as zero).
+/// One vessel as written. Per-vertex fields are empty if they were not modelled.
 struct VesselResult {
-  std::string name;
-  bool obstacle = false;
-  Points rest, current;
-  Triangles triangles;
-  Eigen::VectorXd axial_stretch, twist_shear,
-      contact_pressure;  ///< per vertex; stretch 1 and 0, 0 where empty
-  std::vector<NamedArray> point_arrays, cell_arrays;  ///< the input's own, rows as above
-  std::optional<CenterlineResult> centerline;         ///< obstacles have none
-  std::optional<TriangleSurface> stump;               ///< closed
+  std::string name;               ///< name of the vessel
+  bool obstacle = false;          ///< an obstacle, not deformable
+  Points rest,                    ///< vertex positions at rest, n x 3, length
+      current;                    ///< current vertex positions, n x 3, length
+  Triangles triangles;            ///< m x 3
+  Eigen::VectorXd axial_stretch,  ///< stretch along the axis, per vertex; empty: written as 1
+      twist_shear,                ///< r (u3 - u3^0), no unit, per vertex; empty: written as 0
+      contact_pressure;           ///< contact pressure, stress, per vertex; empty: written as 0
+  std::vector<NamedArray> point_arrays,        ///< the input's own arrays, one row per vertex
+      cell_arrays;                             ///< the input's own arrays, one row per triangle
+  std::optional<CenterlineResult> centerline;  ///< empty for obstacles
+  std::optional<TriangleSurface> stump;        ///< closed surface of the part cut off
 };
 
-/// A view of the vessels at one stage of an operation, for report.html only.
+/// The vessels at one stage of an operation, for report.html only.
 struct Stage {
-  std::string title;  ///< "rest", "cut", "incision", "result"
-  std::vector<TriangleSurface> surfaces;
-  std::vector<std::string> names;
+  std::string title;                      ///< "rest", "cut", "incision" or "result"
+  std::vector<TriangleSurface> surfaces;  ///< one per vessel
+  std::vector<std::string> names;         ///< names of the vessels
 };
 
+/// A result. Lengths and stresses are in the scene's units.
 struct Result {
-  std::string scene, program, fidelity;
-  std::string length_unit = "mm", stress_unit = "MPa";
-  Status status = Status::converged;
-  Certificate certificate;
-  Validity validity;
-  Energies energy;
-  std::vector<EndReaction> ends;
-  std::vector<Balance> balance;
-  std::vector<ContactReport> contact;
-  std::vector<VesselMetrics> metrics;
-  ModelReport model;
-  std::map<std::string, double> seconds;  ///< read, fit, factor, solve, write, total
-  std::map<std::string, int> iterations;  ///< rod, surface
-  Environment environment;
-  std::optional<GlennReport> glenn;
-  std::optional<Discretisation> discretisation;
-  std::vector<VesselResult> vessels;
-  std::vector<Stage> stages;
+  std::string scene,                      ///< name of the scene
+      program,                            ///< name and version of the program
+      fidelity;                           ///< name of the fidelity
+  std::string length_unit = "mm",         ///< name of the length unit
+      stress_unit = "MPa";                ///< name of the stress unit
+  Status status = Status::converged;      ///< the worst status of all parts
+  Certificate certificate;                ///< how well the discrete problem was solved
+  Validity validity;                      ///< how close the model is to its limits
+  Energies energy;                        ///< parts of the energy, stress length^3
+  std::vector<EndReaction> ends;          ///< reactions of the supports
+  std::vector<Balance> balance;           ///< sums of forces, per deformable vessel
+  std::vector<ContactReport> contact;     ///< pairs of vessels within reach
+  std::vector<VesselMetrics> metrics;     ///< extremes, per deformable vessel
+  ModelReport model;                      ///< what the model contained
+  std::map<std::string, double> seconds;  ///< wall clock, s: read, fit, factor, solve, write, total
+  std::map<std::string, int> iterations;  ///< of the solvers: rod, surface
+  Environment environment;                ///< what is needed to repeat the run
+  std::optional<GlennReport> glenn;       ///< the operation; empty: none
+  std::optional<Discretisation> discretisation;  ///< finite-element reference only
+  std::vector<VesselResult> vessels;             ///< in the scene's order
+  std::vector<Stage> stages;  ///< stages of the operation, for the report's pictures
 };
 
-/// The text of result.json. Numbers read back to the same double; what is not finite is null.
+/// The text of result.json. Every finite number reads back to the same double; non-finite numbers
+/// become null.
 std::string to_json(const Result& result);
 
 }  // namespace vasorod

@@ -1,4 +1,4 @@
-// A scene as typed data (docs/scene.md). The reader checks everything that is here.
+// A scene as typed data. The reader (read_scene.h) checks everything stated here.
 #pragma once
 
 #include <array>
@@ -14,112 +14,141 @@
 
 namespace vasorod {
 
-/// The scene's units. Everything below is in them; forces are stress * length^2.
+/// The scene's units. All data below are in these units. Forces are stress * length^2, moments
+/// stress * length^3.
 struct Units {
-  std::string length = "mm", stress = "MPa";
-  double metres = 1e-3;  ///< metres per length unit
-  double pascals = 1e6;  ///< pascals per stress unit
+  std::string length = "mm",  ///< name of the length unit
+      stress = "MPa";         ///< name of the stress unit
+  double metres = 1e-3;       ///< metres per length unit
+  double pascals = 1e6;       ///< pascals per stress unit
 };
 
-/// One piece of a bare rod: strains and stiffness constant, or tapering linearly to
+/// One piece of a bare rod. Strains and stiffness are constant, or the stiffness tapers linearly to
 /// `end_stiffness`.
 struct RodPiece {
-  double length = 0;
+  double length = 0;              ///< arc length, length
   Vec3 curvature = Vec3::Zero();  ///< drawn (u1, u2, u3), 1/length; v = (0, 0, 1)
-  int elements = 1;
-  Mat6 stiffness = Mat6::Zero();  ///< order v1 v2 v3 u1 u2 u3
-  std::optional<Mat6> end_stiffness;
-  std::optional<Vec6> natural;  ///< unstressed strain (v, u) where it is not the drawn one
+  int elements = 1;               ///< number of elements
+  /// Section stiffness, order v1 v2 v3 u1 u2 u3: stress length^2 for v, stress length^4 for u.
+  Mat6 stiffness = Mat6::Zero();
+  std::optional<Mat6> end_stiffness;  ///< stiffness at the end; empty: constant
+  std::optional<Vec6> natural;        ///< unstressed strain (v, u); empty: the drawn strain
 };
 
-/// A bare rod (fidelity rod). With a parent, position, tangent and normal are relative to the
+/// A bare rod (fidelity `rod`). With a parent, position, tangent and normal are relative to the
 /// parent's end frame.
 struct RodSpec {
-  std::optional<std::string> parent;
-  Vec3 position = Vec3::Zero(), tangent = Vec3::UnitX(),
-       normal = Vec3::UnitY();  ///< d3 and d1 at its start
-  std::vector<RodPiece> pieces;
+  std::optional<std::string> parent;  ///< name of the rod from whose end this rod branches off
+  Vec3 position = Vec3::Zero(),       ///< start point, length
+      tangent = Vec3::UnitX(),        ///< d3 at the start
+      normal = Vec3::UnitY();         ///< d1 at the start
+  std::vector<RodPiece> pieces;       ///< in the order of arc length
 };
 
-enum class Role { deformable, obstacle };
-enum class SurfaceIs { mid, outer, inner };  ///< which face of the wall the given surface is
+/// What a vessel does in the scene.
+enum class Role {
+  deformable,  ///< deforms
+  obstacle     ///< stays at rest; other vessels may touch it
+};
+/// Which face of the wall the given surface is.
+enum class SurfaceIs {
+  mid,    ///< the middle of the wall
+  outer,  ///< the outer face
+  inner   ///< the inner face, the lumen's boundary
+};
 
+/// The role's name in scene files.
 std::string to_string(Role);
+/// The face's name in scene files.
 std::string to_string(SurfaceIs);
 
-/// One vessel: exactly one of `surface`, `tube`, `rod`.
+/// One vessel: exactly one of `surface`, `tube` and `rod` is set.
 struct VesselSpec {
-  std::string name;
-  std::optional<std::filesystem::path> surface;  ///< resolved against the scene file's folder
-  std::optional<TubeSpec> tube;
-  std::optional<RodSpec> rod;
-  std::optional<double> remesh;             ///< target edge, length
-  SurfaceIs surface_is = SurfaceIs::outer;  ///< generated tubes: mid
-  bool check = true;                        ///< radius plausibility
-  std::optional<Wall> wall;                 ///< required unless obstacle or bare rod
-  std::optional<Coefficients> coefficients;
-  Role role = Role::deformable;
-  std::optional<double>
-      pressure;  ///< lumen pressure, stress; only the finite-element reference takes it
-  int line = 0;  ///< in the scene file, for messages
+  std::string name;                              ///< unique in the scene
+  std::optional<std::filesystem::path> surface;  ///< file, resolved against the scene's folder
+  std::optional<TubeSpec> tube;                  ///< generated tube
+  std::optional<RodSpec> rod;                    ///< bare rod without a surface
+  std::optional<double> remesh;                  ///< target edge length of a remeshing, length
+  SurfaceIs surface_is = SurfaceIs::outer;       ///< face of the wall; generated tubes: mid
+  bool check = true;                             ///< check that the radius is plausible
+  std::optional<Wall> wall;                      ///< required unless obstacle or bare rod
+  std::optional<Coefficients> coefficients;      ///< of `paper`; empty: derived from the wall
+  Role role = Role::deformable;                  ///< deformable or obstacle
+  /// Lumen pressure, stress. Accepted by the finite-element reference only.
+  std::optional<double> pressure;
+  int line = 0;  ///< line in the scene file, for messages
 };
 
-/// Which end of a vessel.
+/// Selects one end of a vessel.
 struct EndSelector {
-  enum class Kind { start, end, near, at } kind = Kind::start;
-  Vec3 near = Vec3::Zero();  ///< kind near
+  /// How the end is selected.
+  enum class Kind {
+    start,                   ///< the first end; of a bare rod, arc length 0
+    end,                     ///< the other end of a vessel with two ends
+    near,                    ///< the end nearest to a point
+    at                       ///< a place on a bare rod
+  } kind = Kind::start;      ///< how the end is selected
+  Vec3 near = Vec3::Zero();  ///< kind near: the point, length
   double at = 0;             ///< kind at: fraction of a bare rod's length
 };
-std::string to_string(
-    const EndSelector&);  ///< as result.json names it: start, end, near(x, y, z) or at(f)
 
-/// One entry of `ends:`.
+/// The selector as in result.json: start, end, near(x, y, z) or at(f).
+std::string to_string(const EndSelector&);
+
+/// One entry of `ends:`. A motion (hold, rotate_deg, move) excludes loads and fixes.
 struct EndCondition {
-  std::string vessel;
-  EndSelector end;
-  bool hold = false;
-  std::optional<Vec3>
-      rotate_deg;  ///< rotation vector in degrees, space axes; angles beyond 360 are meant
-  std::optional<Vec3> move;    ///< length
-  std::optional<Vec3> force;   ///< dead, space axes, stress length^2
-  std::optional<Vec3> moment;  ///< stress length^3
-  bool moment_in_body = false;
-  std::array<bool, 6> fix{};  ///< x y z rx ry rz in the section's rest frame (d1, d2, d3)
-  bool soft_section = false;  ///< only the section's mean pose is held
-  int line = 0;               ///< in the scene file, for messages
+  std::string vessel;  ///< name of the vessel
+  EndSelector end;     ///< which of its ends
+  bool hold = false;   ///< the end stays in its rest pose
+  /// Rotation vector in degrees, space axes. Angles beyond 360 degrees are followed as written.
+  std::optional<Vec3> rotate_deg;
+  std::optional<Vec3> move;     ///< displacement, length, space axes
+  std::optional<Vec3> force;    ///< dead force, space axes, stress length^2
+  std::optional<Vec3> moment;   ///< moment, stress length^3; axes as `moment_in_body` says
+  bool moment_in_body = false;  ///< the moment turns with the section; false: space axes
+  /// Fixed degrees of freedom x y z rx ry rz, in the section's rest frame (d1, d2, d3).
+  std::array<bool, 6> fix{};
+  bool soft_section = false;  ///< only the section's mean pose is held; it may deform
+  int line = 0;               ///< line in the scene file, for messages
 };
-/// Whether two entries for one end exclude each other: a motion stands alone, and two loads or two
-/// fixes of one end are a slip of the keyboard.
+
+/// Whether two entries for one end exclude each other: a motion with anything else, two loads, or
+/// two fixes.
 bool exclude_each_other(const EndCondition& a, const EndCondition& b);
 
-/// "X, expected Y" where one entry contradicts itself or says nothing; empty where it makes sense.
+/// "X, expected Y" if the entry contradicts itself or has no condition; empty if it is consistent.
 std::string contradiction(const EndCondition& end);
 
-/// The operation.
+/// The operation: a bidirectional Glenn shunt.
 struct GlennSpec {
-  std::string svc, rpa;
-  Vec3 cut = Vec3::Zero(), incision = Vec3::Zero();
-  std::optional<double> rotation_deg;  ///< added to what auto finds; absent: auto
-  Vec3 keep_near = Vec3::Zero();       ///< near the end of the cut SVC that goes on
-  int line = 0;
+  std::string svc,              ///< name of the vessel that is cut: the superior vena cava
+      rpa;                      ///< name of the vessel that is incised: the right pulmonary artery
+  Vec3 cut = Vec3::Zero(),      ///< picked point of the cut on the SVC, length
+      incision = Vec3::Zero();  ///< picked point of the incision on the RPA, length
+  /// Rotation of the vein, degrees, added to the automatic one; empty: automatic only.
+  std::optional<double> rotation_deg;
+  Vec3 keep_near = Vec3::Zero();  ///< a point (length) near the SVC's end that is kept
+  int line = 0;                   ///< line in the scene file, for messages
 };
 
+/// A scene: vessels, end conditions and what to solve.
 struct Scene {
-  std::filesystem::path file;
-  std::string name;
-  Units units;
-  std::vector<VesselSpec> vessels;
-  std::vector<EndCondition> ends;
-  std::optional<std::vector<std::array<std::string, 2>>>
-      contact;  ///< absent: every pair within reach
-  std::optional<GlennSpec> glenn;
-  std::optional<std::string> fidelity;  ///< one of fidelity_names(); absent with `accuracy`
-  int fidelity_line = 0;                ///< in the scene file, for messages
-  std::optional<double> accuracy;       ///< RMS distance over R
-  bool extrapolate = false;  ///< bare rods: solve with n and 2n elements and extrapolate to order 4
+  std::filesystem::path file;       ///< the scene file; empty: built in memory
+  std::string name;                 ///< the scene's name in results
+  Units units;                      ///< units of all numbers
+  std::vector<VesselSpec> vessels;  ///< in the file's order
+  std::vector<EndCondition> ends;   ///< in the file's order
+  /// Pairs of vessels that may touch; empty: every pair within reach.
+  std::optional<std::vector<std::array<std::string, 2>>> contact;
+  std::optional<GlennSpec> glenn;       ///< the operation; empty: none
+  std::optional<std::string> fidelity;  ///< one of fidelity_names(); empty if `accuracy` is set
+  int fidelity_line = 0;                ///< line in the scene file, for messages
+  std::optional<double> accuracy;       ///< requested accuracy: RMS distance over R
+  /// Bare rods: solve with n and 2n elements and extrapolate to order 4 (Richardson).
+  bool extrapolate = false;
 
-  const VesselSpec& vessel(
-      const std::string& vessel_name) const;  ///< throws InputError when there is none
+  /// The vessel with that name. Throws InputError if there is none.
+  const VesselSpec& vessel(const std::string& vessel_name) const;
 };
 
 }  // namespace vasorod

@@ -1,4 +1,4 @@
-// What became of a solve: one enumeration for every solver, from good to bad.
+// The outcome of a solve: one enumeration for all solvers, from best to worst.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,10 @@
 
 namespace vasorod {
 
+/// The outcome of a solve, from best to worst.
 enum class Status {
-  converged,         ///< equilibrium; where a certificate was asked for, a stable minimum
-  equilibrium_only,  ///< equilibrium; not a certified minimum (a dead moment has no energy)
+  converged,         ///< equilibrium; where a certificate was requested, a stable minimum
+  equilibrium_only,  ///< equilibrium, not a certified minimum (a dead moment has no energy)
   unstable,          ///< equilibrium with a direction of negative curvature that could not be left
   buckled,           ///< the branch from rest lost its stability; this is the minimum below it
   not_unique,        ///< equilibrium with a direction along which the energy does not change
@@ -17,13 +18,13 @@ enum class Status {
   interrupted        ///< stopped by the caller or the time limit; this is the best state seen
 };
 
-/// The name that result.json has for a status.
+/// The status's name in result.json.
 std::string to_string(Status status);
 
-/// The status of that name; empty where there is none.
+/// The status with that name; empty if there is none.
 std::optional<Status> status_named(const std::string& name);
 
-/// The worse of two: a whole is as good as its worst part.
+/// The worse of two statuses. The status of a whole is the worst of its parts.
 inline Status worse(Status a, Status b) {
   return std::max(a, b);
 }

@@ -1,11 +1,11 @@
-// Which version of the library this is.
+// The version of the library.
 #pragma once
 
 #include <string>
 
 namespace vasorod {
 
-/// For example "0.1.0".
+/// The library's version, for example "0.1.0".
 std::string version();
 
 }  // namespace vasorod

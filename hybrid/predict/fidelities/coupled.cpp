@@ -38,8 +38,8 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
     problem.vessels.back() = std::make_unique<CoupledVessel>(
         CoupledVessel{wall_of(vessel.prepared), sections.back().sections});
   }
-  // A seam starts closed: sections carried rigidly give way as little as the paper's quadratic
-  // energies ask.
+  // A seam starts closed: a linear solve of the paper's quadratic energies deforms the carried
+  // sections as little as possible.
   std::vector<Points> joined;
   if (prediction.glenn) joined = joined_skin(problem.surfaces);
   problem.carried = [&prediction, &sections, joined](double t) {
@@ -62,7 +62,7 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
   return problem;
 }
 
-// Nodes within a radius of a mouth: its section is a seam's, no tube's.
+// Nodes within a radius of a mouth: its section belongs to the seam, not to a tube.
 std::vector<char> nodes_beside(const RodTree& rod, int mouth) {
   std::vector<char> beside(rod.rest.size(), 0);
   if (mouth < 0) return beside;
@@ -72,7 +72,7 @@ std::vector<char> nodes_beside(const RodTree& rod, int mouth) {
   return beside;
 }
 
-// What is reported of a vessel along its axis is its wall's: the mean poses of its sections.
+// Values along a vessel's axis are those of its wall: the mean poses of its sections.
 void give_rods_the_walls_means(Prediction& prediction, const std::vector<VesselSections>& sections,
                                const std::vector<std::vector<SectionSolution>>& solutions) {
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {

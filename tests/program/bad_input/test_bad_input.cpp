@@ -1,5 +1,5 @@
-// Bad input as a user meets it: the built program ends with exit code 2, says one line, and leaves
-// no result behind.
+// Bad input through the built program: it ends with exit code 2, prints one line, and leaves no
+// result.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -65,7 +65,7 @@ class BadInput : public ::testing::Test {
   ScratchFolder scratch;
 };
 
-// Without these two every refusal below could have another cause.
+// The valid scene. If it failed, the refusals below could have other causes.
 TEST_F(BadInput, TheGlennSceneItselfIsSolved) {
   const auto run = solve(glenn);
   EXPECT_LE(run.exit_code, 1) << run.err;
@@ -135,8 +135,9 @@ TEST_F(BadInput, SelfIntersection) {
   expect_surface_refused(crossing, "crosses itself");
 }
 
-// A surface of `around` x `rows` points wound round an axis, triangles counter-clockwise seen from
-// outside where `at` (angle, share of the length) winds as (cos, sin) does about the way it goes.
+// A surface of `around` x `rows` points around an axis, triangles counter-clockwise seen from
+// outside if `at` (angle, share of the length) turns as (cos, sin) about its direction of
+// increasing length.
 TriangleSurface wound(int around, int rows, const std::function<Vec3(double, double)>& at) {
   TriangleSurface surface;
   surface.points.resize(around * (rows + 1), 3);
@@ -161,7 +162,7 @@ TEST_F(BadInput, SurfacesThatAreNotTubular) {
                                              0);
                                }),
                          "a flat surface that encloses nothing");
-  // A shallow ring round a hole.
+  // A shallow ring around a hole.
   expect_surface_refused(wound(48, 12,
                                [](double a, double v) {
                                  const double r = 11 - 6 * v;
@@ -172,7 +173,7 @@ TEST_F(BadInput, SurfacesThatAreNotTubular) {
   expect_surface_refused(closed_tube({0}, 12), "one open end");
 }
 
-// The section is a crescent, its centre in the hollow.
+// The section is a crescent whose centre lies in the hollow.
 TEST_F(BadInput, ARodThatLeavesItsSurface) {
   expect_surface_refused(wound(96, 60,
                                [](double a, double v) {
@@ -251,7 +252,7 @@ TEST_F(BadInput, ACutThatLeavesNothing) {
 }
 
 TEST_F(BadInput, AnIncisionLongerThanTheVessel) {
-  // The slit is half the mouth's perimeter, 10.4 mm; the vessel is 9 mm long, or ends 2 mm beside
+  // The slit is half the mouth's perimeter, 10.4 mm. The vessel is 9 mm long, or ends 2 mm beside
   // the pick.
   expect_refused(
       changed(glenn, "length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0]",
@@ -292,7 +293,7 @@ TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {
       << run.err;
 }
 
-// Names for one end that only the fitted vessel shows to be one.
+// Two names of one end. Only the fitted vessel shows that they mean the same end.
 TEST_F(BadInput, TwoConditionsForOneEndUnderTwoNames) {
   write_vtp(scratch / "tube.vtp", sample_tube());
   for (const std::string second : {"move: [0, 0, 1]", "force: [0, 0, 1]", "fix: [x]"})
@@ -314,8 +315,7 @@ TEST_F(BadInput, WhatTheRodRefusesHasFileLineAndVessel) {
   }
 }
 
-// A folder that holds something else is the file system's no: exit code 3, and nothing in it is
-// touched.
+// A folder with other contents: exit code 3, and the folder does not change.
 TEST_F(BadInput, AResultFolderThatIsNotOurs) {
   std::filesystem::create_directory(scratch / "out");
   write(scratch / "out" / "thesis.tex", "years of work");

@@ -19,7 +19,9 @@ while [ $# -gt 0 ]; do
     --all) scope=all ;;
     --since)
       scope=since
-      since=${2:?check: --since needs a commit}
+      since=${2:-}
+      git rev-parse --verify --quiet "$since^{commit}" >/dev/null ||
+        { echo "check: --since: found '$since', expected a commit" >&2; exit 2; }
       shift
       ;;
     *) echo "check: $1: found no such option, expected --all or --since REF" >&2; exit 2 ;;

@@ -19,7 +19,9 @@ while [ $# -gt 0 ]; do
     --all) scope=all ;;
     --since)
       scope=since
-      since=${2:?check: --since needs a commit}
+      since=${2:-}
+      git rev-parse --verify --quiet "$since^{commit}" >/dev/null ||
+        { echo "check: --since: found '$since', expected a commit" >&2; exit 2; }
       shift
       ;;
     *) echo "check: $1: found no such option, expected --all or --since REF" >&2; exit 2 ;;
@@ -58,12 +60,14 @@ style() { files '\.py$' | xargs flake8; }
 
 # Not tables, lines with a URL, fenced code, nor pages that ./run report writes.
 prose() {
-  files '\.md$' | xargs grep -L 'Written by `./run report`' | xargs awk -v width=$width '
-    FNR == 1 { fenced = 0 }
-    /^ *```/ { fenced = !fenced; next }
-    !fenced && !/^ *\|/ && !/https?:/ && length > width {
-      print FILENAME ":" FNR ": " length " columns"; found = 1 }
-    END { exit found }'
+  files '\.md$' | xargs grep -L 'Written by `./run report`' |
+    LC_ALL=C xargs awk -v width=$width '
+      FNR == 1 { fenced = 0 }
+      /^ *```/ { fenced = !fenced; next }
+      fenced || /^ *\|/ || /https?:/ { next }
+      { line = $0; gsub(/[\200-\277]/, "", line) }  # a letter may have several bytes
+      length(line) > width { print FILENAME ":" FNR ": " length(line) " columns"; found = 1 }
+      END { exit found }'
 }
 
 lines() {

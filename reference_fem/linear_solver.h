@@ -12,7 +12,7 @@ namespace vasorod::fem {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Factorises and solves on one process or on a processes.
+/// Factorises and solves on one process or on several.
 class LinearSolver {
  public:
   enum class Fallback { umfpack, none };
@@ -23,8 +23,8 @@ class LinearSolver {
   LinearSolver& operator=(const LinearSolver&) = delete;
 
   /// Factorises. The pattern must be the same in every call. False: the matrix is singular. The
-  /// last `multipliers` unknowns are those of constraints (zero diagonal block). In a processes,
-  /// the matrix is the sum of the processes' matrices.
+  /// last `multipliers` unknowns are those of constraints (zero diagonal block). With several
+  /// processes, the matrix is the sum of the processes' matrices.
   bool factor(const Sparse& matrix, bool symmetric, int multipliers = 0,
               Fallback fallback = Fallback::umfpack);
   /// Whether the last factor() found the matrix positive definite on its constraints. Always false

@@ -34,8 +34,8 @@ struct Supports {
 /// A model with its supports.
 class System {
  public:
-  /// In a processes, each process assembles its own cells. The tangent is then the process's share;
-  /// everything else is complete.
+  /// With several processes, each process assembles its own cells. The tangent is then the
+  /// process's share; everything else is complete.
   System(const Model& model, Supports supports, const Processes& processes = {});
 
   const Processes& processes() const { return processes_; }

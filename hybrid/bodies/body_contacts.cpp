@@ -5,6 +5,7 @@
 
 #include "bodies/held_overlap.h"
 #include "bodies/seam_band.h"
+#include "bodies/unmet_criteria.h"
 
 namespace vasorod {
 namespace {
@@ -158,6 +159,14 @@ double BodyContacts::smallest_gap(int index, const ScaledBodies& scaled) {
   for (const ContactPoint& c : pair.contact->contacts())
     smallest = std::min(smallest, pair.contact->gap(c, slave, master));
   return smallest;
+}
+
+void require_contact(const ContactState& state, double penetration, double force_change,
+                     UnmetCriteria& unmet) {
+  unmet.require("penetration over the mean edge", state.penetration, penetration);
+  unmet.require("change of the contact forces by the last update", state.force_change,
+                force_change);
+  if (!state.touched.empty()) unmet.add("a vessel was touched only now");
 }
 
 }  // namespace vasorod

@@ -26,6 +26,12 @@ struct StackedContacts {
   std::vector<std::array<int, 3>> master;  ///< vertices of the master body
 };
 
+class UnmetCriteria;
+/// Lists what of a state is beyond the tolerances: penetration over the mean edge, the change of
+/// pressures over the pressures, bodies that had not been among the unknowns.
+void require_contact(const ContactState& state, double penetration, double force_change,
+                     UnmetCriteria& unmet);
+
 class BodyContacts {
  public:
   BodyContacts(const BodyProblem& problem, const ScaledBodies& scaled, double stiffness);

@@ -37,9 +37,10 @@ struct CoupledMinimiserOptions {
 /// Iterations of all stages.
 struct CoupledMinimiserSummary : StagedSummary {
   int rest_iterations = 0, factorisations = 0;
-  bool positive = false;     ///< the Hessian at the result is positive definite
-  bool left_saddle = false;  ///< an equilibrium on the way was none to stay at
-  bool neutral = false;      ///< nothing is negative but rounding: a direction costs nothing
+  bool positive = false;      ///< the Hessian at the result is positive definite
+  bool left_saddle = false;   ///< an equilibrium on the way was none to stay at
+  bool unfactorised = false;  ///< ended because no shift made its Hessian positive definite
+  bool neutral = false;       ///< nothing is negative but rounding: a direction costs nothing
 };
 
 class CoupledMinimiser {

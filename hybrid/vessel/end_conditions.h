@@ -26,8 +26,8 @@ struct VesselConditions {
 };
 
 /// The open end a selector means: `start` holds the lowest point index; `end` is the other of two;
-/// `near` has the nearest centre. Throws InputError (with the scene's line) where that is not one
-/// end.
+/// `near` has the nearest centre, at most two of its radii off. Throws InputError (with the scene's
+/// line) where that is not one end.
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where);
 
 /// All entries of `scene.ends` for this vessel; a load and a fix of one end add up. Throws

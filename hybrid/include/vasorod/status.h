@@ -23,6 +23,11 @@ std::string to_string(Status status);
 /// The status of that name; empty where there is none.
 std::optional<Status> status_named(const std::string& name);
 
+/// Whether a solve ended without an equilibrium: what came of it is the best state seen.
+inline bool is_unfinished(Status status) {
+  return status == Status::iteration_limit || status == Status::interrupted;
+}
+
 /// The worse of two: a whole is as good as its worst part.
 inline Status worse(Status a, Status b) {
   return std::max(a, b);

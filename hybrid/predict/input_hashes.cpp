@@ -13,10 +13,7 @@ InputHashes::InputHashes(const Scene& scene) : scene_(scene) {
   const bool surface = std::any_of(
       scene.vessels.begin(), scene.vessels.end(),
       [&](const VesselSpec& vessel) { return vessel.surface && *vessel.surface == scene.file; });
-  // What came through a pipe cannot be read again.
-  std::error_code error;
-  const bool piped = std::filesystem::is_other(scene.file, error);
-  if (!scene.file.empty() && !surface && !piped)
+  if (!scene.file.empty() && !surface)
     hashes_[scene.file.filename().string()] = sha256_of_file(scene.file);
 }
 

@@ -10,7 +10,11 @@ namespace {
 Scene tube_scene() {
   VesselSpec tube;
   tube.name = "tube";
-  tube.tube = TubeSpec{.length = 60, .radius = 6, .around = 16, .along = 24};
+  TubeSpec& shape = tube.tube.emplace();
+  shape.length = 60;
+  shape.radius = 6;
+  shape.around = 16;
+  shape.along = 24;
   tube.surface_is = SurfaceIs::mid;
   tube.wall = Wall{.thickness = 0.6, .material = Material::isotropic(1, 0.3)};
   Scene scene;

@@ -52,6 +52,7 @@ TEST(PaperSolver, WithoutAnEquilibriumSaysWhichCriterionIsNotMet) {
   const Glenn glenn;
   PaperOptions options;
   options.max_outer = 1;
+  options.seam_tolerance = 1e-12;
   const SurfaceSolution s = solve_paper(glenn.problem, options);
   EXPECT_EQ(s.status, Status::iteration_limit);
   ASSERT_EQ(s.notes.size(), 1U);

@@ -1,11 +1,13 @@
 #include "app/commands.h"
 
+#include <cmath>
 #include <iostream>
 
 #include <vasorod/compare.h>
 #include <vasorod/read_scene.h>
 #include <vasorod/result_folder.h>
 
+#include "data/sentence.h"
 #include "result/folder_replacement.h"
 
 namespace vasorod {
@@ -18,7 +20,11 @@ void say(const Result& result, const CommandOptions& options) {
     std::cout << to_json(result) << '\n';
     return;
   }
+  const double residual = result.certificate.relative_residual;
   std::cout << result.scene << ": " << to_string(result.status) << " (" << result.fidelity << ")";
+  if (is_unfinished(result.status))
+    std::cout << ", relative residual "
+              << (std::isfinite(residual) ? number_text(residual, 3) : "unknown");
   if (result.glenn && result.fidelity != "rod")
     std::cout << ", largest seam gap " << result.glenn->join.largest_gap << ' '
               << result.length_unit;
@@ -37,12 +43,17 @@ int finish(Result& result, const CommandOptions& options) {
 
 int solve_command(const CommandOptions& options) {
   const Scene scene = read_scene(options.input);
+  std::vector<std::filesystem::path> inputs{scene.file};
+  for (const VesselSpec& vessel : scene.vessels)
+    if (vessel.surface) inputs.push_back(*vessel.surface);
+  require_outside(options.folder, inputs);
   require_replaceable(options.folder);  // now, not after an hour's solution
   Result result = predict(scene, options.solve);
   return finish(result, options);
 }
 
 int fit_command(const CommandOptions& options) {
+  require_outside(options.folder, {options.fit.surface});
   require_replaceable(options.folder);
   Result result = fit(options.fit);
   return finish(result, options);

@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <unistd.h>
 
@@ -104,7 +106,10 @@ int run(int argc, char** argv) {
     std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
     return 2;
   }
-  common.command.solve.stop = stop_on_signal_or_after(common.time_limit);
+  if (*solve)
+    common.command.solve.stop = stop_on_signal_or_after(common.time_limit);
+  else
+    end_on_signal();
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
     common.command.solve.progress = [](const std::string& what) {
       std::cerr << "vasorod: " << what << '\n';
@@ -120,6 +125,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr const char* out_of_memory =
+      "vasorod: found no memory left, expected a scene that fits into it: fewer triangles or "
+      "elements\n";
   try {
     return run(argc, argv);
   } catch (const vasorod::InputError& error) {
@@ -127,6 +135,12 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const vasorod::FileError& error) {
     std::cerr << "vasorod: " << error.what() << '\n';
+    return 3;
+  } catch (const std::bad_alloc&) {
+    std::cerr << out_of_memory;
+    return 3;
+  } catch (const std::length_error&) {  // what a container says of a size that no memory has
+    std::cerr << out_of_memory;
     return 3;
   } catch (const std::exception& error) {
     std::cerr << "vasorod: unexpected: " << error.what() << '\n';

@@ -3,6 +3,9 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <unistd.h>
+
+#include "result/folder_replacement.h"
 
 namespace vasorod {
 namespace {
@@ -11,15 +14,25 @@ std::atomic<bool> signalled{false};
 static_assert(std::atomic<bool>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
-extern "C" void raise_flag(int) {
-  signalled.store(true);
+extern "C" void end_now(int signal) {
+  // Where a result is just being put in its place the process ends by itself in a moment.
+  if (remove_unfinished_folder()) _exit(128 + signal);
+}
+
+extern "C" void raise_flag(int signal) {
+  if (signalled.exchange(true)) end_now(signal);
+}
+
+void on_signals(void (*handler)(int)) {
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+  if (std::signal(SIGHUP, handler) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 }  // namespace
 
 std::function<bool()> stop_on_signal_or_after(double seconds) {
-  std::signal(SIGINT, raise_flag);
-  std::signal(SIGTERM, raise_flag);
+  on_signals(raise_flag);
   const auto begin = std::chrono::steady_clock::now();
   return [begin, seconds] {
     if (signalled.load()) return true;
@@ -27,6 +40,10 @@ std::function<bool()> stop_on_signal_or_after(double seconds) {
            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >
                seconds;
   };
+}
+
+void end_on_signal() {
+  on_signals(end_now);
 }
 
 }  // namespace vasorod

@@ -5,6 +5,7 @@
 
 #include "bodies/held_overlap.h"
 #include "bodies/seam_band.h"
+#include "bodies/unmet_criteria.h"
 
 namespace vasorod {
 namespace {
@@ -159,6 +160,14 @@ double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled) {
   for (const ContactPoint& c : mine.contact->contacts())
     smallest = std::min(smallest, mine.contact->gap(c, slave, master));
   return smallest;
+}
+
+void require_contact(const ContactState& state, double penetration, double force_change,
+                     UnmetCriteria& unmet) {
+  unmet.require("penetration over the mean edge", state.penetration, penetration);
+  unmet.require("change of the contact forces by the last update", state.force_change,
+                force_change);
+  if (!state.touched.empty()) unmet.add("a vessel was touched only now");
 }
 
 }  // namespace vasorod

@@ -30,6 +30,12 @@ struct StackedContacts {
   std::vector<std::array<int, 3>> master;  ///< vertices of the master body
 };
 
+class UnmetCriteria;
+/// Lists which contact criteria of a state exceed their tolerances: penetration over the mean edge,
+/// the change of pressures over the pressures, bodies that were not among the unknowns.
+void require_contact(const ContactState& state, double penetration, double force_change,
+                     UnmetCriteria& unmet);
+
 /// Contacts of all pairs of a problem. All values in scaled units.
 class BodyContacts {
  public:

@@ -60,6 +60,7 @@ struct SurfaceSolution {
   bool smallest_curvature_positive = false;
   int iterations = 0, outer_iterations = 0, factorisations = 0;
   double largest_seam_gap = 0, rms_seam_gap = 0, seam_radius = 0;
+  std::vector<std::string> notes;  ///< which criterion was not met where there is no equilibrium
 
   /// One line: status, counts, residual, seam.
   std::string brief_report() const;

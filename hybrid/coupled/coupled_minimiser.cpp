@@ -211,7 +211,11 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
   while (summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
     factored_at = residual(z);
-    if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) break;
+    if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) {
+      summary.unfactorised = true;
+      summary.residual = factored_at;
+      break;
+    }
     fresh = shift == 0;
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     const bool at_rest =

@@ -42,8 +42,9 @@ struct CoupledMinimiserOptions {
 /// Iterations of all stages.
 struct CoupledMinimiserSummary : StagedSummary {
   int rest_iterations = 0, factorisations = 0;
-  bool positive = false;     ///< the Hessian at the result is positive definite
-  bool left_saddle = false;  ///< a saddle was found on the way and left
+  bool positive = false;      ///< the Hessian at the result is positive definite
+  bool left_saddle = false;   ///< a saddle was found on the way and left
+  bool unfactorised = false;  ///< ended because no shift made the Hessian positive definite
   /// Negative curvature is only rounding: there is a zero-energy direction.
   bool neutral = false;
 };

@@ -6,9 +6,11 @@
 
 #include <vasorod/error.h>
 
+#include "bodies/unmet_criteria.h"
 #include "coupled/coupled_path.h"
 #include "coupled/coupled_report.h"
 #include "coupled/free_motions.h"
+#include "data/sentence.h"
 
 namespace vasorod {
 namespace {
@@ -84,7 +86,7 @@ class CoupledSolver::Data {
     for (const double t : stack_.options.times) {
       const bool stepped = path_.advance(t);
       const Points predicted = positions();
-      solution_.status = settle(stepped);
+      solution_.status = settle(t, stepped);
       buckled |= left_saddle_;
       if (stepped && predicted.rows() == stack_.system->vertex_count())
         buckled |=
@@ -150,8 +152,8 @@ class CoupledSolver::Data {
                                 stack_.z);
   }
 
-  // Finds the minimum at the present time.
-  Status settle(bool stepped) {
+  // Finds the minimum at the present time t.
+  Status settle(double t, bool stepped) {
     left_saddle_ = false;
     const CoupledOptions& options = stack_.options;
     const BodyProblem& surfaces = stack_.problem.surfaces;
@@ -179,9 +181,10 @@ class CoupledSolver::Data {
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
       const double moment_change = stack_.system->recentre(stack_.z);
-      const bool seam_closed =
-          stack_.largest_seam_gap() <= options.seam_tolerance * stack_.seam_radius;
-      const bool tied = stack_.system->worst_tie(stack_.z) <= options.tie_tolerance;
+      const double seam_gap = stack_.largest_seam_gap();
+      const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;
+      const double tie = stack_.system->worst_tie(stack_.z);
+      const bool tied = tie <= options.tie_tolerance;
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
@@ -214,6 +217,26 @@ class CoupledSolver::Data {
               "the loads are smaller than what rounding leaves of the walls' forces: the result is "
               "not "
               "theirs");
+        UnmetCriteria unmet;
+        unmet.require("residual", summary.residual, options.tolerance);
+        if (!seam_closed)
+          unmet.require("seam gap over the mouth's radius", seam_gap / stack_.seam_radius,
+                        options.seam_tolerance);
+        if (!tied) unmet.require("misfit of a soft section", tie, options.tie_tolerance);
+        if (!turned)
+          unmet.require("change of a turning load's moment",
+                        moment_change / stack_.system->largest_moment(), options.moment_tolerance);
+        require_contact(contact, options.contact_tolerance, options.pressure_tolerance, unmet);
+        unmet.require(
+            "imbalance of a vessel's forces",
+            worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall, stack_.z),
+            options.balance_tolerance);
+        if (summary.unfactorised) unmet.add("the walls' Hessian could not be factorised");
+        if (failures > most_failures)
+          unmet.add("no minimum in " + std::to_string(failures) + " minimisations in a row");
+        solution_.notes.push_back(unmet.sentence("at " + number_text(100 * t, 4) +
+                                                 " % of the way after " + std::to_string(outer) +
+                                                 " multiplier updates"));
         return Status::iteration_limit;
       }
       if (!seam_closed) stack_.update_seams();

@@ -11,12 +11,17 @@
 namespace vasorod {
 namespace {
 
+// std::max leaves out what is not a number; here it stays.
+double worst(double a, double b) {
+  return std::isnan(b) ? b : std::max(a, b);
+}
+
 // The largest value of a ratio along a vessel and where it occurs.
 struct Extreme {
   double value = 0;
   Vec3 where = Vec3::Zero();
   void see(double candidate, const Vec3& place) {
-    if (candidate <= value) return;
+    if (candidate <= value || std::isnan(value)) return;  // what is not a number stays
     value = candidate;
     where = place;
   }
@@ -83,10 +88,10 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
     }
   }
   const std::string& name = vessel.spec.name;
-  validity.brazier_ratio = std::max(validity.brazier_ratio, brazier.value);
-  validity.wrinkling_ratio = std::max(validity.wrinkling_ratio, wrinkling.value);
-  validity.twist_ratio = std::max(validity.twist_ratio, twist.value);
-  validity.largest_strain = std::max(validity.largest_strain, strain.value);
+  validity.brazier_ratio = worst(validity.brazier_ratio, brazier.value);
+  validity.wrinkling_ratio = worst(validity.wrinkling_ratio, wrinkling.value);
+  validity.twist_ratio = worst(validity.twist_ratio, twist.value);
+  validity.largest_strain = worst(validity.largest_strain, strain.value);
   judge(name, brazier, "its bending comes near the Brazier limit, the section flattens",
         "its section would kink there: bent past 0.9 of the Brazier limit", validity);
   judge(name, wrinkling, "its inner side comes near wrinkling",
@@ -107,6 +112,23 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                  "curved at rest: it bends softer than its round section by von "
                  "Karman's factor, which rod, skin and paper leave out",
                  1.25));
+}
+
+void warn_of_units(const VesselSpec& vessel, const Units& units, Validity& validity) {
+  if (!vessel.wall || vessel.tube) return;
+  constexpr double softest = 0.01e6, stiffest = 100e6, rounding = 1e-12;
+  const Material& material = vessel.wall->material;
+  const auto judge_one = [&](const std::string& what, double young) {
+    const double pascals = young * units.pascals;
+    if (pascals >= softest * (1 - rounding) && pascals <= stiffest * (1 + rounding)) return;
+    validity.warnings.push_back("vessel " + vessel.name + ": " + what + " of " +
+                                number_text(young) + " " + units.stress +
+                                " is outside 0.01 to 100 MPa, where vessels lie: are the units "
+                                "right?");
+  };
+  judge_one("Young's modulus", material.young_axial);
+  if (material.young_transverse != material.young_axial)
+    judge_one("Young's modulus across the fibre", material.young_transverse);
 }
 
 }  // namespace vasorod

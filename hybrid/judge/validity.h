@@ -34,4 +34,8 @@ namespace vasorod {
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                   const std::vector<int>& rigid_nodes, Validity& validity);
 
+/// Warns of a Young's modulus outside 0.01 to 100 MPa, where no vessel's wall lies: a slip of the
+/// units. Not of generated tubes, whose modulus is often 1.
+void warn_of_units(const VesselSpec& vessel, const Units& units, Validity& validity);
+
 }  // namespace vasorod

@@ -12,6 +12,7 @@
 #include "bodies/body_contacts.h"
 #include "bodies/scaled_bodies.h"
 #include "bodies/seam.h"
+#include "bodies/unmet_criteria.h"
 #include "paper/paper_minimiser.h"
 #include "paper/paper_report.h"
 
@@ -126,14 +127,14 @@ class PaperRun {
         return;
       }
       const bool at_rest = summary.residual <= options_.tolerance;
-      const bool seam_closed =
-          largest_gap(system_.joins, positions_) <= options_.seam_tolerance * seam_radius_;
+      const double seam_gap = largest_gap(system_.joins, positions_);
+      const bool seam_closed = seam_gap <= options_.seam_tolerance * seam_radius_;
       const ContactState contact = contacts_.refresh(scaled_);
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= options_.contact_tolerance &&
                                  contact.force_change <= options_.pressure_tolerance;
-      const bool balanced = worst_balance(sum_forces(scaled_, system_, first_, positions_)) <=
-                            options_.balance_tolerance;
+      const double imbalance = worst_balance(sum_forces(scaled_, system_, first_, positions_));
+      const bool balanced = imbalance <= options_.balance_tolerance;
       if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
         const bool asked = options_.certify;
         solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_);
@@ -143,6 +144,15 @@ class PaperRun {
       }
       if (solution_.outer_iterations >= options_.max_outer) {
         solution_.status = Status::iteration_limit;
+        UnmetCriteria unmet;
+        unmet.require("residual", summary.residual, options_.tolerance);
+        if (!seam_closed)
+          unmet.require("seam gap over the mouth's radius", seam_gap / seam_radius_,
+                        options_.seam_tolerance);
+        require_contact(contact, options_.contact_tolerance, options_.pressure_tolerance, unmet);
+        unmet.require("imbalance of a vessel's forces", imbalance, options_.balance_tolerance);
+        solution_.notes.push_back(unmet.sentence(
+            "after " + std::to_string(solution_.outer_iterations) + " multiplier updates"));
         return;
       }
       if (!seam_closed) {

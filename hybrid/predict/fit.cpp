@@ -2,6 +2,8 @@
 
 #include <vasorod/fit.h>
 
+#include "predict/input_hashes.h"
+#include "predict/name_faults.h"
 #include "predict/result_of_vessel.h"
 #include "predict/result_parts.h"
 #include "predict/stopwatch.h"
@@ -30,7 +32,10 @@ Result fit(const FitRequest& request) {
   spec.name = vessel_name(request.surface.stem().string());
   spec.surface = request.surface;
   spec.remesh = request.remesh;
-  const LoadedSurface loaded = load_surface(spec, scene);
+  scene.vessels.push_back(spec);
+  InputHashes inputs(scene);
+  LoadedSurface loaded;
+  inputs.while_reading(spec, [&] { loaded = load_surface(spec, scene); });
   watch.lap("read");
   const Vessel vessel = fit_vessel(spec.name, loaded.surface);
   watch.lap("fit");
@@ -51,9 +56,8 @@ Result fit(const FitRequest& request) {
   result.vessels.push_back(std::move(out));
   result.stages.push_back({"rest", {vessel.surface}, {spec.name}});
   result.seconds = watch.seconds();
-  scene.vessels.push_back(spec);
-  scene.file.clear();
-  add_input_hashes(scene, result);
+  result.environment.inputs = inputs.hashes();
+  name_faults(result);
   return result;
 }
 

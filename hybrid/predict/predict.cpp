@@ -7,6 +7,8 @@
 #include "judge/choose_fidelity.h"
 #include "numerics/blas.h"
 #include "predict/fidelity.h"
+#include "predict/input_hashes.h"
+#include "predict/name_faults.h"
 #include "predict/prediction.h"
 #include "predict/result_of_prediction.h"
 #include "predict/result_parts.h"
@@ -37,6 +39,22 @@ auto placed(const std::string& where, Work&& work) {
 bool has_bare_rods(const Scene& scene) {
   return std::any_of(scene.vessels.begin(), scene.vessels.end(),
                      [](const VesselSpec& vessel) { return vessel.rod.has_value(); });
+}
+
+// A scene in which nothing holds, moves, loads or joins anything would be "solved" as it stands.
+// Rods that are drawn otherwise than they are at ease do move.
+void require_a_condition(const Scene& scene) {
+  const bool relaxes =
+      std::any_of(scene.vessels.begin(), scene.vessels.end(), [](const VesselSpec& vessel) {
+        return vessel.rod &&
+               std::any_of(vessel.rod->pieces.begin(), vessel.rod->pieces.end(),
+                           [](const RodPiece& piece) { return piece.natural.has_value(); });
+      });
+  if (!scene.ends.empty() || scene.glenn || relaxes) return;
+  throw InputError((scene.file.empty() ? "scene " + in_quotes(scene.name) : scene.file.string()) +
+                   ": found no condition in ends and no surgery, so that nothing would happen, "
+                   "expected at least one end that is held, moved or loaded (vasorod fit shows a "
+                   "vessel as it is)");
 }
 
 const Fidelity& named(const std::string& name, const std::string& where) {
@@ -94,16 +112,18 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
   }
 }
 
-void read_vessels(const Fidelity& fidelity, const SolveOptions& options, Prediction& prediction) {
+void read_vessels(const Fidelity& fidelity, const SolveOptions& options, InputHashes& inputs,
+                  Prediction& prediction) {
   for (const VesselSpec& spec : prediction.scene->vessels) {
     if (spec.role == Role::obstacle && !fidelity.surfaces) {
+      inputs.add(spec);
       prediction.left_out["obstacle " + spec.name] =
           "fidelity " + fidelity.name + ": no surface, nothing to touch";
       continue;
     }
     options.progress("vessel " + spec.name);
     PredictedVessel vessel;
-    vessel.prepared = read_vessel(spec, *prediction.scene);
+    inputs.while_reading(spec, [&] { vessel.prepared = read_vessel(spec, *prediction.scene); });
     prediction.vessels.push_back(std::move(vessel));
   }
 }
@@ -155,17 +175,20 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   if (!options.stop) options.stop = [] { return false; };
   if (!options.progress) options.progress = [](const std::string&) {};
   const Fidelity* fidelity = &checked_fidelity(scene, options);
+  require_a_condition(scene);
+  InputHashes inputs(scene);
   set_blas_threads(options.threads);
   if (has_bare_rods(scene)) {
     Result result = solve_rod_scene(scene, options);
-    add_input_hashes(scene, result);
+    result.environment.inputs = inputs.hashes();
+    name_faults(result);
     return result;
   }
 
   Stopwatch watch;
   Prediction prediction;
   prediction.scene = &scene;
-  read_vessels(*fidelity, options, prediction);
+  read_vessels(*fidelity, options, inputs, prediction);
   watch.lap("read");
   for (PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
@@ -192,7 +215,8 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   Result result = result_of(prediction, options.threads);
   watch.lap("collect");
   result.seconds = watch.seconds();
-  add_input_hashes(scene, result);
+  result.environment.inputs = inputs.hashes();
+  name_faults(result);
   return result;
 }
 

@@ -39,7 +39,7 @@ void add_surfaces(const SolvedSurfaces& surfaces, Result& result) {
   const SurfaceSolution& solution = surfaces.solution;
   result.status = worse(result.status, solution.status);
   result.certificate.relative_residual =
-      std::max(result.certificate.relative_residual, solution.residual);
+      worst_of(result.certificate.relative_residual, solution.residual);
   if (surfaces.smallest_curvature_positive)
     result.certificate.smallest_curvature_positive = surfaces.smallest_curvature_positive;
   for (const std::string& note : surfaces.notes) result.certificate.notes.push_back(note);

@@ -69,6 +69,7 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
                                           vessel.pressure, moved && vessel.positions.rows() > 0));
   add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity);
+  warn_of_units(prepared.spec, prediction.scene->units, result.validity);
   result.vessels.back().axial_stretch = std::move(fields.axial_stretch);
   result.vessels.back().twist_shear = std::move(fields.twist_shear);
 }

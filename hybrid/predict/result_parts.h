@@ -11,12 +11,11 @@ namespace vasorod {
 Result begin_result(const std::string& scene, const std::string& fidelity, const Units& units,
                     int threads);
 
+/// The larger of two values. Not-a-number is kept; std::max would lose it.
+double worst_of(double a, double b);
+
 /// Adds a rod's status, residual, energy, iterations and message ("rod of NAME: ...").
 /// `certificate`: the sign of the rod's smallest curvature is part of the result's certificate.
 void add_rod(const std::string& name, const RodSummary& summary, bool certificate, Result& result);
-
-/// Adds the SHA-256 of the scene file and of every surface file it names. The key is the file's
-/// name, or its path if two files have the same name. Throws FileError.
-void add_input_hashes(const Scene& scene, Result& result);
 
 }  // namespace vasorod

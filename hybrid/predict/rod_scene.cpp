@@ -42,7 +42,7 @@ RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse,
   }
   result.summary.energy = (4 * fine.summary.energy - coarse.summary.energy) / 3;
   result.summary.iterations += coarse.summary.iterations;
-  result.summary.residual = std::max(coarse.summary.residual, fine.summary.residual);
+  result.summary.residual = worst_of(coarse.summary.residual, fine.summary.residual);
   result.summary.status = worse(coarse.summary.status, fine.summary.status);
   return result;
 }
@@ -170,7 +170,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution,
     vessel.centerline = centerline(tree, tree.branches[b], solution.poses, values);
     for (std::size_t i = 0; i < vessel.centerline->v.size(); ++i)
       result.validity.largest_strain =
-          std::max(result.validity.largest_strain,
+          worst_of(result.validity.largest_strain,
                    (vessel.centerline->v[i] - vessel.centerline->v0[i]).norm());
     result.metrics.push_back(metrics(vessel.name, *vessel.centerline));
     result.vessels.push_back(std::move(vessel));

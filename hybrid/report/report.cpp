@@ -34,25 +34,34 @@ std::string badge(const std::string& kind, const std::string& text) {
   return "<span class=\"badge " + kind + "\">" + html_text(text) + "</span>\n";
 }
 
+// A solve without an equilibrium says how far it was from one.
+std::string headline(const Result& result) {
+  std::string text = "Status: " + status_sentence(result.status);
+  if (is_unfinished(result.status))
+    text += ", relative residual " + cell_text(result.certificate.relative_residual);
+  return text;
+}
+
 std::string badges(const Result& result) {
   std::string html = "<div class=\"badges\">\n";
   html += badge(result.status == Status::converged          ? "good"
                 : result.status == Status::equilibrium_only ? "warn"
                                                             : "bad",
-                "Status: " + status_sentence(result.status));
-  html += result.validity.in_range ? badge("good", "Validity: within the model's range")
-                                   : badge("bad", "Validity: outside the model's range");
+                headline(result));
+  html += is_unfinished(result.status) ? badge("warn", "Validity: unknown")
+          : result.validity.in_range   ? badge("good", "Validity: within the model's range")
+                                       : badge("bad", "Validity: outside the model's range");
   html += badge("plain", "fidelity " + result.fidelity);
   return html + "</div>\n";
 }
 
-std::string validity_notice(const Validity& validity) {
+std::string validity_notice(const Result& result) {
+  const Validity& validity = result.validity;
+  const bool fine = validity.in_range && !is_unfinished(result.status);
   std::string html;
   if (!validity.warnings.empty()) {
-    html += std::string("<div class=\"notice ") + (validity.in_range ? "warn" : "bad") +
-            "\"><strong>" +
-            (validity.in_range ? "Close to the model's limits"
-                               : "Do not rely on this result as it stands") +
+    html += std::string("<div class=\"notice ") + (fine ? "warn" : "bad") + "\"><strong>" +
+            (fine ? "Close to the model's limits" : "Do not rely on this result as it stands") +
             "</strong><ul>\n";
     for (const std::string& warning : validity.warnings)
       html += "<li>" + html_text(warning) + "</li>\n";
@@ -114,7 +123,7 @@ std::string report_html(const Result& result, const std::vector<NamedPicture>& p
   html += "</style></head>\n<body><main>\n<header><h1>" + title +
           "</h1>\n<p class=\"soft\">Predicted by " + html_text(result.program) +
           ". Research software, not for clinical use.</p>\n";
-  html += badges(result) + validity_notice(result.validity) + facts(result) + "</header>\n";
+  html += badges(result) + validity_notice(result) + facts(result) + "</header>\n";
   html +=
       "<h2 id=\"view-title\">The result</h2>\n<div id=\"view\"><div id=\"stage\"><canvas "
       "tabindex=\"0\" "

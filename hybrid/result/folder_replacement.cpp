@@ -1,15 +1,23 @@
 #include "result/folder_replacement.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <climits>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "result/read_json.h"
 
 namespace vasorod {
@@ -39,6 +47,45 @@ fs::path nearest_existing(fs::path path) {
   return path;
 }
 
+// Whether a result has files of that name.
+bool is_ours(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name == "result.json" || name == "scene.pvd" || name == "report.html" ||
+         name.ends_with(".vtp") || (name.starts_with("picture_") && name.ends_with(".png"));
+}
+
+// The first thing in a former result that no result has; empty where there is none.
+fs::path foreign(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::file_status status = entry->symlink_status(error);
+    if (!error && (!fs::is_regular_file(status) || !is_ours(entry->path()))) return entry->path();
+  }
+  if (error) throw FileError(folder.string() + ": cannot be read: " + error.message());
+  return {};
+}
+
+std::size_t longest_name(const fs::path& existing) {
+  const long most = pathconf(existing.c_str(), _PC_NAME_MAX);
+  return most > 0 ? static_cast<std::size_t>(most) : NAME_MAX;
+}
+
+// A name or a path that the file system does not take shows now, not when it is to be made.
+void check_names(const fs::path& place, const fs::path& existing) {
+  constexpr std::size_t longest_file = 128;  // a vessel's name has at most 100 letters
+  const std::size_t most = longest_name(existing);
+  for (const fs::path& part : place.lexically_relative(existing))
+    if (part.string().size() > most)
+      throw FileError("the result folder's name " + in_quotes(part.string()) + " has " +
+                      std::to_string(part.string().size()) +
+                      " bytes, expected at most the file system's " + std::to_string(most));
+  if (place.string().size() + longest_file > PATH_MAX)
+    throw FileError("the result folder's path " + in_quotes(place.string()) + " has " +
+                    std::to_string(place.string().size()) + " bytes, expected at most " +
+                    std::to_string(PATH_MAX - longest_file));
+}
+
 void check(const fs::path& place) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
@@ -51,6 +98,9 @@ void check(const fs::path& place) {
       throw FileError(place.string() +
                       ": holds files but no result.json of ours, expected an empty folder, a "
                       "former result or nothing");
+    if (const fs::path other = empty ? fs::path() : foreign(place); !other.empty())
+      throw FileError(place.string() + ": holds " + in_quotes(other.filename().string()) +
+                      ", which is no file of a result, expected a former result and nothing else");
     if (holds(place, fs::current_path(error)))
       throw FileError(
           place.string() +
@@ -62,6 +112,7 @@ void check(const fs::path& place) {
   const fs::path parent = nearest_existing(place.parent_path());
   if (!fs::is_directory(parent, error))
     throw FileError(parent.string() + ": is a file, expected a folder");
+  check_names(place, parent);
   if (access(parent.c_str(), W_OK | X_OK) != 0)
     throw FileError(parent.string() + ": cannot be written to: " + std::strerror(errno));
 }
@@ -70,7 +121,82 @@ void check(const fs::path& place) {
   throw FileError(path.string() + ": " + what + ": " + std::strerror(errno));
 }
 
+// The hidden sibling that a result is written to is .NAME.writing-PROCESS-XXXXXX, NAME cut where
+// that would grow too long.
+std::string staging_start(const fs::path& place) {
+  constexpr std::size_t rest = 40;
+  return "." + place.filename().string().substr(0, longest_name(place.parent_path()) - rest) +
+         ".writing-";
+}
+
+// The process that made the sibling no longer runs; one whose name does not say is a day old.
+bool is_left_over(const fs::path& sibling, const std::string& start) {
+  const std::string rest = sibling.filename().string().substr(start.size());
+  const auto dash = rest.find('-');
+  if (dash == std::string::npos) {
+    std::error_code error;
+    const auto written = fs::last_write_time(sibling, error);
+    return !error && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
+  }
+  const std::string process = rest.substr(0, dash);
+  if (process.empty() || process.size() > 9 ||
+      process.find_first_not_of("0123456789") != std::string::npos)
+    return false;
+  return kill(std::stoi(process), 0) != 0 && errno == ESRCH;
+}
+
+void remove_left_overs(const fs::path& parent, const std::string& start) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(parent, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().filename().string().starts_with(start) &&
+        fs::is_directory(entry->symlink_status(error)) && is_left_over(entry->path(), start))
+      found.push_back(entry->path());
+  for (const fs::path& sibling : found) fs::remove_all(sibling, error);
+}
+
+// What a signal handler has to know of the replacement at work; it may touch plain data only.
+std::array<char, PATH_MAX> unfinished{};
+std::atomic<bool> has_unfinished{false}, putting_in_place{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void note_unfinished(const fs::path& staging) {
+  has_unfinished = false;
+  const std::string& name = staging.native();
+  if (name.empty() || name.size() >= unfinished.size()) return;
+  std::memcpy(unfinished.data(), name.c_str(), name.size() + 1);
+  has_unfinished = true;
+}
+
+// Removes the files of an open folder by system calls alone: the library's ways to list a folder
+// allocate memory.
+void remove_files(int folder) {
+  constexpr long size_at = 16, name_at = 19;  // in the kernel's linux_dirent64
+  alignas(8) std::array<char, 4096> block{};
+  for (long got = 0; (got = syscall(SYS_getdents64, folder, block.data(), block.size())) > 0;)
+    for (long at = 0; at < got;) {
+      std::uint16_t size = 0;
+      std::memcpy(&size, block.data() + at + size_at, sizeof size);
+      unlinkat(folder, block.data() + at + name_at, 0);
+      at += size;
+    }
+}
+
 }  // namespace
+
+bool remove_unfinished_folder() {
+  if (putting_in_place) return false;
+  constexpr int tries = 3;  // another thread may be adding a file
+  for (int i = 0; has_unfinished && i < tries; ++i) {
+    const int folder = open(unfinished.data(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) break;
+    remove_files(folder);
+    close(folder);
+    if (rmdir(unfinished.data()) == 0) break;
+  }
+  return true;
+}
 
 FolderReplacement::FolderReplacement(const fs::path& folder) : folder_(place_of(folder)) {
   check(folder_);
@@ -78,10 +204,13 @@ FolderReplacement::FolderReplacement(const fs::path& folder) : folder_(place_of(
   fs::create_directories(folder_.parent_path(), error);
   if (error)
     throw FileError(folder_.parent_path().string() + ": cannot be made: " + error.message());
+  const std::string start = staging_start(folder_);
+  remove_left_overs(folder_.parent_path(), start);
   std::string name =
-      (folder_.parent_path() / ("." + folder_.filename().string() + ".writing-XXXXXX")).string();
+      (folder_.parent_path() / (start + std::to_string(getpid()) + "-XXXXXX")).string();
   if (mkdtemp(name.data()) == nullptr) fail(folder_.parent_path(), "no folder can be made in it");
   staging_ = name;
+  note_unfinished(staging_);
   const mode_t mask =
       umask(0);  // mkdtemp makes private folders; a result has the permissions of any new folder
   umask(mask);
@@ -91,6 +220,7 @@ FolderReplacement::FolderReplacement(const fs::path& folder) : folder_(place_of(
 FolderReplacement::~FolderReplacement() {
   std::error_code ignored;
   if (!staging_.empty()) fs::remove_all(staging_, ignored);
+  note_unfinished({});
 }
 
 void FolderReplacement::write(const std::string& name, const std::string& bytes) {
@@ -102,10 +232,15 @@ void FolderReplacement::write(const std::string& name, const std::string& bytes)
 
 void FolderReplacement::commit() {
   check(folder_);  // whatever came to be there while we computed
+  struct Placing {
+    Placing() { putting_in_place = true; }
+    ~Placing() { putting_in_place = false; }
+  } const placing;
   std::error_code error;
   if (!fs::exists(folder_, error)) {
     if (rename(staging_.c_str(), folder_.c_str()) != 0) fail(folder_, "cannot be put in place");
     staging_.clear();
+    note_unfinished({});
     return;
   }
   // One step: at no moment is there no result. Then staging_ is the old folder, which the
@@ -124,10 +259,27 @@ void FolderReplacement::commit() {
     fail(folder_, "cannot be put in place");
   }
   staging_ = aside;
+  note_unfinished(staging_);
 }
 
 void require_replaceable(const fs::path& folder) {
   check(place_of(folder));
+}
+
+void require_outside(const fs::path& folder, const std::vector<fs::path>& inputs) {
+  const fs::path place = place_of(folder);
+  for (const fs::path& input : inputs) {
+    if (input.empty()) continue;
+    // Both where its name is and where it is itself: a link goes with its folder as a file does.
+    std::error_code error;
+    const fs::path name = fs::absolute(input, error).lexically_normal(),
+                   link = fs::weakly_canonical(name.parent_path(), error) / name.filename(),
+                   file = fs::weakly_canonical(name, error);
+    for (const fs::path& inside : {link, file})
+      if (inside != place && holds(place, inside))
+        throw FileError(place.string() + ": holds the input " + in_quotes(input.string()) +
+                        ", and the result's folder is replaced whole; expected another folder");
+  }
 }
 
 }  // namespace vasorod

@@ -91,8 +91,10 @@ Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedV
 void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
          VesselConditions& conditions, GlennOperation& operation) {
   const Pick pick = locate(where, "cut", svc, spec.cut);
-  CutOutcome outcome = cut_vessel(svc.vessel.surface, pick.section, spec.cut, spec.keep_near);
-  const int kept_end = find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where);
+  const int kept_end =
+      find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where + ": keep");
+  CutOutcome outcome = cut_vessel(svc.vessel.surface, pick.section, spec.cut,
+                                  svc.vessel.ends[index(kept_end)].center);
   const int far_node = svc.vessel.ends[index(kept_end)].node;
   const RodSide side = side_of(svc.vessel.rod, pick.at.element, pick.at.s, far_node);
   const RodPart kept = cut_rod(svc.vessel.rod, pick.at.element, pick.at.s, side);

@@ -5,11 +5,26 @@
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
+
 namespace vasorod {
 namespace {
 
 Vec3 radians(const Vec3& degrees) {
   return degrees * (M_PI / 180);
+}
+
+// A point far off every end is a slip of the keyboard, or of the units.
+void require_near(const Vessel& vessel, const VesselEnd& nearest, const Vec3& point,
+                  const std::string& where) {
+  constexpr double most_radii = 2;
+  const double most = most_radii * vessel.rod.radius[static_cast<size_t>(nearest.node)],
+               distance = (nearest.center - point).norm();
+  if (!(distance <= most))
+    throw InputError(where + ": near: found " + place_text(point) + ", " +
+                     number_text(distance, 4) + " off the nearest end's centre " +
+                     place_text(nearest.center, 4) + ", expected at most two radii there, " +
+                     number_text(most, 4));
 }
 
 RodSupport& support_at(RodConditions& conditions, int node) {
@@ -39,6 +54,7 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
                                               return (a.center - selector.near).squaredNorm() <
                                                      (b.center - selector.near).squaredNorm();
                                             });
+      require_near(vessel, *nearest, selector.near, where);
       return static_cast<int>(nearest - vessel.ends.begin());
     }
     case EndSelector::Kind::at:

@@ -27,8 +27,8 @@ struct VesselConditions {
 };
 
 /// Index of the selected open end. `start` contains the lowest point index; `end` is the other of
-/// two ends; `near` has the nearest centre. Throws InputError (with the scene's line) if the
-/// selector does not select one end.
+/// two ends; `near` has the nearest centre, at most two of its radii away. Throws InputError (with
+/// the scene's line) if the selector does not select one end.
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where);
 
 /// All entries of `scene.ends` for this vessel. A load and a fix of one end are combined. Throws

@@ -112,6 +112,33 @@ TEST(Validity, UnitsDoNotMatter) {
   EXPECT_EQ(m.warnings.size(), mm.warnings.size());
 }
 
+TEST(Validity, AModulusThatNoVesselHasIsAskedAbout) {
+  const Units kilopascals{"mm", "kPa", 1e-3, 1e3}, pascals{"m", "Pa", 1, 1}, megapascals;
+  VesselSpec vessel;
+  vessel.name = "svc";
+  const auto warnings = [&](double young, const Units& units) {
+    vessel.wall = Wall{1, Material::isotropic(young, 0.3)};
+    Validity validity;
+    warn_of_units(vessel, units, validity);
+    EXPECT_TRUE(validity.in_range);
+    return validity.warnings;
+  };
+  EXPECT_EQ(warnings(0.5, kilopascals),
+            std::vector<std::string>{"vessel svc: Young's modulus of 0.5 kPa is outside 0.01 to "
+                                     "100 MPa, where vessels lie: are the units right?"});
+  EXPECT_EQ(warnings(500, megapascals).size(), 1U);
+  EXPECT_EQ(warnings(0.5, pascals).size(), 1U);
+  for (const auto& [young, units] : {std::pair{0.01, megapascals},
+                                     {100.0, megapascals},
+                                     {10.0, kilopascals},
+                                     {1e5, kilopascals},
+                                     {1e4, pascals},
+                                     {1e8, pascals}})
+    EXPECT_TRUE(warnings(young, units).empty()) << young << units.stress;
+  vessel.tube = TubeSpec{};  // generated: a modulus of 1 in any unit is usual
+  EXPECT_TRUE(warnings(1, pascals).empty());
+}
+
 TEST(Validity, NothingCountsBesideARigidEnd) {
   const PreparedVessel tube = judged_tube(300);
   const RodTree& rod = tube.vessel.rod;

@@ -48,6 +48,19 @@ struct Glenn {
   }
 };
 
+TEST(PaperSolver, WithoutAnEquilibriumSaysWhichCriterionIsNotMet) {
+  const Glenn glenn;
+  PaperOptions options;
+  options.max_outer = 1;
+  options.seam_tolerance = 1e-12;
+  const SurfaceSolution s = solve_paper(glenn.problem, options);
+  EXPECT_EQ(s.status, Status::iteration_limit);
+  ASSERT_EQ(s.notes.size(), 1U);
+  for (const char* words : {"after 1 multiplier updates", "residual ", "expected at most 1e-08",
+                            "seam gap over the mouth's radius "})
+    EXPECT_NE(s.notes[0].find(words), std::string::npos) << s.notes[0];
+}
+
 TEST(PaperSolver, ClosesTheSeamAndBalancesEveryBody) {
   const Glenn glenn;
   PaperOptions options;

@@ -78,6 +78,24 @@ TEST(Report, SaysStatusValidityAndWhatItIsNot) {
   EXPECT_FALSE(has(page, "class=\"notice"));
 }
 
+TEST(Report, AnUnfinishedSolveSaysHowFarItWasAndKnowsNoValidity) {
+  for (const Status status : {Status::interrupted, Status::iteration_limit}) {
+    Result result = test::example_result();
+    result.status = status;
+    result.certificate.relative_residual = 0.03125;
+    for (const bool in_range : {true, false}) {
+      result.validity.in_range = in_range;
+      const std::string page = page_of(result);
+      EXPECT_TRUE(has(page, ", relative residual 0.03125</span>"));
+      EXPECT_TRUE(has(page, "Validity: unknown"));
+      EXPECT_FALSE(has(page, "the model's range"));
+      EXPECT_FALSE(has(page, "badge good"));
+      EXPECT_TRUE(has(page, "Do not rely on this result"));
+    }
+  }
+  EXPECT_FALSE(has(page_of(test::example_result()), "relative residual"));
+}
+
 TEST(Report, HasAPictureOfEachStageAndField) {
   const std::vector<NamedPicture> pictures = report_pictures(test::example_result());
   std::vector<std::string> files;

@@ -34,6 +34,14 @@ TEST(ResultFolder, HoldsWhatTheContractSays) {
   EXPECT_EQ(text_of(base.path / "out/result.json"), to_json(result));
 }
 
+TEST(ResultFolder, EverythingItWritesItMayReplace) {
+  const test::TemporaryFolder base;
+  Result result = test::example_result();
+  write_result_folder(result, base.path / "out");
+  write_result_folder(result, base.path / "out");
+  EXPECT_EQ(text_of(base.path / "out/result.json"), to_json(result));
+}
+
 TEST(ResultFolder, CountsItsOwnTime) {
   const test::TemporaryFolder base;
   Result result = test::example_result();

@@ -1,6 +1,8 @@
+#include <chrono>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <vasorod/error.h>
@@ -88,6 +90,102 @@ TEST(FolderReplacement, LeavesAForeignFolderAlone) {
   EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
   EXPECT_EQ(text_of(base.path / "out/thesis.tex"), "years of work");
   EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, AForeignFileInAFormerResultIsNamedAndKept) {
+  for (const std::string name :
+       {"scene.yaml", ".git/", "svc.vtp/", "notes.png", "result.json.bak"}) {
+    const test::TemporaryFolder base;
+    const fs::path out = base.path / "out", mine = out / name;
+    fs::create_directory(out);
+    write(out / "result.json", to_json(test::example_result()));
+    if (name.ends_with('/'))
+      fs::create_directory(mine.parent_path());
+    else
+      write(mine, "years of work");
+    try {
+      FolderReplacement replacement(out);
+      ADD_FAILURE() << name << " would be removed";
+    } catch (const FileError& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find(name.substr(0, name.find('/'))), std::string::npos) << said;
+    }
+    EXPECT_THROW(require_replaceable(out), FileError);
+    EXPECT_TRUE(fs::exists(mine));
+  }
+}
+
+TEST(FolderReplacement, ALinkInAFormerResultIsForeign) {
+  const test::TemporaryFolder base;
+  fs::create_directory(base.path / "out");
+  write(base.path / "out/result.json", to_json(test::example_result()));
+  fs::create_symlink("../real.vtp", base.path / "out/svc.vtp");
+  EXPECT_THROW(require_replaceable(base.path / "out"), FileError);
+}
+
+TEST(FolderReplacement, AnInputInsideIsRefused) {
+  const test::TemporaryFolder base;
+  const fs::path out = base.path / "out";
+  fs::create_directories(out / "deep");
+  write(out / "v.vtp", "a surface");
+  write(out / "deep/v.vtp", "a surface");
+  write(base.path / "v.vtp", "a surface");
+  fs::create_symlink(out / "v.vtp", base.path / "link.vtp");
+  fs::create_symlink(base.path / "v.vtp", out / "link.vtp");
+  fs::create_directory_symlink(out, base.path / "same");
+  for (const fs::path& inside :
+       {out / "v.vtp", out / "deep/../v.vtp", out / "deep/v.vtp", base.path / "link.vtp",
+        out / "link.vtp", base.path / "same/v.vtp"})
+    for (const fs::path& folder : {out, base.path / "same", base.path / "out/"})
+      EXPECT_THROW(require_outside(folder, {base.path / "v.vtp", inside}), FileError) << inside;
+  EXPECT_NO_THROW(require_outside(out, {base.path / "v.vtp", ""}));
+  EXPECT_NO_THROW(require_outside(base.path / "out2", {out / "v.vtp"}));
+}
+
+// As a killed run leaves it; another's that still runs stays.
+TEST(FolderReplacement, WhatAKilledRunLeftIsRemovedByTheNext) {
+  const test::TemporaryFolder base;
+  const pid_t ended = fork();
+  if (ended == 0) _exit(0);
+  waitpid(ended, nullptr, 0);
+  const auto left = [&](const std::string& name) {
+    fs::create_directory(base.path / name);
+    write(base.path / name / "svc.vtp", "half");
+    return base.path / name;
+  };
+  const fs::path dead = left(".out.writing-" + std::to_string(ended) + "-AbCdEf"),
+                 living = left(".out.writing-" + std::to_string(getppid()) + "-AbCdEf"),
+                 other = left(".out2.writing-" + std::to_string(ended) + "-AbCdEf"),
+                 fresh = left(".out.writing-AbCdEf"), old = left(".out.writing-GhIjKl");
+  fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(48));
+  put(base.path / "out", "1");
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_FALSE(fs::exists(old));
+  for (const fs::path& kept : {living, other, fresh}) EXPECT_TRUE(fs::exists(kept)) << kept;
+}
+
+TEST(FolderReplacement, ANameTheFileSystemDoesNotTakeIsRefusedBeforehand) {
+  const test::TemporaryFolder base;
+  EXPECT_THROW(require_replaceable(base.path / std::string(300, 'x')), FileError);
+  EXPECT_THROW(require_replaceable(base.path / std::string(300, 'x') / "out"), FileError);
+  EXPECT_THROW(require_replaceable(base.path / "not-there" / std::string(300, 'x')), FileError);
+  fs::path deep = base.path;
+  for (int i = 0; i < 50; ++i) deep /= std::string(100, 'y');
+  EXPECT_THROW(require_replaceable(deep), FileError);
+  const std::string longest(255, 'z');
+  require_replaceable(base.path / longest);
+  put(base.path / longest, "1");
+  EXPECT_EQ(text_of(base.path / longest / "data"), "1");
+  EXPECT_EQ(entries(base.path), 1u);
+}
+
+TEST(FolderReplacement, ASignalHandlerRemovesWhatIsHalfWritten) {
+  const test::TemporaryFolder base;
+  FolderReplacement replacement(base.path / "out");
+  replacement.write("a.vtp", "half");
+  replacement.write("b.vtp", "half");
+  EXPECT_TRUE(remove_unfinished_folder());
+  EXPECT_TRUE(fs::is_empty(base.path));
 }
 
 TEST(FolderReplacement, AFileInThePlaceOrAboveItIsRefused) {

@@ -24,6 +24,11 @@ std::string to_string(Status status);
 /// The status with that name; empty if there is none.
 std::optional<Status> status_named(const std::string& name);
 
+/// Whether a solve ended without an equilibrium, so that its result is the best state seen.
+inline bool is_unfinished(Status status) {
+  return status == Status::iteration_limit || status == Status::interrupted;
+}
+
 /// The worse of two statuses. The status of a whole is the worst of its parts.
 inline Status worse(Status a, Status b) {
   return std::max(a, b);

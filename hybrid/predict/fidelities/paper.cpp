@@ -13,6 +13,7 @@ void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
   surfaces.solution = solve_paper(body_problem(prediction), paper);
   if (options.certify)
     surfaces.smallest_curvature_positive = surfaces.solution.smallest_curvature_positive;
+  surfaces.notes = surfaces.solution.notes;
   surfaces.terms = {"binding", "bending", "stretching"};
   take_surfaces(std::move(surfaces), "surface", prediction);
 }

@@ -1,0 +1,35 @@
+// Fingerprints of a scene's files for result.json, each taken when the file is read: what becomes
+// of the file later does not matter.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include <vasorod/scene.h>
+
+namespace vasorod {
+
+class InputHashes {
+ public:
+  /// Takes that of the scene's file, where there is one that was read. Throws InputError where it
+  /// cannot be read. `scene` must outlive this.
+  explicit InputHashes(const Scene& scene);
+
+  /// That of the vessel's surface file; nothing where it has none.
+  void add(const VesselSpec& vessel);
+  /// The same round `read`, which reads that file. Throws FileError where it changes meanwhile.
+  void while_reading(const VesselSpec& vessel, const std::function<void()>& read);
+
+  /// SHA-256 by file name, or by path where two files have one name.
+  const std::map<std::string, std::string>& hashes() const { return hashes_; }
+
+ private:
+  std::string name_of(const std::filesystem::path& surface) const;
+
+  const Scene& scene_;
+  std::map<std::string, std::string> hashes_;
+};
+
+}  // namespace vasorod

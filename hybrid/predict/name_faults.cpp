@@ -1,0 +1,153 @@
+#include "predict/name_faults.h"
+
+#include <cmath>
+#include <limits>
+
+#include "data/sentence.h"
+
+namespace vasorod {
+namespace {
+
+// Names of what is not finite, in the result's order.
+class Scan {
+ public:
+  void see(const std::string& name, double value) {
+    if (!std::isfinite(value)) names_.push_back(name);
+  }
+  // A whole array counts once.
+  template <class Derived>
+  void see(const std::string& name, const Eigen::DenseBase<Derived>& values) {
+    if (!values.derived().array().isFinite().all()) names_.push_back(name);
+  }
+  template <class Value>
+  void see_each(const std::string& name, const std::vector<Value>& values) {
+    const std::size_t before = names_.size();
+    for (const Value& value : values) {
+      if (names_.size() > before) return;
+      see(name, value);
+    }
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+void scan_shapes(const VesselResult& vessel, Scan& scan) {
+  const std::string of = " of " + vessel.name;
+  scan.see("rest surface" + of, vessel.rest);
+  scan.see("surface" + of, vessel.current);
+  scan.see("axial stretch" + of, vessel.axial_stretch);
+  scan.see("twist shear" + of, vessel.twist_shear);
+  scan.see("contact pressure" + of, vessel.contact_pressure);
+  if (!vessel.centerline) return;
+  const CenterlineResult& line = *vessel.centerline;
+  scan.see("rest centerline" + of, line.rest);
+  scan.see("centerline" + of, line.current);
+  scan.see_each("arc length" + of, line.abscissa);
+  scan.see_each("radius" + of, line.radius);
+  scan.see_each("directors" + of, line.directors);
+  for (const auto* strains : {&line.u, &line.v, &line.u0, &line.v0})
+    scan.see_each("strains" + of, *strains);
+  scan.see_each("section forces" + of, line.force);
+  scan.see_each("section moments" + of, line.moment);
+}
+
+void scan_forces(const Result& result, Scan& scan) {
+  for (const EndReaction& end : result.ends) {
+    const std::string of = " at " + end.end + " of " + end.vessel;
+    scan.see("force" + of, end.force);
+    scan.see("moment" + of, end.moment);
+    scan.see("centre" + of, end.center);
+  }
+  for (const Balance& balance : result.balance) {
+    Vec3 all = balance.support + balance.load + balance.join + balance.contact;
+    if (balance.binding) all += *balance.binding;
+    if (balance.rod_unbalanced) all += *balance.rod_unbalanced;
+    scan.see("balance of " + balance.vessel, all);
+    scan.see("balance's residual of " + balance.vessel, balance.residual);
+  }
+  for (const ContactReport& contact : result.contact) {
+    const std::string of = " of " + contact.a + " and " + contact.b;
+    scan.see("contact force" + of, contact.force);
+    scan.see("contact area" + of, contact.area);
+    scan.see("largest contact pressure" + of, contact.largest_pressure);
+    if (!(contact.smallest_gap > 0)) scan.see("smallest gap" + of, contact.smallest_gap);
+  }
+}
+
+void scan_metrics(const VesselMetrics& metrics, Scan& scan) {
+  const std::string of = " of " + metrics.vessel;
+  scan.see("flattening" + of, metrics.flattening);
+  scan.see("largest twist shear" + of, metrics.largest_twist_shear);
+  scan.see("smallest stretch" + of, metrics.stretch[0]);
+  scan.see("largest stretch" + of, metrics.stretch[1]);
+  scan.see("largest curvature" + of, metrics.largest_curvature);
+  scan.see("smallest lumen ratio" + of, metrics.smallest_lumen_ratio);
+  scan.see("largest pressure" + of, metrics.largest_pressure);
+  scan.see("contact area" + of, metrics.contact_area);
+  for (const auto& [name, place] : metrics.where) scan.see("place of " + name + of, place);
+}
+
+void scan_glenn(const Result& result, Scan& scan) {
+  if (!result.glenn) return;
+  const GlennReport& glenn = *result.glenn;
+  scan.see("cut's fraction", glenn.cut.fraction);
+  scan.see("cut's perimeter", glenn.cut.perimeter);
+  scan.see("cut's point", glenn.cut.point);
+  scan.see("cut's normal", glenn.cut.normal);
+  scan.see("incision's length", glenn.incision.length);
+  for (const Vec3& end : glenn.incision.ends) scan.see("incision's end", end);
+  scan.see("seam's rotation", glenn.join.rotation_deg);
+  if (result.fidelity == "rod") return;  // nothing was joined
+  scan.see("incision's opened area", glenn.incision.opened_area);
+  scan.see("seam's largest gap", glenn.join.largest_gap);
+  scan.see("seam's mean gap", glenn.join.rms_gap);
+}
+
+std::vector<std::string> not_finite(const Result& result) {
+  Scan scan;
+  scan.see("relative residual", result.certificate.relative_residual);
+  const Energies& e = result.energy;
+  const std::pair<const char*, double> energies[] = {{"rod", e.rod},
+                                                     {"binding", e.binding},
+                                                     {"bending", e.bending},
+                                                     {"stretching", e.stretching},
+                                                     {"joining", e.joining},
+                                                     {"contact", e.contact},
+                                                     {"wall's strain", e.strain}};
+  for (const auto& [name, value] : energies) scan.see(std::string(name) + " energy", value);
+  const Validity& v = result.validity;
+  scan.see("Brazier ratio", v.brazier_ratio);
+  scan.see("wrinkling ratio", v.wrinkling_ratio);
+  scan.see("twist ratio", v.twist_ratio);
+  scan.see("largest strain", v.largest_strain);
+  scan_forces(result, scan);
+  for (const VesselMetrics& metrics : result.metrics) scan_metrics(metrics, scan);
+  scan_glenn(result, scan);
+  for (const VesselResult& vessel : result.vessels) scan_shapes(vessel, scan);
+  return scan.names();
+}
+
+}  // namespace
+
+void name_faults(Result& result) {
+  if (const std::vector<std::string> names = not_finite(result); !names.empty()) {
+    constexpr std::size_t most = 5;
+    std::string note = "found numbers that are not finite: ";
+    for (std::size_t i = 0; i < names.size() && i < most; ++i)
+      note += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most) note += " and " + std::to_string(names.size() - most) + " more";
+    result.certificate.notes.push_back(note + "; this is no result");
+    result.status = worse(result.status, Status::iteration_limit);
+    result.validity.in_range = false;
+    // What was found of a state that is none says nothing.
+    result.certificate.relative_residual = std::numeric_limits<double>::quiet_NaN();
+    result.certificate.smallest_curvature_positive.reset();
+  }
+  if (result.status == Status::iteration_limit && result.certificate.notes.empty())
+    result.certificate.notes.push_back("no equilibrium was found; the relative residual is " +
+                                       number_text(result.certificate.relative_residual, 3));
+}
+
+}  // namespace vasorod

@@ -1,0 +1,240 @@
+// What goes wrong outside the model: scenes that say nothing, numbers that are none, folders that
+// hold what is not ours, signals, no memory.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <unistd.h>
+
+#include "program/run_program.h"
+#include "program/small_glenn.h"
+
+namespace vasorod::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string source = VASOROD_SOURCE_DIR;
+
+const std::string tube =
+    "scene: pulled\nunits: {length: mm, stress: MPa}\nvessels:\n"
+    "  - name: tube\n    tube: {length: 60, radius: 6, around: 16, along: 24}\n"
+    "    wall: {thickness: 0.6, young: 1.0, poisson: 0.3}\n";
+const std::string ends =
+    "ends:\n  - {vessel: tube, end: start, hold: true}\n"
+    "  - {vessel: tube, end: end, move: [0, 0, 1]}\n";
+
+// A program that runs beside the test, which sends it signals.
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments) : process_(fork()) {
+    if (process_ != 0) return;
+    std::vector<char*> words{const_cast<char*>(VASOROD_PROGRAM)};
+    for (const std::string& argument : arguments)
+      words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(words[0], words.data());
+    _exit(127);
+  }
+  ~RunningProgram() {
+    if (ended_) return;
+    kill(process_, SIGKILL);
+    wait();
+  }
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  /// Waits until the program answers to the signal itself, sends it, waits until it was taken.
+  void send(int signal) {
+    const std::uint64_t bit = std::uint64_t{1} << (signal - 1);
+    wait_until([&] { return (mask("SigCgt:") & bit) != 0; });
+    kill(process_, signal);
+    wait_until([&] { return ((mask("SigPnd:") | mask("ShdPnd:")) & bit) == 0; });
+  }
+  int wait() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    ended_ = true;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  std::uint64_t mask(const std::string& key) const {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind(key, 0) == 0) return std::stoull(line.substr(key.size()), nullptr, 16);
+    return 0;
+  }
+  template <class Question>
+  static void wait_until(Question&& question) {
+    for (int i = 0; i < 3000 && !question(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  pid_t process_;
+  bool ended_ = false;
+};
+
+class Faults : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    fs::create_directories((scratch / name).parent_path());
+    std::ofstream(scratch / name) << text;
+    return (scratch / name).string();
+  }
+  ProgramRun solve(const std::string& text, const std::string& options = "") const {
+    return run_program(vasorod("solve '" + write("scene.yaml", text) + "' -o '" +
+                               (scratch / "out").string() + "' " + options));
+  }
+  nlohmann::json result() const {
+    return nlohmann::json::parse(contents_of(scratch / "out" / "result.json"));
+  }
+  static void expect_one_line(const ProgramRun& run, int exit_code, const std::string& words) {
+    EXPECT_EQ(run.exit_code, exit_code) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  }
+  // Nothing but `names` in a folder, hidden entries too.
+  void expect_only(const std::vector<std::string>& names, const std::string& folder = "") const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(scratch / folder))
+      found.push_back(entry.path().filename().string());
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, names);
+  }
+  ScratchFolder scratch;
+};
+
+TEST_F(Faults, ASceneInWhichNothingWouldHappenIsRefused) {
+  const std::string rod =
+      "scene: rod\nunits: {length: mm, stress: MPa}\nvessels:\n"
+      "  - {name: beam, rod: {position: [0, 0, 0], tangent: [1, 0, 0], normal: [0, 1, 0], pieces: "
+      "[{length: 10, elements: 8}], stiffness: {axial: 100, shear: [100, 100], bending: [1, 1], "
+      "torsion: 1}}}\nfidelity: rod\n";
+  for (const std::string& scene :
+       {tube + "fidelity: coupled\n", tube + "ends: []\nfidelity: rod\n", rod}) {
+    expect_one_line(solve(scene), 2, "scene.yaml: found no condition in ends and no surgery");
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+TEST_F(Faults, APointFarOffEveryEndIsRefused) {
+  std::string scene = tube + ends + "fidelity: rod\n";
+  const std::string end = "end: end";
+  scene.replace(scene.find(end), end.size(), "end: {near: [0, 0, 90]}");
+  expect_one_line(solve(scene), 2,
+                  "scene.yaml:9: near: found (0, 0, 90), 30 off the nearest end's");
+  std::string glenn = small_glenn("rod");
+  const std::string keep = "near: [0, 0, 45]";
+  glenn.replace(glenn.find(keep), keep.size(), "near: [0, 0, 55]");
+  expect_one_line(solve(glenn), 2, ": keep: near: found (0, 0, 55), 10 off the nearest end's");
+}
+
+TEST_F(Faults, NumbersThatAreNotFiniteAreNeverGreen) {
+  const std::string column =
+      "scene: column\nunits: {length: mm, stress: MPa}\nvessels: [{name: column, rod: {position: "
+      "[0, 0, 0], tangent: [1, 0, 0], normal: [0, 1, 0], pieces: [{length: 1e-320, elements: 8}], "
+      "stiffness: {axial: 1e8, shear: [1e8, 1e8], bending: [1, 1], torsion: 1}}}]\n"
+      "ends: [{vessel: column, end: start, hold: true}, {vessel: column, end: end, force: [-3.19, "
+      "0, 0]}]\nfidelity: rod\n";
+  std::string tree = contents_of(source + "/benchmarks/cases/rod/b13-tree.yaml");
+  const std::string stiffness = "bending: [268.93910216339157, ";
+  ASSERT_NE(tree.find(stiffness), std::string::npos);
+  tree.replace(tree.find(stiffness), stiffness.size(), "bending: [1e308, ");
+  std::string stretched = tube + ends + "fidelity: coupled\n";
+  stretched.replace(stretched.find("length: 60"), 10, "length: 1e12");
+  for (const std::string& scene : {column, tree, stretched}) {
+    EXPECT_EQ(solve(scene).exit_code, 1) << scene;
+    EXPECT_EQ(result().at("status"), "iteration_limit");
+    EXPECT_EQ(result().at("validity").at("in_range"), false);
+    EXPECT_NE(result().at("certificate").at("notes").dump().find("not finite: "),
+              std::string::npos);
+  }
+}
+
+TEST_F(Faults, AnUnfinishedSolveSaysItsResidualAndWhy) {
+  const auto run = solve(small_glenn("paper"), "--time-limit 1e-6");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("small-glenn: interrupted (paper), relative residual "), std::string::npos)
+      << run.out;
+  const std::string page = contents_of(scratch / "out" / "report.html");
+  EXPECT_NE(page.find("best state so far, relative residual "), std::string::npos);
+  EXPECT_NE(page.find("Validity: unknown"), std::string::npos);
+}
+
+TEST_F(Faults, InputsInsideTheResultFolderAreKept) {
+  const std::string scene = write("p/scene.yaml", tube + ends + "fidelity: rod\n");
+  const std::string out = (scratch / "p").string();
+  expect_one_line(run_program(vasorod("solve '" + scene + "' -o '" + out + "'")), 3, "scene.yaml");
+  expect_only({"scene.yaml"}, "p");
+  // The same where a former result is there too.
+  ASSERT_EQ(solve(tube + ends + "fidelity: skin\n").exit_code, 0);
+  fs::rename(scratch / "out" / "result.json", scratch / "p" / "result.json");
+  expect_one_line(run_program(vasorod("solve '" + scene + "' -o '" + out + "'")), 3, "scene.yaml");
+  expect_only({"result.json", "scene.yaml"}, "p");
+  // A surface has a name that a result's file may have.
+  const std::string surface = (scratch / "out" / "tube.vtp").string();
+  fs::rename(scratch / "p" / "result.json", scratch / "out" / "result.json");
+  const std::string before = contents_of(surface);
+  expect_one_line(
+      run_program(vasorod("fit '" + surface + "' -o '" + (scratch / "out").string() + "'")), 3,
+      "holds the input");
+  expect_one_line(solve("scene: s\nunits: {length: mm, stress: MPa}\nvessels:\n  - {name: tube, "
+                        "surface: out/tube.vtp, wall: {thickness: 0.6, young: 1, poisson: 0.3}}\n" +
+                        ends + "fidelity: rod\n"),
+                  3, "holds the input");
+  EXPECT_EQ(contents_of(surface), before);
+}
+
+TEST_F(Faults, AForeignFileInAFormerResultIsKept) {
+  ASSERT_EQ(solve(tube + ends + "fidelity: rod\n").exit_code, 0);
+  write("out/thesis.tex", "years of work");
+  expect_one_line(solve(tube + ends + "fidelity: rod\n"), 3, "holds \"thesis.tex\"");
+  EXPECT_EQ(contents_of(scratch / "out" / "thesis.tex"), "years of work");
+  fs::remove(scratch / "out" / "thesis.tex");
+  EXPECT_EQ(solve(tube + ends + "fidelity: rod\n").exit_code, 0);
+}
+
+TEST_F(Faults, TheFirstSignalWritesTheBestStateSoFar) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    const std::string out = (scratch / "out").string();
+    RunningProgram program({"solve", source + "/benchmarks/cases/glenn/infant.yaml", "-o", out});
+    program.send(signal);
+    EXPECT_EQ(program.wait(), 1);
+    EXPECT_EQ(result().at("status"), "interrupted");
+    fs::remove_all(out);
+  }
+}
+
+// Long before it has read its vessels.
+TEST_F(Faults, TheSecondSignalEndsAtOnceAndLeavesNothing) {
+  RunningProgram program(
+      {"solve", source + "/benchmarks/cases/glenn/infant.yaml", "-o", (scratch / "out").string()});
+  program.send(SIGINT);
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait(), 130);
+  expect_only({});
+}
+
+TEST_F(Faults, FitEndsAtTheFirstSignal) {
+  RunningProgram program(
+      {"fit", source + "/meshes/infant/aorta.vtp", "-o", (scratch / "out").string()});
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait(), 128 + SIGTERM);
+  expect_only({});
+}
+
+TEST_F(Faults, NoMemoryIsOneSentenceAndThree) {
+  std::string scene = tube + ends + "fidelity: skin\n";
+  const std::string mesh = "around: 16, along: 24";
+  scene.replace(scene.find(mesh), mesh.size(), "around: 4000, along: 4000");
+  const std::string command =
+      vasorod("solve '" + write("scene.yaml", scene) + "' -o '" + (scratch / "out").string() + "'");
+  const auto run = run_program("ulimit -v 1000000; OPENBLAS_NUM_THREADS=1 " + command);
+  expect_one_line(run, 3, "memory");
+  expect_only({"scene.yaml"});
+}
+
+}  // namespace
+}  // namespace vasorod::testing

@@ -1,10 +1,13 @@
 #include "surface_file/read_surface.h"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
+#include "geometry/triangle_surface.h"
 #include "surface_file/check_surface.h"
 #include "surface_file/clean_surface.h"
 #include "surface_file/open_caps.h"
@@ -28,6 +31,13 @@ void remesh_loaded(const std::string& file, double edge, LoadedSurface& loaded, 
     throw InputError(file + ": remesh: found a target edge of " + found.str() + ", expected " +
                      expected.str());
   }
+  // Finer than any mesh of a vessel; many more would only fill the memory.
+  constexpr double most_triangles = 4e6;
+  const double triangles = total_area(loaded.surface) / (std::sqrt(3) / 4 * edge * edge);
+  if (!(triangles < most_triangles))
+    throw InputError(file + ": remesh: found a target edge of " + number_text(edge) +
+                     " that takes " + number_text(triangles, 2) + " triangles, expected at most " +
+                     number_text(most_triangles));
   loaded.surface = remesh(loaded.surface, edge);
   loaded.report.remeshed = edge;
   for (const auto* arrays : {&loaded.point_arrays, &loaded.cell_arrays})

@@ -114,7 +114,9 @@ TEST_F(ReadVtp, SeveralPiecesBecomeOne) {
   writer->SetNumberOfPieces(3);
   writer->Write();
   const SurfaceFile read = read_vtp(folder / "sheet.vtp");
-  EXPECT_EQ(read.polygons.size(), static_cast<std::size_t>(data->GetNumberOfPolys()));
+  // Data that cannot be cut into pieces are written whole as each of them.
+  EXPECT_EQ(read.points.rows(), 3 * data->GetNumberOfPoints());
+  EXPECT_EQ(read.polygons.size(), static_cast<std::size_t>(3 * data->GetNumberOfPolys()));
   for (const auto& polygon : read.polygons)
     for (const int id : polygon) ASSERT_TRUE(id >= 0 && id < read.points.rows());
   ASSERT_EQ(read.point_arrays.size(), 1U);
@@ -175,8 +177,9 @@ TEST_F(ReadVtp, HeadsThatLieAreRefused) {
       EXPECT_NE(refusal(whole, "<Points", "Float64", type).find("damaged or truncated"),
                 std::string::npos)
           << type;
-    EXPECT_NE(refusal(whole, "", "type=\"PolyData\"", "type=\"ImageData\"").find(":1"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal(whole, "", "type=\"PolyData\"", "type=\"ImageData\"").find("of type \"ImageData\""),
+        std::string::npos);
     EXPECT_NE(refusal(whole, "", "LittleEndian", "MiddleEndian").find("byte_order"),
               std::string::npos);
     EXPECT_NE(refusal(whole, "", "header_type=\"UInt32\"", "header_type=\"Int7\"").find("Int7"),
@@ -200,12 +203,12 @@ TEST_F(ReadVtp, OffsetsBehindTheEndOrInTheMiddleAreRefused) {
   }
 }
 
-// Every single byte of the head and of the first blocks' headers, as another byte.
-TEST_F(ReadVtp, EveryByteOfTheHeadMayBeWrong) {
+// A byte of the head, of the first blocks' headers or of the data is another one.
+TEST_F(ReadVtp, AnyByteMayBeWrong) {
   for (const Encoding encoding : all_encodings) {
     const std::string whole = bytes(encoding);
-    for (std::size_t at = 0; at < std::min<std::size_t>(whole.size(), 600); ++at)
-      for (const char c : {'\0', '9', '<', '"', '\xff'}) {
+    for (std::size_t at = 0; at < whole.size(); at += at < 600 ? 7 : 199)
+      for (const char c : {'9', '\xff'}) {
         std::string text = whole;
         text[at] = c;
         try {

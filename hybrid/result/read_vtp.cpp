@@ -4,6 +4,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/index.h"
 #include "data/limits.h"
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
@@ -69,8 +70,7 @@ ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
     throw InputError(file.string() + ": has no polygons, expected a vessel's surface");
   vessel.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (Eigen::Index t = 0; t < vessel.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k)
-      vessel.triangles(t, k) = triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3; ++k) vessel.triangles(t, k) = triangles[index(t)][index(k)];
   try {
     boundary_loops(vessel.triangles);
   } catch (const InputError& error) {

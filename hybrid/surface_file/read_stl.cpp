@@ -11,7 +11,6 @@
 
 #include <vasorod/error.h>
 
-#include "data/index.h"
 #include "data/sentence.h"
 #include "surface_file/surface_file.h"
 

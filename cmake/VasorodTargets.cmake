@@ -32,9 +32,10 @@ function(vasorod_library name)
   set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
 endfunction()
 
-# vasorod_test(<folder> SOURCES ... LINKS ...): the program test_<folder>; ctest knows each case.
+# vasorod_test(<folder> SOURCES ... LINKS ... [TIMEOUT seconds]): the program test_<folder>; ctest
+# knows each case.
 function(vasorod_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE
     ${ARG_LINKS} vasorod_warnings GTest::gtest GTest::gtest_main)
@@ -45,6 +46,9 @@ function(vasorod_test name)
   else()
     set(filter "-*RealAnatomy*")
   endif()
+  if(ARG_TIMEOUT)
+    set(timeout TIMEOUT ${ARG_TIMEOUT})
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER ${filter}
-    DISCOVERY_TIMEOUT 300 NO_PRETTY_VALUES PROPERTIES LABELS ${name})
+    DISCOVERY_TIMEOUT 300 NO_PRETTY_VALUES PROPERTIES LABELS ${name} ${timeout})
 endfunction()

@@ -47,12 +47,35 @@ std::string place_text(const Vec3& p, int digits) {
          number_text(p.z(), digits) + ")";
 }
 
+std::string one_line(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto after = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    const bool second_set = byte == 0xC2 && after >= 0x80 && after < 0xA0;  // U+0080 to U+009F
+    if (byte >= 32 && byte != 127 && !second_set) {
+      out += text[i];
+    } else if (byte == '\n' || byte == '\t' || byte == '\r') {
+      out += byte == '\n' ? "\\n" : byte == '\t' ? "\\t" : "\\r";
+    } else {
+      char hex[8];
+      std::snprintf(hex, sizeof hex, "\\x%02x", second_set ? after : byte);
+      out += hex;
+      i += second_set ? 1 : 0;
+    }
+  }
+  return out;
+}
+
+std::string shortened(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return one_line(text);
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80)
+    --longest;  // whole characters of UTF-8
+  return one_line(text.substr(0, longest)) + "...";
+}
+
 std::string in_quotes(const std::string& text) {
-  constexpr size_t longest = 60;
-  std::string out = "\"";
-  for (const char c : text.substr(0, longest))
-    out += static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
-  return out + (text.size() > longest ? "...\"" : "\"");
+  return "\"" + shortened(text) + "\"";
 }
 
 std::string listed(const std::vector<std::string>& words) {

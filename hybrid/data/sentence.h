@@ -20,7 +20,13 @@ std::string scientific_text(double value, int digits);
 /// "(x, y, z)", fine enough to find the place in the file.
 std::string place_text(const Vec3& p, int digits = 6);
 
-/// Text as it is shown in a message: in quotes, shortened, and without what would break the line.
+/// Text with control characters written as \n, \t or \x1b, so that it stays one line on any screen.
+std::string one_line(const std::string& text);
+
+/// One line of at most `longest` bytes of the text.
+std::string shortened(const std::string& text, std::size_t longest = 60);
+
+/// `shortened` text in quotes, as values of a file are shown in a message.
 std::string in_quotes(const std::string& text);
 
 /// "a, b or c".

@@ -1,100 +1,92 @@
 #include "result/read_vtp.h"
 
 #include <array>
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkLogger.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <vasorod/error.h>
+
+#include "data/index.h"
+#include "data/limits.h"
+#include "data/sentence.h"
+#include "geometry/triangle_surface.h"
+#include "surface_file/surface_file.h"
 
 namespace vasorod {
 
 namespace {
 
-// VTK logs what is wrong with a file; the error has a sentence of our own.
-class Silence {
- public:
-  Silence() { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); }
-  ~Silence() { vtkLogger::SetStderrVerbosity(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
-};
-
-vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
+SurfaceFile read(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw InputError(file.string() + ": there is no such file, expected one of a result folder");
-  const Silence silence;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0 || !reader->GetOutput() ||
-      reader->GetOutput()->GetNumberOfPoints() == 0)
-    throw InputError(file.string() + ": cannot be read as VTP, expected a file of a result folder");
-  return reader->GetOutput();
+  SurfaceFile data = read_vtp(file);
+  if (data.points.rows() == 0)
+    throw InputError(file.string() + ": found no points, expected a file of a result folder");
+  return data;
 }
 
-Points rows_of(vtkDataArray* array) {
-  Points points(array->GetNumberOfTuples(), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    for (int k = 0; k < 3; ++k) points(i, k) = array->GetComponent(i, k);
-  return points;
+const NamedArray* array_named(const SurfaceFile& data, const std::string& name) {
+  for (const NamedArray& array : data.point_arrays)
+    if (array.name == name) return &array;
+  return nullptr;
 }
 
-Points rest_of(const std::filesystem::path& file, vtkPolyData* data) {
-  vtkDataArray* rest = data->GetPointData()->GetArray("RestPosition");
-  if (!rest || rest->GetNumberOfComponents() != 3)
+// A comparison squares distances and looks for closest points, so every place at rest is a place.
+Points rest_of(const std::filesystem::path& file, const SurfaceFile& data) {
+  const NamedArray* rest = array_named(data, "RestPosition");
+  if (rest == nullptr || rest->values.cols() != 3)
     throw InputError(
         file.string() +
         ": has no array RestPosition of three components, expected a file of a result folder");
-  return rows_of(rest);
+  for (Eigen::Index i = 0; i < rest->values.rows(); ++i)
+    if (!(rest->values.row(i).cwiseAbs().maxCoeff() <= largest_length) ||
+        !rest->values.row(i).allFinite())
+      throw InputError(file.string() + ": found point " + std::to_string(i) + " at rest at " +
+                       place_text(rest->values.row(i).transpose()) +
+                       ", expected finite coordinates below " + number_text(largest_length));
+  return rest->values;
+}
+
+void check_ids(const std::filesystem::path& file, const SurfaceFile& data,
+               const std::vector<std::vector<int>>& cells) {
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    for (const int id : cells[cell])
+      if (id < 0 || id >= data.points.rows())
+        throw InputError(file.string() + ": found a point that does not exist in line or polygon " +
+                         std::to_string(cell) + ", expected points from 0 to " +
+                         std::to_string(data.points.rows() - 1));
 }
 
 }  // namespace
 
 ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
-  const auto data = read(file);
-  ReadVessel vessel{rest_of(file, data), rows_of(data->GetPoints()->GetData()), {}};
+  const SurfaceFile data = read(file);
+  ReadVessel vessel{rest_of(file, data), data.points, {}};
+  check_ids(file, data, data.polygons);
   std::vector<std::array<int, 3>> triangles;
-  vtkNew<vtkIdList> corners;
-  vtkCellArray* polygons = data->GetPolys();
-  polygons->InitTraversal();
-  while (polygons->GetNextCell(corners))
-    for (vtkIdType k = 2; k < corners->GetNumberOfIds(); ++k)
-      triangles.push_back({static_cast<int>(corners->GetId(0)),
-                           static_cast<int>(corners->GetId(k - 1)),
-                           static_cast<int>(corners->GetId(k))});
+  for (const std::vector<int>& corners : data.polygons)
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      triangles.push_back({corners[0], corners[k - 1], corners[k]});
   if (triangles.empty())
     throw InputError(file.string() + ": has no polygons, expected a vessel's surface");
   vessel.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (Eigen::Index t = 0; t < vessel.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k)
-      vessel.triangles(t, k) = triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3; ++k) vessel.triangles(t, k) = triangles[index(t)][index(k)];
+  try {
+    boundary_loops(vessel.triangles);
+  } catch (const InputError& error) {
+    throw InputError(file.string() + ": found a surface that is none (" + error.what() +
+                     "), expected a vessel's");
+  }
   return vessel;
 }
 
 ReadCenterline read_centerline_vtp(const std::filesystem::path& file) {
-  const auto data = read(file);
-  ReadCenterline line{rest_of(file, data), rows_of(data->GetPoints()->GetData()), {}, {}};
-  if (vtkDataArray* radius = data->GetPointData()->GetArray("MaximumInscribedSphereRadius"))
-    for (vtkIdType i = 0; i < radius->GetNumberOfTuples(); ++i)
-      line.radius.push_back(radius->GetTuple1(i));
-  vtkNew<vtkIdList> nodes;
-  vtkCellArray* lines = data->GetLines();
-  lines->InitTraversal();
-  while (lines->GetNextCell(nodes)) {
-    std::vector<int>& run = line.lines.emplace_back();
-    for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k)
-      run.push_back(static_cast<int>(nodes->GetId(k)));
-  }
+  const SurfaceFile data = read(file);
+  ReadCenterline line{rest_of(file, data), data.points, {}, data.lines};
+  check_ids(file, data, line.lines);
+  if (const NamedArray* radius = array_named(data, "MaximumInscribedSphereRadius"))
+    for (Eigen::Index i = 0; i < radius->values.rows(); ++i)
+      line.radius.push_back(radius->values(i, 0));
   return line;
 }
 

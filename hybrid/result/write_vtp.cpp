@@ -64,13 +64,31 @@ int vtk_type(const NamedArray& array) {
   return narrow ? VTK_TYPE_INT32 : VTK_TYPE_INT64;
 }
 
+// A name as an attribute of XML holds it: VTK writes it as it stands.
+std::string escaped(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  return out;
+}
+
 vtkSmartPointer<vtkDataArray> own_array(const NamedArray& own, Eigen::Index rows,
                                         const std::set<std::string>& taken) {
   if (own.values.rows() != rows)
     throw std::logic_error("array " + own.name + " has " + std::to_string(own.values.rows()) +
                            " rows for " + std::to_string(rows) + " points or cells");
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(own)));
-  array->SetName((taken.count(own.name) ? own.name + "_input" : own.name).c_str());
+  array->SetName(escaped(taken.count(own.name) ? own.name + "_input" : own.name).c_str());
   array->SetNumberOfComponents(static_cast<int>(own.values.cols()));
   array->SetNumberOfTuples(rows);
   for (Eigen::Index i = 0; i < rows; ++i)

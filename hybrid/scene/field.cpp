@@ -10,6 +10,8 @@
 
 #include <vasorod/error.h>
 
+#include "scene/parse_yaml.h"
+
 namespace vasorod {
 
 namespace {
@@ -39,8 +41,8 @@ Field::Field(std::string file, std::string key, YAML::Node node)
       line_(node_.Mark().line + 1) {}
 
 void Field::refuse(const std::string& what) const {
-  throw InputError(file_ + ":" + std::to_string(line_) + ": " + (key_.empty() ? "" : key_ + ": ") +
-                   "found " + what);
+  throw InputError(one_line(file_ + ":" + std::to_string(line_) + ": " +
+                            (key_.empty() ? "" : key_ + ": ") + "found " + what));
 }
 
 void Field::refuse(const std::string& what, const std::string& expected) const {
@@ -132,13 +134,36 @@ double Field::number(const std::string& expected) const {
 
 double Field::positive() const {
   const double value = number("a number above 0");
-  if (value <= 0) refuse(node_.Scalar(), "a number above 0");
+  if (value <= 0) refuse(shortened(node_.Scalar()), "a number above 0");
   return value;
 }
 
-double Field::not_negative() const {
-  const double value = number("a number of at least 0");
-  if (value < 0) refuse(node_.Scalar(), "a number of at least 0");
+double Field::not_negative(double largest) const {
+  const double value = number_up_to(largest, "a number of at least 0");
+  if (value < 0) refuse(shortened(node_.Scalar()), "a number of at least 0");
+  return value;
+}
+
+double Field::within(double lowest, double highest) const {
+  const double value = positive();
+  if (value < lowest) refuse(number_text(value), "a number of at least " + number_text(lowest));
+  if (value > highest) refuse(number_text(value), "a number of at most " + number_text(highest));
+  return value;
+}
+
+double Field::length() const {
+  return within(smallest_length, largest_length);
+}
+
+double Field::stiffness() const {
+  return within(smallest_stiffness, largest_stiffness);
+}
+
+double Field::number_up_to(double largest, const std::string& expected) const {
+  const double value = number(expected);
+  if (std::abs(value) > largest)
+    refuse(number_text(value),
+           "a number from " + number_text(-largest) + " to " + number_text(largest));
   return value;
 }
 
@@ -146,7 +171,7 @@ double Field::number_in(double lowest, double highest) const {
   const std::string expected =
       "a number from " + number_text(lowest) + " to " + number_text(highest);
   const double value = number(expected);
-  if (value < lowest || value > highest) refuse(node_.Scalar(), expected);
+  if (value < lowest || value > highest) refuse(shortened(node_.Scalar()), expected);
   return value;
 }
 
@@ -155,7 +180,7 @@ int Field::integer_in(int lowest, int highest) const {
       "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   const double value = number(expected);
   if (value != std::floor(value) || value < lowest || value > highest)
-    refuse(node_.Scalar(), expected);
+    refuse(shortened(node_.Scalar()), expected);
   return static_cast<int>(value);
 }
 
@@ -170,41 +195,41 @@ std::vector<Field> Field::list(const std::string& expected) const {
   return items;
 }
 
-Vec3 Field::vec3() const {
+Vec3 Field::vec3(double largest) const {
   const std::string expected = "three numbers [x, y, z]";
   const auto items = list(expected);
   if (items.size() != 3) refuse(found(), expected);
-  return {items[0].number(), items[1].number(), items[2].number()};
+  return {items[0].number_up_to(largest), items[1].number_up_to(largest),
+          items[2].number_up_to(largest)};
 }
 
 Field read_yaml(const std::string& file) {
+  const std::string name = one_line(file);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
-    throw InputError(file + ": found no such file, expected a scene file");
+    throw InputError(name + ": found no such file, expected a scene file");
   if (!std::filesystem::is_regular_file(file, ignored))
-    throw InputError(file + ": found a folder or device, expected a scene file");
+    throw InputError(name + ": found a folder or device, expected a scene file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    throw InputError(file + ": found a file that may not be read, expected a scene file");
-  std::vector<YAML::Node> documents;
-  try {
-    documents = YAML::LoadAll(stream);
-  } catch (const YAML::Exception& error) {
-    throw InputError(file + ":" + std::to_string(error.mark.line + 1) +
-                     ": found a YAML error in column " + std::to_string(error.mark.column + 1) +
-                     " (" + error.msg + "), expected a scene in YAML");
-  }
-  if (documents.empty() || documents.front().IsNull())
-    throw InputError(file + ":1: found an empty file, expected a scene");
-  if (documents.size() > 1)
-    throw InputError(file + ":" + std::to_string(documents[1].Mark().line + 1) +
-                     ": found a second YAML document, expected one scene");
-  return {file, "", documents.front()};
+    throw InputError(name + ": found a file that may not be read, expected a scene file");
+  std::ostringstream all;
+  all << stream.rdbuf();
+  const std::string text = std::move(all).str();
+  const YAML::Node root = parse_yaml(file, text);
+  if (!root.IsDefined() || root.IsNull())
+    throw InputError(name + ":1: found an empty file, expected a scene");
+  return {file, "", root};
 }
 
 void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {
-  if (tangent.norm() == 0) place.at("tangent", "a direction").refuse("[0, 0, 0]", "a direction");
-  if (normal.norm() == 0) place.at("normal", "a direction").refuse("[0, 0, 0]", "a direction");
+  for (const auto& [key, direction] :
+       {std::pair("tangent", &tangent), std::pair("normal", &normal)})
+    if (direction->norm() < smallest_length)
+      place.at(key, "a direction")
+          .refuse("[" + number_text(direction->x()) + ", " + number_text(direction->y()) + ", " +
+                      number_text(direction->z()) + "]",
+                  "a direction");
   tangent.normalize();
   normal.normalize();
   const double cosine = tangent.dot(normal);

@@ -10,6 +10,7 @@
 
 #include <vasorod/types.h>
 
+#include "data/limits.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -41,17 +42,25 @@ class Field {
   bool boolean() const;
   double number(const std::string& expected = "a number") const;
   double positive() const;
-  double not_negative() const;
+  double not_negative(double largest) const;
+  /// Above 0 and within the limits of data/limits.h.
+  double length() const;
+  double stiffness() const;  ///< a stress too
+  /// |value| <= largest.
+  double number_up_to(double largest, const std::string& expected = "a number") const;
   /// lowest <= value <= highest.
   double number_in(double lowest, double highest) const;
   int integer_in(int lowest, int highest) const;
-  Vec3 vec3() const;
+  /// Three numbers, none larger than `largest` either way.
+  Vec3 vec3(double largest = largest_length) const;
   /// The items of a list, with keys "key[0]", ...
   std::vector<Field> list(const std::string& expected) const;
   /// The same field under a key that says more (a vessel's name instead of its number).
   Field renamed(std::string key) const;
 
  private:
+  double within(double lowest, double highest) const;
+
   std::string file_, key_;
   YAML::Node node_;
   int line_ = 0;

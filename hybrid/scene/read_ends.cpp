@@ -88,8 +88,8 @@ EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels
   if (const auto hold = entry.find("hold")) end.hold = hold->boolean();
   if (const auto rotate = entry.find("rotate_deg")) end.rotate_deg = rotate->vec3();
   if (const auto move = entry.find("move")) end.move = move->vec3();
-  if (const auto force = entry.find("force")) end.force = force->vec3();
-  if (const auto moment = entry.find("moment")) end.moment = moment->vec3();
+  if (const auto force = entry.find("force")) end.force = force->vec3(largest_stiffness);
+  if (const auto moment = entry.find("moment")) end.moment = moment->vec3(largest_stiffness);
   if (const auto frame = entry.find("moment_frame")) {
     end.moment_in_body = frame->one_of({"space", "body"}) == "body";
     if (!end.moment) frame->refuse("it without a moment", "a moment beside it");

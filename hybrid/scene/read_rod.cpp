@@ -7,18 +7,24 @@ namespace vasorod {
 
 namespace {
 
+// Finer than any mesh of a vessel; many more would only fill the memory.
+constexpr int most_points = 2'000'000;
+// Of one rod, so that its unknowns are counted by an int.
+constexpr int most_elements = 1'000'000;
+
 Vec6 read_six(const Field& row) {
   const auto items = row.list("six numbers");
   if (items.size() != 6) row.refuse(row.found(), "six numbers");
   Vec6 values;
-  for (size_t k = 0; k < 6; ++k) values[static_cast<int>(k)] = items[k].number();
+  for (size_t k = 0; k < 6; ++k)
+    values[static_cast<int>(k)] = items[k].number_up_to(largest_stiffness);
   return values;
 }
 
 std::array<double, 2> read_two(const Field& field) {
   const auto items = field.list("two numbers above 0, for d1 and d2");
   if (items.size() != 2) field.refuse(field.found(), "two numbers above 0, for d1 and d2");
-  return {items[0].positive(), items[1].positive()};
+  return {items[0].stiffness(), items[1].stiffness()};
 }
 
 Mat6 read_matrix(const Field& field) {
@@ -37,11 +43,12 @@ Mat6 read_matrix(const Field& field) {
   matrix = (0.5 * (matrix + matrix.transpose())).eval();
   // Scaled to a unit diagonal, so that mixed units do not decide what counts as definite.
   const Vec6 diagonal = matrix.diagonal();
-  const Mat6 scaled = (diagonal.array() > 0).all()
+  const Mat6 scaled = (diagonal.array() >= smallest_stiffness).all()
                           ? Mat6(diagonal.cwiseSqrt().cwiseInverse().asDiagonal() * matrix *
                                  diagonal.cwiseSqrt().cwiseInverse().asDiagonal())
                           : matrix;
-  if (!(diagonal.array() > 0).all() || Eigen::LLT<Mat6>(scaled).info() != Eigen::Success)
+  if (!(diagonal.array() >= smallest_stiffness).all() ||
+      Eigen::LLT<Mat6>(scaled).info() != Eigen::Success)
     field.refuse("a matrix that is not positive definite", "a positive definite one");
   return matrix;
 }
@@ -54,10 +61,10 @@ Mat6 read_stiffness(const Field& field) {
         found->refuse("it beside matrix", "one or the other");
     return read_matrix(*matrix);
   }
-  const double axial = field.at("axial", "the axial stiffness E A").positive();
+  const double axial = field.at("axial", "the axial stiffness E A").stiffness();
   const auto shear = read_two(field.at("shear", "the shear stiffnesses along d1 and d2"));
   const auto bending = read_two(field.at("bending", "the bending stiffnesses about d1 and d2"));
-  const double torsion = field.at("torsion", "the torsional stiffness G J").positive();
+  const double torsion = field.at("torsion", "the torsional stiffness G J").stiffness();
   Vec6 diagonal;
   diagonal << shear[0], shear[1], axial, bending[0], bending[1], torsion;
   return diagonal.asDiagonal();
@@ -66,9 +73,9 @@ Mat6 read_stiffness(const Field& field) {
 RodPiece read_piece(const Field& field, const std::optional<Mat6>& common) {
   field.check_keys({"length", "curvature", "elements", "stiffness", "end_stiffness", "natural"});
   RodPiece piece;
-  piece.length = field.at("length", "the piece's length").positive();
+  piece.length = field.at("length", "the piece's length").length();
   if (const auto curvature = field.find("curvature")) piece.curvature = curvature->vec3();
-  piece.elements = field.at("elements", "the number of elements").integer_in(1, 1000000);
+  piece.elements = field.at("elements", "the number of elements").integer_in(1, most_elements);
   if (const auto stiffness = field.find("stiffness")) {
     piece.stiffness = read_stiffness(*stiffness);
   } else if (common) {
@@ -109,8 +116,14 @@ RodSpec read_rod(const Field& field) {
   std::optional<Mat6> common;
   if (const auto stiffness = field.find("stiffness")) common = read_stiffness(*stiffness);
   const Field pieces = field.at("pieces", "a list of pieces");
-  for (const Field& piece : pieces.list("a list of pieces"))
+  double elements = 0;
+  for (const Field& piece : pieces.list("a list of pieces")) {
     rod.pieces.push_back(read_piece(piece, common));
+    elements += rod.pieces.back().elements;
+    if (elements > most_elements)
+      piece.refuse(number_text(elements, 10) + " elements up to here",
+                   "at most " + std::to_string(most_elements) + " in one rod");
+  }
   if (rod.pieces.empty()) pieces.refuse("an empty list", "at least one piece");
   return rod;
 }
@@ -119,19 +132,22 @@ TubeSpec read_tube(const Field& field) {
   field.check_keys({"length", "radius", "around", "along", "bend_deg", "end_radius",
                     "end_thickness", "position", "tangent", "normal"});
   TubeSpec tube;
-  tube.length = field.at("length", "the tube's length").positive();
-  tube.radius = field.at("radius", "the tube's radius").positive();
+  tube.length = field.at("length", "the tube's length").length();
+  tube.radius = field.at("radius", "the tube's radius").length();
   if (const auto around = field.find("around")) tube.around = around->integer_in(6, 5000);
   if (const auto along = field.find("along")) tube.along = along->integer_in(1, 20000);
-  if (const auto radius = field.find("end_radius")) tube.end_radius = radius->positive();
-  if (const auto thickness = field.find("end_thickness"))
-    tube.end_thickness = thickness->positive();
+  if (const auto radius = field.find("end_radius")) tube.end_radius = radius->length();
+  if (const auto thickness = field.find("end_thickness")) tube.end_thickness = thickness->length();
   if (const auto position = field.find("position")) tube.position = position->vec3();
   if (const auto tangent = field.find("tangent")) tube.tangent = tangent->vec3();
   if (const auto normal = field.find("normal")) tube.normal = normal->vec3();
   check_directions(field, tube.tangent, tube.normal);
+  if (double(tube.around) * (tube.along + 1) > most_points)
+    field.refuse(std::to_string(tube.around) + " points around and " + std::to_string(tube.along) +
+                     " strips along",
+                 "at most " + std::to_string(most_points) + " points");
   if (const auto bend = field.find("bend_deg")) {
-    tube.bend_deg = bend->number();
+    tube.bend_deg = bend->number_up_to(largest_length);
     const double widest = std::max(tube.radius, tube.end_radius.value_or(0));
     const double most = std::min(tube.length / widest * 180 / M_PI, 360.0);
     if (!(std::abs(tube.bend_deg) < most)) {

@@ -28,7 +28,7 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
   glenn.cut = field.at("cut", "a point picked on the svc").vec3();
   glenn.incision = field.at("incision", "a point picked on the rpa").vec3();
   if (const auto rotation = field.find("rotation_deg"); rotation && rotation->found() != "\"auto\"")
-    glenn.rotation_deg = rotation->number("auto or a number");
+    glenn.rotation_deg = rotation->number_up_to(largest_length, "auto or a number");
   const Field keep = field.at("keep", "{near: [x, y, z]}, the end of the cut svc that goes on");
   keep.check_keys({"near"});
   glenn.keep_near = keep.at("near", "a point near the kept end").vec3();

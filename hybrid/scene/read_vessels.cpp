@@ -25,8 +25,9 @@ bool good_name(const std::string& name) {
 Coefficients read_coefficients(const Field& field) {
   field.check_keys({"binding", "bending", "stretching"});
   // Without binding nothing ties the surface to the rod; the other two terms may be switched off.
-  return {field.at("binding", "k_c").positive(), field.at("bending", "k_b").not_negative(),
-          field.at("stretching", "k_s").not_negative()};
+  return {field.at("binding", "k_c").stiffness(),
+          field.at("bending", "k_b").not_negative(largest_stiffness),
+          field.at("stretching", "k_s").not_negative(largest_stiffness)};
 }
 
 void read_shape(const Field& field, const std::filesystem::path& folder, VesselSpec& vessel) {
@@ -48,7 +49,7 @@ void read_shape(const Field& field, const std::filesystem::path& folder, VesselS
   for (const char* key : {"remesh", "surface_is", "check"})
     if (const auto found = field.find(key); found && !vessel.surface)
       found->refuse("it on a vessel without a surface file", "it beside surface only");
-  if (const auto remesh = field.find("remesh")) vessel.remesh = remesh->positive();
+  if (const auto remesh = field.find("remesh")) vessel.remesh = remesh->length();
   if (const auto check = field.find("check")) vessel.check = check->boolean();
   if (const auto is = field.find("surface_is")) {
     const std::string word = is->one_of({"mid", "outer", "inner"});
@@ -107,7 +108,7 @@ VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
   read_shape(named, folder, vessel);
   read_material(named, vessel);
   if (const auto pressure = named.find("pressure")) {
-    vessel.pressure = pressure->number();
+    vessel.pressure = pressure->number_up_to(largest_stiffness);
     if (!options.accept_pressure)
       pressure->refuse("a lumen pressure",
                        "none, as only the finite-element reference vasorod-fem models it");

@@ -5,16 +5,6 @@ namespace vasorod {
 
 namespace {
 
-// Above this a stress or a length is a slip of the keyboard, and squares of it leave the range of a
-// double.
-constexpr double largest = 1e30;
-
-double modulus(const Field& field) {
-  const double value = field.positive();
-  if (value > largest) field.refuse(number_text(value, 6), "a number below 1e30");
-  return value;
-}
-
 void check_admissible(const Field& wall, const Material& material) {
   if (const auto fault = fault_of(material)) wall.refuse(fault->found, fault->expected);
 }
@@ -24,11 +14,11 @@ void check_admissible(const Field& wall, const Material& material) {
 Wall read_wall(const Field& field) {
   field.check_keys({"thickness", "young", "poisson", "shear", "transverse"});
   Wall wall;
-  wall.thickness = modulus(field.at("thickness", "the wall's thickness"));
+  wall.thickness = field.at("thickness", "the wall's thickness").length();
   Material& material = wall.material;
-  const double young = modulus(field.at("young", "Young's modulus"));
+  const double young = field.at("young", "Young's modulus").stiffness();
   std::optional<double> shear;
-  if (const auto given = field.find("shear")) shear = modulus(*given);
+  if (const auto given = field.find("shear")) shear = given->stiffness();
   if (const auto transverse = field.find("transverse")) {
     transverse->check_keys({"young", "poisson", "coupling"});
     if (const auto poisson = field.find("poisson"))
@@ -36,7 +26,7 @@ Wall read_wall(const Field& field) {
     if (!shear) field.at("shear", "G_axial beside transverse");
     const auto across = transverse->find("young");
     material.young_axial = young;
-    material.young_transverse = across ? modulus(*across) : young;
+    material.young_transverse = across ? across->stiffness() : young;
     material.shear_axial = *shear;
     material.poisson_tt = transverse->at("poisson", "nu_TT").number();
     if (const auto coupling = transverse->find("coupling"))

@@ -1,6 +1,7 @@
 #include "surface_file/read_polydata.h"
 
 #include <array>
+#include <fstream>
 #include <map>
 #include <vtkIdList.h>
 #include <vtkPoints.h>
@@ -9,6 +10,8 @@
 
 #include <vasorod/error.h>
 
+#include "data/limits.h"
+#include "data/sentence.h"
 #include "surface_file/surface_file.h"
 
 namespace vasorod {
@@ -35,6 +38,8 @@ void check_readable(const std::filesystem::path& file) {
     throw InputError(name + ": found a folder or device, expected a surface file");
   if (std::filesystem::file_size(file, ignored) == 0)
     throw InputError(name + ": found an empty file, expected a surface");
+  if (!std::ifstream(file, std::ios::binary))
+    throw FileError(name + ": found a file that may not be read, expected a surface file");
 }
 
 void check_points(const std::filesystem::path& file, const Points& points) {
@@ -42,6 +47,10 @@ void check_points(const std::filesystem::path& file, const Points& points) {
     if (!points.row(i).allFinite())
       throw InputError(file.string() + ": found a coordinate of point " + std::to_string(i) +
                        " that is not a number, expected finite coordinates");
+    else if (points.row(i).cwiseAbs().maxCoeff() > largest_length)
+      throw InputError(file.string() + ": found point " + std::to_string(i) + " at " +
+                       place_text(points.row(i)) + ", expected coordinates below " +
+                       number_text(largest_length));
 }
 
 struct Faces {
@@ -179,9 +188,10 @@ int drop_unused_points(LoadedSurface& loaded) {
 LoadedSurface read_polydata(const std::filesystem::path& file) {
   const SurfaceFormat format = format_of(file);
   check_readable(file);
-  SurfaceFile read = format == SurfaceFormat::ply   ? read_ply(file)
-                     : format == SurfaceFormat::obj ? read_obj(file)
-                                                    : read_vtk(file, format);
+  SurfaceFile read = format == SurfaceFormat::vtp   ? read_vtp(file)
+                     : format == SurfaceFormat::stl ? read_stl(file)
+                     : format == SurfaceFormat::ply ? read_ply(file)
+                                                    : read_obj(file);
   check_points(file, read.points);
   const Faces faces = cut_into_triangles(file, read);
   if (faces.triangles.empty())

@@ -1,10 +1,12 @@
 #include "surface_file/read_surface.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <vasorod/error.h>
 
 #include "data/sentence.h"
+#include "geometry/triangle_surface.h"
 #include "surface_file/check_surface.h"
 #include "surface_file/clean_surface.h"
 #include "surface_file/open_caps.h"
@@ -25,6 +27,13 @@ void remesh_loaded(const std::string& file, double edge, LoadedSurface& loaded, 
     throw InputError(joined_text(file, ": remesh: found a target edge of ", edge, ", expected ",
                                  radius / 200, " to ", radius, ", from 1/200 to 1 of the radius"));
   }
+  // Finer than any mesh of a vessel; many more would only fill the memory.
+  constexpr double most_triangles = 4e6;
+  const double triangles = total_area(loaded.surface) / (std::sqrt(3) / 4 * edge * edge);
+  if (!(triangles < most_triangles))
+    throw InputError(file + ": remesh: found a target edge of " + number_text(edge) +
+                     " that takes " + number_text(triangles, 2) + " triangles, expected at most " +
+                     number_text(most_triangles));
   loaded.surface = remesh(loaded.surface, edge);
   loaded.report.remeshed = edge;
   for (const auto* arrays : {&loaded.point_arrays, &loaded.cell_arrays})

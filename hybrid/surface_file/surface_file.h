@@ -14,14 +14,18 @@ enum class SurfaceFormat { vtp, stl, ply, obj };
 struct SurfaceFile {
   Points points;
   int skipped_cells = 0;  ///< vertices and lines; their rows come first in cell_arrays
-  std::vector<std::vector<int>> polygons,
-      strips;  ///< point numbers as the file says, -1 for what is none
+  std::vector<std::vector<int>> polygons, strips,
+      lines;  ///< point numbers as the file says, -1 for what is none
   std::vector<NamedArray> point_arrays, cell_arrays;
 };
 
-/// VTP and STL through VTK, whose own messages go into the InputError of a damaged file and nowhere
-/// else.
-SurfaceFile read_vtk(const std::filesystem::path& file, SurfaceFormat format);
+/// VTP in every encoding, uncompressed or packed with zlib, LZ4 or LZMA; several pieces become one.
+/// Not through VTK, whose reader crashes, hangs or takes all memory on damaged files. Every array
+/// is as long as its points or cells ask for and lies within the file.
+SurfaceFile read_vtp(const std::filesystem::path& file);
+
+/// STL, ascii and binary. A binary file is exactly as long as its number of facets says.
+SurfaceFile read_stl(const std::filesystem::path& file);
 
 /// PLY (Turk 1994), ascii and binary in both byte orders. Not through VTK, whose reader crashes on
 /// damaged files.

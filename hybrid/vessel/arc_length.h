@@ -14,8 +14,9 @@ class ArcLength {
       at_knot_.push_back(at_knot_.back() + integral(knot(i), knot(i + 1)));
   }
   double operator()(double u) const {
-    const int i =
-        std::clamp(static_cast<int>((u - axis_.start) / axis_.step()), 0, axis_.intervals - 1);
+    // Held to the intervals before it becomes an int, which would not hold every double.
+    const double at = (u - axis_.start) / axis_.step();
+    const int i = at > 0 ? static_cast<int>(std::min(at, axis_.intervals - 1.0)) : 0;
     return at_knot_[static_cast<size_t>(i)] + integral(knot(i), u);
   }
   double inverse(double length) const {

@@ -27,15 +27,15 @@ ArcSlices slice_arc(const TriangleSurface& surface, const Eigen::VectorXd& area,
   double total = 0;
   for (const int v : arc.vertices) total += area[v];
   // Equal areas are nearly equal lengths. The small number keeps counts that are integers up to
-  // round-off.
-  const double wanted = total / (M_PI * radius * radius);
-  const int count = std::clamp(static_cast<int>(std::ceil(wanted - 1e-6)), 1,
-                               std::max(1, static_cast<int>(arc.vertices.size()) / 6));
+  // round-off. The count is bounded before it becomes an int.
+  const double wanted = std::ceil(total / (M_PI * radius * radius) - 1e-6);
+  const double most = std::max(1.0, std::floor(static_cast<double>(arc.vertices.size()) / 6));
+  const int count = wanted > 1 ? static_cast<int>(std::min(wanted, most)) : 1;
   ArcSlices result;
   result.slices.resize(static_cast<size_t>(count));
   auto slice_at = [&](double accumulated) {
-    return std::min(static_cast<size_t>(accumulated / total * count),
-                    static_cast<size_t>(count) - 1);
+    const double at = accumulated / total * count;
+    return at > 0 ? static_cast<size_t>(std::min(at, count - 1.0)) : size_t(0);
   };
   double accumulated = 0;
   for (const int v : arc.vertices) {

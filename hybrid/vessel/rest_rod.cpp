@@ -4,11 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vasorod/error.h>
+
+#include "data/sentence.h"
 #include "geometry/rigid_motion.h"
 #include "vessel/arc_length.h"
 
 namespace vasorod {
 namespace {
+
+// A branch with more elements indicates wrong units; the bound keeps the count within an int.
+constexpr double most_elements = 1e6;
 
 // The smallest rotation that takes unit vector a to unit vector b.
 Mat3 shortest_rotation(const Vec3& a, const Vec3& b) {
@@ -91,8 +97,12 @@ RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first
     for (const Fork& stop : stops) {
       const double to = arc(stop.u);
       const double local = radius_at(arc.inverse(0.5 * (from + to)));
-      const int elements =
-          std::max(1, static_cast<int>(std::ceil((to - from) / (spacing * local) - 1e-6)));
+      const double wanted = std::ceil((to - from) / (spacing * local) - 1e-6);
+      if (!(wanted <= most_elements))
+        throw InputError("found an axis of length " + number_text(to - from) + " on a radius of " +
+                         number_text(local) + ", which takes " + number_text(wanted) +
+                         " elements, expected at most " + number_text(most_elements));
+      const int elements = std::max(1, static_cast<int>(wanted));
       RodBranch branch;
       branch.parent = parent;
       branch.nodes.push_back(node);

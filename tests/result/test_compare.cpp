@@ -181,6 +181,31 @@ TEST_F(Compare, WhatIsMissingIsSaidInASentence) {
   EXPECT_THROW(compare_results(base_.path / "a", base_.path / "b"), InputError);
 }
 
+TEST_F(Compare, APointThatDoesNotExistOrHasNoPlaceIsRefused) {
+  const Result good = test::example_result();
+  const auto refused = [&](const std::function<void(VesselResult&)>& change,
+                           const std::string& part) {
+    Result bad = good;
+    change(bad.vessels[0]);
+    for (const bool first : {true, false}) try {
+        compare(first ? bad : good, first ? good : bad);
+        ADD_FAILURE() << "not refused: " << part;
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      }
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refused([](VesselResult& v) { v.triangles(3, 1) = 1 << 20; }, "a point that does not exist");
+  refused([](VesselResult& v) { v.triangles(3, 1) = -1; }, "a point that does not exist");
+  refused([](VesselResult& v) { v.triangles(3, 1) = v.triangles(3, 0); }, "a surface that is none");
+  refused([](VesselResult& v) { v.centerline->lines[0].back() = 5000; }, "does not exist");
+  refused([](VesselResult& v) { v.centerline->lines[0].front() = -7; }, "does not exist");
+  refused([&](VesselResult& v) { v.rest(5, 1) = nan; }, "found point 5 at rest at (");
+  refused([&](VesselResult& v) { v.rest(5, 2) = 1e200; }, "found point 5 at rest at (");
+  refused([&](VesselResult& v) { v.centerline->rest(2, 0) = nan; }, "found point 2 at rest at (");
+}
+
 TEST_F(Compare, JsonAndTableSayTheSame) {
   Result a = test::example_result(), b = a;
   b.vessels[0].current.rowwise() += Eigen::RowVector3d(0, 0.5, 0);

@@ -13,6 +13,7 @@
 
 #include "result/example_result.h"
 #include "result/write_vtp.h"
+#include "surface_file/surface_file.h"
 
 namespace vasorod {
 namespace {
@@ -108,6 +109,20 @@ TEST(WriteVtp, TheFileIsBinaryAndCompressed) {
   EXPECT_NE(bytes.find("compressor=\"vtkZLibDataCompressor\""), std::string::npos);
   EXPECT_NE(bytes.find("<AppendedData encoding=\"raw\">"), std::string::npos);
   EXPECT_EQ(bytes, vessel_vtp(test::deformed_tube(24, 30))) << "two writes of one vessel differ";
+}
+
+TEST(WriteVtp, NamesWithMarksOfXmlReadBack) {
+  VesselResult vessel = test::deformed_tube(12, 6);
+  const std::string name = "a & b <c> \"d\" 'e'";
+  vessel.point_arrays = {{name, vessel.rest, false, {}}};
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path / "svc.vtp", std::ios::binary) << vessel_vtp(vessel);
+  const SurfaceFile back = read_vtp(folder.path / "svc.vtp");
+  ASSERT_EQ(back.point_arrays.size(), 6U);
+  EXPECT_EQ(back.point_arrays.back().name, name);
+  EXPECT_EQ(Points(back.point_arrays.back().values), vessel.rest);
+  const auto data = read(vessel_vtp(vessel));
+  expect_same(data->GetPointData()->GetArray(name.c_str()), vessel.rest);
 }
 
 // An independent reader, written from the format's description.

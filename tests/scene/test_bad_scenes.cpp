@@ -180,7 +180,24 @@ const std::vector<Bad> bads = {
     {"second_document", "fidelity: paper", "---\nfidelity: paper", {"second YAML document"}},
     {"yaml_syntax", "units: {length: mm", "units: {length: mm, {", {":2:", "YAML"}},
     {"yaml_indent", "ends:", " ends:", {"YAML"}},
-    {"yaml_tab", "    wall:", "\twall:", {"YAML"}},
+    {"yaml_tab", "    wall:", "\twall:", {":6:", "a tab", "YAML"}},
+    {"yaml_tab_behind_spaces", "    wall:", "   \twall:", {":6:", "a tab"}},
+    {"yaml_comma_behind", "scene: bad", "{scene: bad},", {":1:", "a stray \",\" in column 13"}},
+    {"yaml_control_byte", "scene: bad", "scene: b\x01", {":1:", "the control byte 0x01"}},
+    {"yaml_escape_byte", "scene: bad", "scene: \x1b[2J", {":1:", "the control byte 0x1b"}},
+    {"yaml_ring", "scene: bad", "scene: &a [*a]", {":1:", "alias within"}},
+    {"escaped_in_the_sentence", "{length: mm", "{length: \"\\e\\n\"", {"\"\\x1b\\n\""}},
+    {"young_too_large", "young: 1.0", "young: 1e31", {"wall.young: found 1e+31", "1e+30"}},
+    {"young_denormal", "young: 1.0", "young: 1e-320", {"wall.young: found ", "1e-30"}},
+    {"thickness_denormal", "thickness: 1.0", "thickness: 1e-320", {"thickness: found ", "1e-09"}},
+    {"tube_too_long", "length: 100", "length: 1e12", {":5:", "tube.length: found 1e+12", "1e+09"}},
+    {"tube_too_short", "length: 100", "length: 1e-320", {":5:", "tube.length: found ", "1e-09"}},
+    {"tube_too_wide", "radius: 10", "radius: 2147483648", {"tube.radius: found 2.14748e+09"}},
+    {"tube_too_fine", "radius: 10", "radius: 10, around: 5000, along: 20000", {"points around"}},
+    {"tube_far_away", "position: [30", "position: [-1e200", {"position[0]: found -1e+200"}},
+    {"tube_tiny_tangent", "radius: 10", "radius: 10, tangent: [0, 0, 1e-200]", {"a direction"}},
+    {"move_too_far", "move: [1", "move: [1e10", {"move[0]: found 1e+10", "1e+09"}},
+    {"force_too_large", "move: [1, 0, 0]", "force: [0, 0, 1e31]", {"force[2]: found 1e+31"}},
 };
 
 class BadScene : public ScratchFolder {};
@@ -199,6 +216,20 @@ TEST_F(BadScene, IsRefusedWithOneSentence) {
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     for (const std::string& word : bad.says)
       EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
+  }
+}
+
+// A number that is no mistake of kind, but longer than a sentence.
+TEST_F(BadScene, LongValuesAreShortened) {
+  for (const std::string& value :
+       {"-1." + std::string(5000, '0'), std::string(5000, 'x'), std::string(3000, '\xc3'),
+        "\"" + std::string(5000, ' ') + "\\n\""}) {
+    std::string text = base;
+    text.replace(text.find("radius: 10"), 10, "radius: " + value);
+    const std::string sentence = refusal(write("scene.yaml", text));
+    EXPECT_NE(sentence.find("tube.radius: found "), std::string::npos) << sentence;
+    EXPECT_LT(sentence.size(), folder.string().size() + 200) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   }
 }
 
@@ -223,6 +254,29 @@ TEST_F(BadRod, AsymmetricOrIndefiniteStiffness) {
             std::string::npos);
   EXPECT_NE(refusal_of(head + "0" + tail + "0, 0, 0, 0, 0, 0]]}}]}}\n").find("positive definite"),
             std::string::npos);
+}
+
+TEST_F(BadRod, NumbersThatMakeNoSense) {
+  const auto refusal_with = [&](const std::string& length, const std::string& axial,
+                                const std::string& more) {
+    return refusal_of("  - {name: a, rod: {pieces: [{length: " + length +
+                      ", elements: 1000000, stiffness: {axial: " + axial +
+                      ", shear: [1, 1], bending: [1, 1], torsion: 1}" + more + "}]}}\n");
+  };
+  EXPECT_EQ(refusal_with("1", "1", ""), "");
+  EXPECT_EQ(refusal_with("1e-9", "1e30", ", curvature: [1e9, 0, 0]"), "");
+  for (const auto& [sentence, part] :
+       {std::pair(refusal_with("1e-320", "1", ""), "length: found 9.99989e-321"),
+        std::pair(refusal_with("1e12", "1", ""), "length: found 1e+12"),
+        std::pair(refusal_with("1", "1e308", ""), "axial: found 1e+308"),
+        std::pair(refusal_with("1", "1e-308", ""), "axial: found 1e-308"),
+        std::pair(refusal_with("1", "1", ", curvature: [0, 1e10, 0]"), "curvature[1]: found 1e+10"),
+        std::pair(refusal_with("1", "1", ", natural: {u: [0, 0, 1e100]}"), "u[2]: found 1e+100"),
+        std::pair(refusal_with("1", "1",
+                               ", curvature: [0, 0, 0]}, {length: 1, elements: 1, stiffness: "
+                               "{axial: 1, shear: [1, 1], bending: [1, 1], torsion: 1}"),
+                  "1000001 elements")})
+    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
 }
 
 TEST_F(BadRod, ParentsThatAreNoTree) {
@@ -259,6 +313,33 @@ TEST_F(BadFile, MissingEmptyFolderAndBinary) {
   EXPECT_NE(refusal(write("word.yaml", "hello")).find("expected a map"), std::string::npos);
   EXPECT_FALSE(refusal(write("binary.yaml", std::string("\0\1\2\xff\xfe{[", 7))).empty());
   EXPECT_FALSE(refusal(write("deep.yaml", std::string(20000, '['))).empty());
+}
+
+TEST_F(BadFile, WhatWouldNeverEndOrFillTheMemory) {
+  for (const std::string text : {",", "{scene: x},", ",#5: d", "!#up1, pu^SNull", ",(", "]", "}",
+                                 "a: 1\n,", "--- ,", ", !!str"}) {
+    const std::string sentence = refusal(write("stray.yaml", text));
+    EXPECT_NE(sentence.find(", expected "), std::string::npos) << text << ": " << sentence;
+  }
+  EXPECT_NE(refusal(write("comma.yaml", ",")).find(":1: found a stray \",\" in column 1"),
+            std::string::npos);
+  for (const std::string part : {"[", "{a: ", "- ", "? "}) {
+    std::string text;
+    for (int k = 0; k < 100000; ++k) text += part;
+    EXPECT_NE(refusal(write("deep.yaml", text)).find(", expected "), std::string::npos);
+  }
+  std::string doubled = "a0: &a0 [x, x]\n";  // 2^40 values where it is written in full
+  for (int k = 1; k < 40; ++k) {
+    const std::string before = "*a" + std::to_string(k - 1);
+    doubled += "a" + std::to_string(k) + ": &a" + std::to_string(k) + " [" + before + ", " +
+               before + "]\n";
+  }
+  EXPECT_NE(refusal(write("doubled.yaml", doubled)).find("more than 2000000 values"),
+            std::string::npos);
+  EXPECT_NE(refusal(write("large.yaml", std::string(17'000'000, '#'))).find("bytes"),
+            std::string::npos);
+  EXPECT_NE(refusal(write("zero.yaml", std::string("scene: a\0b", 10))).find("0x00"),
+            std::string::npos);
 }
 
 // Every mutation is read or refused with one line; no other outcome is allowed.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-NOTE = "<!-- Written by docs/make_reference.py from {}; change those and run it. -->"
+NOTE = "<!-- Written by docs/make_reference.py from\n{}; change those and run it. -->"
 
 SCENE_INTRO = """
 A scene is one YAML file. It names the vessels, says what happens at their ends, which operation is
@@ -28,12 +28,13 @@ completes and checks a scene that begins with
 ```
 
 The program stops with exit code 2 and one sentence where a scene is wrong: file, line, key, what
-was found, what was expected. A key that is not listed here is refused. Some rules need the whole scene
-or its surfaces, so only the program knows them: that a name is that of a vessel, or that a picked
-point lies near its surface.
+was found, what was expected. A key that is not listed here is refused. Some rules need the whole
+scene or its surfaces, so only the program knows them: that a name is that of a vessel, or that a
+picked point lies near its surface.
 
 A number is written without quotes. Its unit follows from [`units`](#units): with mm and MPa a force
-is in N (force = stress * length^2) and a moment in N mm. Axes are those of space unless said otherwise.
+is in N (force = stress * length^2) and a moment in N mm. Axes are those of space unless said
+otherwise.
 """
 
 SCENE_EXAMPLE = """

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-NOTE = "<!-- Written by docs/make_reference.py from\n{}: change those and run it. -->"
+NOTE = "<!-- Written by docs/make_reference.py from\n{}; change those and run it. -->"
 
 SCENE_INTRO = """
 A scene is one YAML file. It names the vessels, says what happens at their ends, which operation is

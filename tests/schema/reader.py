@@ -99,7 +99,8 @@ def samples():
 def other_values(place):
     """Other values for a place, each with whether it must be refused."""
     node, free = place.schema, "type" not in place.schema and "x-type" in place.schema
-    for wrong in WRONG:
+    # One word and one text are enough for the entries of a list, which are tried as a whole too.
+    for wrong in WRONG[1:3] if isinstance(place.path[-1], int) else WRONG:
         if wrong != place.value:
             yield wrong, wrong == {"wrong": 1} and not free
     for word in node.get("enum", []):

@@ -275,7 +275,7 @@ CoupledOptions::CoupledOptions() {
 }
 
 std::optional<std::string> CoupledOptions::is_invalid() const {
-  if (const auto fault = SurfaceOptions::is_invalid()) return fault;
+  if (auto fault = SurfaceOptions::is_invalid()) return fault;
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   const bool rising = !times.empty() && times.front() > 0 && times.back() == 1 &&
                       std::is_sorted(times.begin(), times.end());

@@ -195,7 +195,7 @@ class PaperRun {
 }  // namespace
 
 std::optional<std::string> PaperOptions::is_invalid() const {
-  if (const auto fault = SurfaceOptions::is_invalid()) return fault;
+  if (auto fault = SurfaceOptions::is_invalid()) return fault;
   return first_fault({{patience >= 1, "patience: expected at least 1"}});
 }
 

@@ -101,7 +101,7 @@ assert len(cases) >= 32 and {case.family for case in cases} >= {
     "tapered",
     "fresh",
 }
-wrinkling_deg = {0.5: 8, 1: 20, 2: 47}  # design.md, rounded there
+wrinkling_deg = {0.5: 8, 1: 20, 2: 47}  # rounded; tau_cr = 0.747 E (t/R)^1.25 (R/L)^0.5
 for case in cases:
     tube, wall, moved = case.tube, case.wall, case.scene["ends"][1]
     length, radius, t = tube["length"], tube["radius"], wall["thickness"]

@@ -277,8 +277,11 @@ CoupledOptions::CoupledOptions() {
 std::optional<std::string> CoupledOptions::is_invalid() const {
   if (auto fault = SurfaceOptions::is_invalid()) return fault;
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
-  const bool rising = !times.empty() && times.front() > 0 && times.back() == 1 &&
-                      std::is_sorted(times.begin(), times.end());
+  const bool rising =
+      !times.empty() && times.front() > 0 && times.back() == 1 &&
+      std::adjacent_find(times.begin(), times.end(), [](double before, double after) {
+        return !(before < after);
+      }) == times.end();
   return first_fault({
       {positive(tie_tolerance), "tie_tolerance: expected a number above 0"},
       {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},

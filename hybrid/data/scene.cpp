@@ -60,8 +60,8 @@ std::string contradiction(const EndCondition& end) {
 const VesselSpec& Scene::vessel(const std::string& vessel_name) const {
   for (const VesselSpec& candidate : vessels)
     if (candidate.name == vessel_name) return candidate;
-  throw InputError(file.string() + ": found no vessel " + in_quotes(vessel_name) +
-                   ", expected one of the scene's");
+  throw InputError((file.empty() ? "" : file.string() + ": ") + "found no vessel " +
+                   in_quotes(vessel_name) + ", expected one of the scene's");
 }
 
 }  // namespace vasorod

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cctype>
 
+#include <vasorod/error.h>
 #include <vasorod/fit.h>
 
+#include "data/sentence.h"
 #include "predict/input_hashes.h"
 #include "predict/name_faults.h"
 #include "predict/result_of_vessel.h"
@@ -24,6 +27,10 @@ std::string vessel_name(std::string text) {
 
 Result fit(const FitRequest& request) {
   Stopwatch watch;
+  const std::vector<std::string> units{"mm", "cm", "m"};
+  if (std::find(units.begin(), units.end(), request.length_unit) == units.end())
+    throw InputError("length unit: found " + in_quotes(request.length_unit) + ", expected " +
+                     listed(units));
   Scene scene;
   scene.file = request.surface;
   scene.units.length = request.length_unit;

@@ -18,8 +18,14 @@
 namespace vasorod {
 namespace {
 
+// "FILE:LINE: ", as far as the scene has them: one made in C++ has neither.
+std::string place_in(const Scene& scene, int line) {
+  if (scene.file.empty()) return {};
+  return scene.file.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
+}
+
 std::string line_of(const Scene& scene, const VesselSpec& vessel) {
-  return scene.file.string() + ":" + std::to_string(vessel.line) + ": ";
+  return place_in(scene, vessel.line);
 }
 
 std::string place(const Scene& scene, const VesselSpec& vessel) {
@@ -71,12 +77,27 @@ const Fidelity& dearest() {
   return *std::find_if(all.rbegin(), all.rend(), [](const Fidelity& f) { return f.choosable; });
 }
 
+// What the reader of scene files sees to, for scenes made in C++.
+void check_vessels(const Scene& scene) {
+  const bool bare_rods = has_bare_rods(scene);
+  for (const VesselSpec& vessel : scene.vessels) {
+    if (vessel.rod) continue;
+    if (!vessel.surface && !vessel.tube)
+      throw InputError(place(scene, vessel) +
+                       "found no shape, expected a surface, a tube or a bare rod");
+    if (bare_rods)
+      throw InputError(place(scene, vessel) +
+                       "found a surface beside bare rods, expected bare rods alone");
+    if (vessel.role == Role::deformable && !vessel.wall)
+      throw InputError(place(scene, vessel) + "found no wall, expected its thickness and material");
+  }
+  for (const EndCondition& end : scene.ends) scene.vessel(end.vessel);
+}
+
 // The requested fidelity. With `accuracy:` alone: the most expensive one that the vessels allow,
 // until the rods are solved and the choice is known.
 const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options) {
-  const std::string line =
-      scene.file.string() +
-      (scene.fidelity_line > 0 ? ":" + std::to_string(scene.fidelity_line) : "") + ": ";
+  const std::string line = place_in(scene, scene.fidelity_line);
   const Fidelity& fidelity = options.fidelity       ? named(*options.fidelity, "")
                              : scene.fidelity       ? named(*scene.fidelity, line)
                              : has_bare_rods(scene) ? named("rod", "")
@@ -90,6 +111,7 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
       throw InputError(place(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
                        ", expected fidelity rod");
   }
+  check_vessels(scene);
   return fidelity;
 }
 
@@ -208,7 +230,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   }
   prediction.fidelity = fidelity->name;
   watch.lap("rod");
-  placed(scene.file.string() + ": ", [&] { fidelity->solve(prediction, options); });
+  placed(place_in(scene, 0), [&] { fidelity->solve(prediction, options); });
   if (prediction.surfaces) options.progress(prediction.surfaces->solution.brief_report());
   watch.lap("solve");
 

@@ -123,20 +123,5 @@ TEST_F(ChooseFidelity, OutsideOfTheTableTheDearestWithoutAPromise) {
   EXPECT_NE(choose(0.02, 0.2, rows).reason.find("not of operations"), std::string::npos);
 }
 
-TEST(AccuracyTable, IsSortedAndErrorsGrowWithTheDemand) {
-  const auto rows = accuracy_table();
-  ASSERT_FALSE(rows.empty());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    EXPECT_GT(rows[k].edge, 0);
-    EXPECT_GT(rows[k].demand, 0);
-    EXPECT_GT(rows[k].error, 0);
-    if (k == 0 || rows[k].fidelity != rows[k - 1].fidelity || rows[k].kind != rows[k - 1].kind ||
-        rows[k].edge != rows[k - 1].edge)
-      continue;
-    EXPECT_GT(rows[k].demand, rows[k - 1].demand);
-    EXPECT_GE(rows[k].error, rows[k - 1].error);
-  }
-}
-
 }  // namespace
 }  // namespace vasorod

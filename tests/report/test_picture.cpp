@@ -1,9 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include "report/picture.h"
 #include "result/example_result.h"
@@ -172,49 +169,6 @@ TEST(Picture, WhatIsBehindTheEyeOrNotANumberIsLeftOut) {
   EXPECT_EQ(covered(render({drawn(behind, {1, 1, 1})}, from_above(10, 1.5), 40, 40)), 0);
   behind.points.setConstant(std::nan(""));
   EXPECT_EQ(covered(render({drawn(behind, {1, 1, 1})}, from_above(10, 1.5), 40, 40)), 0);
-}
-
-TEST(Picture, ReadsBackFromPng) {
-  const VesselResult vessel = test::deformed_tube(24, 30);
-  const Camera camera =
-      fit_camera({{&vessel.current, true}}, {1, 0.3, 0.2}, Vec3::UnitZ(), 4.0 / 3);
-  const Picture picture = render({{&vessel.current, &vessel.triangles}}, camera, 120, 90);
-  const std::string bytes = png_bytes(picture);
-  vtkNew<vtkPNGReader> reader;
-  reader->SetMemoryBuffer(bytes.data());
-  reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  ASSERT_EQ(image->GetDimensions()[0], 120);
-  ASSERT_EQ(image->GetDimensions()[1], 90);
-  ASSERT_EQ(image->GetNumberOfScalarComponents(), 4);
-  for (int row = 0; row < 90; ++row)
-    for (int column = 0; column < 120; ++column)
-      for (int k = 0; k < 4; ++k)
-        ASSERT_EQ(image->GetScalarComponentAsDouble(column, 89 - row, 0, k),
-                  pixel(picture, column, row)[k]);
-}
-
-TEST(Picture, TheColourBarRunsFromLowBelowToHighAbove) {
-  Picture picture{400, 300, std::vector<std::uint8_t>(4 * 400 * 300)};
-  const ColourScale scale{ColourMap::diverging, -0.05, 0.05, "twist shear"};
-  draw_colour_bar(picture, scale);
-  int top = -1, bottom = -1;
-  for (int row = 0; row < 300; ++row)
-    for (int column = 0; column < 400; ++column) {
-      const std::uint8_t* at = pixel(picture, column, row);
-      if (at[3] == 255 && std::abs(at[0] - at[2]) > 100) {
-        if (top < 0) {
-          top = row;
-          EXPECT_GT(at[0], at[2]) << "high is red";
-        }
-        bottom = row;
-      }
-    }
-  ASSERT_GT(bottom - top, 150);
-  int blue = 0;
-  for (int column = 0; column < 400; ++column) blue += pixel(picture, column, bottom)[2] > 150;
-  EXPECT_GT(blue, 5) << "low is blue";
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "geometry/rigid_motion.h"
 #include "rod/energy.h"
-#include "rod/section.h"
 
 namespace vasorod {
 namespace {
@@ -103,22 +102,6 @@ TEST(Energy, StressFreeAtTheNaturalStrain) {
   f.second = f.first * f.element.start * exp_motion(f.element.length * f.element.natural_strain);
   EXPECT_LT(element_energy(f.element, f.first, f.second), 1e-28);
   EXPECT_LT(element_energy_gradient(f.element, f.first, f.second).norm(), 1e-13);
-}
-
-TEST(Section, ThinRingAndSolidDiskClosedForms) {
-  const AnnularSection thin{10, 1e-6};
-  const Mat6 c = annular_stiffness(thin, {Law::biot, 2, 2, 0.7, 0.3, 0});
-  const double pi = 3.14159265358979323846;
-  EXPECT_NEAR(c(2, 2) / (2 * 2 * pi * 10 * 1e-6), 1, 1e-12);
-  EXPECT_NEAR(c(3, 3) / (2 * pi * 1e3 * 1e-6), 1, 1e-10);
-  EXPECT_NEAR(c(5, 5) / (0.7 * 2 * pi * 1e3 * 1e-6), 1, 1e-10);
-  // Cowper's thin tube: 2 (1 + nu) / (4 + 3 nu)
-  EXPECT_NEAR(thin.shear_coefficient(0.3), 2 * 1.3 / (4 + 0.9), 1e-6);
-  // a disk of radius 2: 6 (1 + nu) / (7 + 6 nu), pi r^4 / 4
-  const AnnularSection disk{1, 2};
-  EXPECT_NEAR(disk.shear_coefficient(0.3), 6 * 1.3 / (7 + 1.8), 1e-14);
-  EXPECT_NEAR(disk.second_moment(), pi * 16 / 4, 1e-13);
-  EXPECT_NEAR(disk.area(), pi * 4, 1e-13);
 }
 
 }  // namespace

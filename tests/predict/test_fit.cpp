@@ -1,0 +1,139 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iomanip>
+#include <sstream>
+
+#include <vasorod/fit.h>
+#include <vasorod/version.h>
+
+#include "predict/small_scenes.h"
+#include "scratch_folder.h"
+#include "vessel/shapes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+std::string as_obj(const TriangleSurface& surface) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
+    text << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
+         << surface.points(i, 2) << '\n';
+  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
+    text << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
+         << surface.triangles(t, 2) + 1 << '\n';
+  return text.str();
+}
+
+class Fit : public ScratchFolder {};
+
+TEST_F(Fit, AStraightTubeGivesItsLengthAndRadius) {
+  const shapes::Tube tube;  // length 100, radius 10
+  const TriangleSurface surface = tube.surface();
+  const Result result = fit({write("aorta.obj", as_obj(surface)), "mm", {}});
+  EXPECT_EQ(result.fidelity, "fit");
+  EXPECT_EQ(result.scene, "aorta");
+  EXPECT_EQ(result.program, "vasorod " + version());
+  ASSERT_EQ(result.vessels.size(), 1u);
+  const VesselResult& vessel = result.vessels[0];
+  EXPECT_EQ(vessel.rest, surface.points);
+  EXPECT_EQ(vessel.current, surface.points);
+  EXPECT_EQ(vessel.triangles, surface.triangles);
+  const CenterlineResult& line = *vessel.centerline;
+  EXPECT_NEAR(line.abscissa.back(), 100, 1e-8);
+  for (const double radius : line.radius) EXPECT_NEAR(radius, 10, 1e-8);
+  EXPECT_LT((line.rest - line.current).norm(), 1e-15);
+  for (Eigen::Index i = 0; i < line.rest.rows(); ++i)
+    EXPECT_LT(std::hypot(line.rest(i, 0), line.rest(i, 1)), 1e-8);
+  EXPECT_EQ(result.model.rod_nodes, line.rest.rows());
+  EXPECT_EQ(result.model.vertices, surface.points.rows());
+  EXPECT_EQ(result.model.triangles, surface.triangles.rows());
+  EXPECT_EQ(result.model.cleaning.at("aorta"), "unchanged");
+  EXPECT_EQ(result.environment.inputs.size(), 1u);
+  EXPECT_EQ(result.environment.inputs.count("aorta.obj"), 1u);
+  ASSERT_EQ(result.stages.size(), 1u);
+  EXPECT_EQ(result.stages[0].title, "rest");
+}
+
+TEST_F(Fit, ABentTaperedTubeGivesItsArcAndItsRadii) {
+  shapes::Tube tube;
+  tube.bend = 1.2;
+  tube.end_radius = 7;
+  const Result result = fit({write("arch.obj", as_obj(tube.surface())), "mm", {}});
+  const CenterlineResult& line = *result.vessels.at(0).centerline;
+  EXPECT_NEAR(line.abscissa.back(), 100, 0.2);
+  for (size_t i = 0; i < line.abscissa.size(); ++i) {
+    const double s = line.abscissa[i] * 100 / line.abscissa.back();
+    EXPECT_NEAR(line.radius[i], tube.radius_at(s), 0.02 * 10) << i;
+    const Vec3 off = line.rest.row(static_cast<Eigen::Index>(i)).transpose() - tube.axis(s);
+    EXPECT_LT(off.norm(), 0.03 * 10) << i;
+    // Directors: orthonormal, d3 along the axis.
+    EXPECT_LT((line.directors[i].transpose() * line.directors[i] - Mat3::Identity()).norm(), 1e-12);
+    EXPECT_GT(line.directors[i].col(2).dot(tube.tangent(s)), 0.999) << i;
+  }
+}
+
+TEST_F(Fit, TheUnitIsTheFilesAndTheAnswersToo) {
+  shapes::Tube tube;
+  tube.length = 10;
+  tube.radius = tube.end_radius = 1;
+  const auto file = write("aorta.obj", as_obj(tube.surface()));
+  const Result result = fit({file, "cm", {}});
+  EXPECT_EQ(result.length_unit, "cm");
+  EXPECT_NEAR(result.vessels.at(0).centerline->abscissa.back(), 10, 1e-9);
+  // A radius of a metre is no vessel's.
+  const std::string said = refusal([&] { fit({file, "m", {}}); });
+  EXPECT_NE(said.find("aorta.obj"), std::string::npos) << said;
+  EXPECT_NE(said.find("expected"), std::string::npos) << said;
+  EXPECT_EQ(refusal([&] {
+              fit({file, "inch", {}});
+            }),
+            "length unit: found \"inch\", expected mm, cm or m");
+}
+
+TEST_F(Fit, ARemeshedTubeHasItsLengthAndRadiusStill) {
+  const auto file = write("aorta.obj", as_obj(shapes::Tube().surface()));
+  const Result result = fit({file, "mm", 2.5});
+  EXPECT_NE(result.model.cleaning.at("aorta").find("remeshed to an edge of 2.5"),
+            std::string::npos);
+  const CenterlineResult& line = *result.vessels.at(0).centerline;
+  EXPECT_NEAR(line.abscissa.back(), 100, 0.1);
+  for (const double radius : line.radius) EXPECT_NEAR(radius, 10, 0.1);
+  for (const double edge : {0.0, -1.0, 40.0, 1e-6})
+    EXPECT_NE(refusal([&] { fit({file, "mm", edge}); }).find("remesh"), std::string::npos) << edge;
+}
+
+TEST_F(Fit, TheNameIsOneThatFilesMayHave) {
+  const auto file = write("my vessel (1).obj", as_obj(shapes::Tube().surface()));
+  EXPECT_EQ(fit({file, "mm", {}}).vessels.at(0).name, "my_vessel__1_");
+}
+
+TEST_F(Fit, WhatIsNoOpenTubeIsRefusedWithItsFile) {
+  EXPECT_EQ(refusal([&] {
+              fit({folder / "absent.obj", "mm", {}});
+            }),
+            (folder / "absent.obj").string() + ": found no such file, expected a surface");
+  const auto refused = [&](const std::string& name, const std::string& text) {
+    const auto file = write(name, text);
+    const std::string said = refusal([&] { fit({file, "mm", {}}); });
+    EXPECT_NE(said.find(name), std::string::npos) << name << ": " << said;
+    EXPECT_NE(said.find("expected"), std::string::npos) << name << ": " << said;
+  };
+  refused("empty.obj", "");
+  refused("words.obj", "v one two three\n");
+  // A disk has one end.
+  TriangleSurface disk;
+  disk.points.resize(13, 3);
+  disk.points.setZero();
+  disk.triangles.resize(12, 3);
+  for (int i = 0; i < 12; ++i) {
+    disk.points.row(i + 1) << 10 * std::cos(i * M_PI / 6), 10 * std::sin(i * M_PI / 6), 0;
+    disk.triangles.row(i) << 0, i + 1, 1 + (i + 1) % 12;
+  }
+  refused("disk.obj", as_obj(disk));
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <vasorod/version.h>
+
+#include "numerics/blas.h"
+#include "predict/result_parts.h"
+#include "scratch_folder.h"
+
+namespace vasorod {
+namespace {
+
+RodSummary summary_of(Status status, double residual, double energy, int iterations) {
+  RodSummary summary;
+  summary.status = status;
+  summary.residual = residual;
+  summary.energy = energy;
+  summary.iterations = iterations;
+  return summary;
+}
+
+TEST(ResultParts, EveryResultBeginsWithNamesUnitsProgramAndEnvironment) {
+  Units units;
+  units.length = "cm";
+  units.stress = "kPa";
+  const Result result = begin_result("glenn", "paper", units, 3);
+  EXPECT_EQ(result.scene, "glenn");
+  EXPECT_EQ(result.fidelity, "paper");
+  EXPECT_EQ(result.program, "vasorod " + version());
+  EXPECT_EQ(result.length_unit, "cm");
+  EXPECT_EQ(result.stress_unit, "kPa");
+  EXPECT_EQ(result.environment.blas, blas_name());
+  EXPECT_EQ(result.environment.threads, 3);
+  EXPECT_EQ(result.iterations, (std::map<std::string, int>{{"rod", 0}, {"surface", 0}}));
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_TRUE(result.vessels.empty());
+  EXPECT_EQ(result.energy.total(), 0);
+  EXPECT_FALSE(result.certificate.smallest_curvature_positive);
+}
+
+TEST(ResultParts, RodsAddUpAndTheWorstOneCounts) {
+  Result result = begin_result("s", "rod", {}, 1);
+  add_rod("a", summary_of(Status::converged, 1e-12, 2, 5), true, result);
+  EXPECT_EQ(result.certificate.smallest_curvature_positive, true);
+  EXPECT_TRUE(result.certificate.notes.empty());
+  RodSummary second = summary_of(Status::unstable, 3e-10, 0.5, 7);
+  second.negative_directions = 1;
+  second.message = "a direction of negative curvature is left";
+  add_rod("b", second, true, result);
+  add_rod("c", summary_of(Status::converged, 1e-11, 0.25, 2), true, result);
+  EXPECT_EQ(result.status, Status::unstable);
+  EXPECT_EQ(result.certificate.relative_residual, 3e-10);
+  EXPECT_EQ(result.certificate.smallest_curvature_positive, false) << "one saddle is enough";
+  EXPECT_EQ(result.certificate.notes,
+            std::vector<std::string>{"rod of b: a direction of negative curvature is left"});
+  EXPECT_EQ(result.energy.rod, 2.75);
+  EXPECT_EQ(result.iterations.at("rod"), 14);
+  EXPECT_EQ(result.iterations.at("surface"), 0);
+}
+
+TEST(ResultParts, NoCertificateIsGivenUnaskedOrWithoutAnEquilibrium) {
+  Result unasked = begin_result("s", "paper", {}, 1);
+  add_rod("a", summary_of(Status::converged, 0, 0, 1), false, unasked);
+  EXPECT_FALSE(unasked.certificate.smallest_curvature_positive);
+  for (const Status status : {Status::iteration_limit, Status::interrupted,
+                              Status::equilibrium_only, Status::not_unique}) {
+    Result result = begin_result("s", "rod", {}, 1);
+    add_rod("a", summary_of(status, 1, 0, 40), true, result);
+    EXPECT_FALSE(result.certificate.smallest_curvature_positive) << to_string(status);
+    EXPECT_EQ(result.status, status);
+  }
+}
+
+class InputHashes : public ScratchFolder {
+ protected:
+  static VesselSpec of(const std::filesystem::path& surface) {
+    VesselSpec vessel;
+    vessel.surface = surface;
+    return vessel;
+  }
+};
+
+// The digests of "abc" and of "" are FIPS 180-4's.
+TEST_F(InputHashes, SceneAndSurfacesAreNamedByFile) {
+  Scene scene;
+  scene.file = write("scene.yaml", "abc");
+  scene.vessels = {of(write("svc.obj", "")), VesselSpec{}};
+  Result result;
+  add_input_hashes(scene, result);
+  const auto& inputs = result.environment.inputs;
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs.at("scene.yaml"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(inputs.at("svc.obj"),
+            "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST_F(InputHashes, TwoOfOneNameAreNamedByPath) {
+  for (const char* sub : {"before", "after"}) std::filesystem::create_directories(folder / sub);
+  Scene scene;
+  scene.file = write("scene.yaml", "");
+  scene.vessels = {of(write("before/svc.obj", "")), of(write("after/svc.obj", "abc")),
+                   of(folder / "after" / ".." / "after" / "svc.obj")};
+  Result result;
+  add_input_hashes(scene, result);
+  const auto& inputs = result.environment.inputs;
+  EXPECT_EQ(inputs.count("svc.obj"), 0u);
+  ASSERT_EQ(inputs.count("before/svc.obj"), 1u);
+  ASSERT_EQ(inputs.count("after/svc.obj"), 1u);
+  EXPECT_NE(inputs.at("before/svc.obj"), inputs.at("after/svc.obj"));
+}
+
+TEST_F(InputHashes, ASceneMadeInMemoryHasNone) {
+  Result result;
+  add_input_hashes({}, result);
+  EXPECT_TRUE(result.environment.inputs.empty());
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -98,7 +98,9 @@ RestRod rest_rod(const Centerline& centerline, double spacing, const Vec3& first
       const double to = arc(stop.u);
       const double local = radius_at(arc.inverse(0.5 * (from + to)));
       const double wanted = std::ceil((to - from) / (spacing * local) - 1e-6);
-      if (!(wanted <= most_elements))
+      if (!std::isfinite(wanted))
+        throw InputError("found no axis through the surface's sections, expected a tubular vessel");
+      if (wanted > most_elements)
         throw InputError("found an axis of length " + number_text(to - from) + " on a radius of " +
                          number_text(local) + ", which takes " + number_text(wanted) +
                          " elements, expected at most " + number_text(most_elements));

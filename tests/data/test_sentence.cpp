@@ -34,11 +34,11 @@ TEST(Sentence, PlacesAreThreeNumbersInBrackets) {
 TEST(Sentence, QuotedTextStaysOnItsLineAndShort) {
   EXPECT_EQ(in_quotes("svc"), "\"svc\"");
   EXPECT_EQ(in_quotes(""), "\"\"");
-  EXPECT_EQ(in_quotes("a\nb\tc\x7f"), "\"a b c \"");
+  EXPECT_EQ(in_quotes("a\nb\tc\x7f"), "\"a\\nb\\tc\\x7f\"");
   EXPECT_EQ(in_quotes("Gefäß"), "\"Gefäß\"");
   EXPECT_EQ(in_quotes(std::string(60, 'x')), "\"" + std::string(60, 'x') + "\"");
   EXPECT_EQ(in_quotes(std::string(61, 'x')), "\"" + std::string(60, 'x') + "...\"");
-  EXPECT_EQ(in_quotes(std::string("a\0b", 3)), "\"a b\"");
+  EXPECT_EQ(in_quotes(std::string("a\0b", 3)), "\"a\\x00b\"");
 }
 
 TEST(Sentence, ListsEndWithOr) {

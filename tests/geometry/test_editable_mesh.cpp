@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 

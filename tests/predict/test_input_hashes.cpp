@@ -56,5 +56,35 @@ TEST_F(InputHashesOf, ASurfaceThatChangesWhileItIsReadIsRefused) {
   EXPECT_NE(inputs.hashes().at("wall.vtp"), sha256_of_file(*vessel.surface));
 }
 
+// The digests of "abc" and of "" are those of FIPS 180-4.
+TEST_F(InputHashesOf, SceneAndSurfacesAreNamedByFile) {
+  Scene scene;
+  scene.file = write("scene.yaml", "abc");
+  VesselSpec vessel;
+  vessel.surface = write("svc.obj", "");
+  scene.vessels = {vessel, VesselSpec{}};
+  InputHashes inputs(scene);
+  for (const VesselSpec& one : scene.vessels) inputs.add(one);
+  ASSERT_EQ(inputs.hashes().size(), 2u);
+  EXPECT_EQ(inputs.hashes().at("scene.yaml"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(inputs.hashes().at("svc.obj"),
+            "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST_F(InputHashesOf, TwoOfOneNameAreNamedByPath) {
+  for (const char* sub : {"before", "after"}) std::filesystem::create_directories(folder / sub);
+  Scene scene;
+  scene.file = write("scene.yaml", "");
+  for (const char* name : {"before/svc.obj", "after/svc.obj"})
+    scene.vessels.emplace_back().surface = write(name, name);
+  InputHashes inputs(scene);
+  for (const VesselSpec& vessel : scene.vessels) inputs.add(vessel);
+  EXPECT_EQ(inputs.hashes().count("svc.obj"), 0u);
+  ASSERT_EQ(inputs.hashes().count("before/svc.obj"), 1u);
+  ASSERT_EQ(inputs.hashes().count("after/svc.obj"), 1u);
+  EXPECT_NE(inputs.hashes().at("before/svc.obj"), inputs.hashes().at("after/svc.obj"));
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -4,7 +4,6 @@
 
 #include "numerics/blas.h"
 #include "predict/result_parts.h"
-#include "scratch_folder.h"
 
 namespace vasorod {
 namespace {
@@ -68,51 +67,6 @@ TEST(ResultParts, NoCertificateIsGivenUnaskedOrWithoutAnEquilibrium) {
     EXPECT_FALSE(result.certificate.smallest_curvature_positive) << to_string(status);
     EXPECT_EQ(result.status, status);
   }
-}
-
-class InputHashes : public ScratchFolder {
- protected:
-  static VesselSpec of(const std::filesystem::path& surface) {
-    VesselSpec vessel;
-    vessel.surface = surface;
-    return vessel;
-  }
-};
-
-// The digests of "abc" and of "" are FIPS 180-4's.
-TEST_F(InputHashes, SceneAndSurfacesAreNamedByFile) {
-  Scene scene;
-  scene.file = write("scene.yaml", "abc");
-  scene.vessels = {of(write("svc.obj", "")), VesselSpec{}};
-  Result result;
-  add_input_hashes(scene, result);
-  const auto& inputs = result.environment.inputs;
-  ASSERT_EQ(inputs.size(), 2u);
-  EXPECT_EQ(inputs.at("scene.yaml"),
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(inputs.at("svc.obj"),
-            "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-}
-
-TEST_F(InputHashes, TwoOfOneNameAreNamedByPath) {
-  for (const char* sub : {"before", "after"}) std::filesystem::create_directories(folder / sub);
-  Scene scene;
-  scene.file = write("scene.yaml", "");
-  scene.vessels = {of(write("before/svc.obj", "")), of(write("after/svc.obj", "abc")),
-                   of(folder / "after" / ".." / "after" / "svc.obj")};
-  Result result;
-  add_input_hashes(scene, result);
-  const auto& inputs = result.environment.inputs;
-  EXPECT_EQ(inputs.count("svc.obj"), 0u);
-  ASSERT_EQ(inputs.count("before/svc.obj"), 1u);
-  ASSERT_EQ(inputs.count("after/svc.obj"), 1u);
-  EXPECT_NE(inputs.at("before/svc.obj"), inputs.at("after/svc.obj"));
-}
-
-TEST_F(InputHashes, ASceneMadeInMemoryHasNone) {
-  Result result;
-  add_input_hashes({}, result);
-  EXPECT_TRUE(result.environment.inputs.empty());
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ TEST_F(Faults, APointFarOffEveryEndIsRefused) {
   expect_one_line(solve(glenn), 2, ": keep: near: found (0, 0, 55), 10 off the nearest end's");
 }
 
-TEST_F(Faults, NumbersThatAreNotFiniteAreNeverGreen) {
+TEST_F(Faults, NumbersThatMakeNoSenseAreRefused) {
   const std::string column =
       "scene: column\nunits: {length: mm, stress: MPa}\nvessels: [{name: column, rod: {position: "
       "[0, 0, 0], tangent: [1, 0, 0], normal: [0, 1, 0], pieces: [{length: 1e-320, elements: 8}], "
@@ -144,13 +144,9 @@ TEST_F(Faults, NumbersThatAreNotFiniteAreNeverGreen) {
   tree.replace(tree.find(stiffness), stiffness.size(), "bending: [1e308, ");
   std::string stretched = tube + ends + "fidelity: coupled\n";
   stretched.replace(stretched.find("length: 60"), 10, "length: 1e12");
-  for (const std::string& scene : {column, tree, stretched}) {
-    EXPECT_EQ(solve(scene).exit_code, 1) << scene;
-    EXPECT_EQ(result().at("status"), "iteration_limit");
-    EXPECT_EQ(result().at("validity").at("in_range"), false);
-    EXPECT_NE(result().at("certificate").at("notes").dump().find("not finite: "),
-              std::string::npos);
-  }
+  expect_one_line(solve(column), 2, "length: found ");
+  expect_one_line(solve(tree), 2, "bending[0]: found 1e+308");
+  expect_one_line(solve(stretched), 2, "tube.length: found 1e+12");
 }
 
 TEST_F(Faults, AnUnfinishedSolveSaysItsResidualAndWhy) {
@@ -228,7 +224,7 @@ TEST_F(Faults, FitEndsAtTheFirstSignal) {
 TEST_F(Faults, NoMemoryIsOneSentenceAndThree) {
   std::string scene = tube + ends + "fidelity: skin\n";
   const std::string mesh = "around: 16, along: 24";
-  scene.replace(scene.find(mesh), mesh.size(), "around: 4000, along: 4000");
+  scene.replace(scene.find(mesh), mesh.size(), "around: 1400, along: 1400");
   const std::string command =
       vasorod("solve '" + write("scene.yaml", scene) + "' -o '" + (scratch / "out").string() + "'");
   const auto run = run_program("ulimit -v 1000000; OPENBLAS_NUM_THREADS=1 " + command);

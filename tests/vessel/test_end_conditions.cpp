@@ -19,6 +19,7 @@ Vessel forked() {
   vessel.ends[1].center = Vec3(10, 0, 0);
   vessel.ends[2].node = 9;
   vessel.ends[2].center = Vec3(0, 10, 0);
+  vessel.rod.radius.assign(10, 3.0);
   return vessel;
 }
 
@@ -61,6 +62,8 @@ TEST(EndConditions, EndsAreFoundByNameAndByPlace) {
   EXPECT_EQ(find_end(forked(), at(Kind::near, {1, 8, 0}).end, ""), 2);
   EXPECT_EQ(find_end(forked(), at(Kind::near, {8, 1, 0}).end, ""), 1);
   EXPECT_EQ(find_end(forked(), at(Kind::near, {-1, -1, 0}).end, ""), 0);
+  EXPECT_EQ(find_end(forked(), at(Kind::near, {15.9, 0, 0}).end, ""), 1);
+  EXPECT_THROW(find_end(forked(), at(Kind::near, {16.1, 0, 0}).end, ""), InputError);
 }
 
 TEST(EndConditions, AMotionIsASupportInRadians) {

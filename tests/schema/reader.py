@@ -41,6 +41,8 @@ BEYOND = [
     r"a stretch v3 above 0",
     r"nu_LT\^2",
     r"only the finite-element reference vasorod-fem",
+    r"elements up to here",  # of a rod's pieces together
+    r"points around and",  # of a tube's mesh
 ]
 
 
@@ -258,6 +260,8 @@ def check_defaults():
     def judge(pair):
         label, *scenes = pair
         runs = [solve(scene, "--threads", "1") for scene in scenes]
+        if all(one.code == 2 and "nothing would happen" in one.error for one in runs):
+            return None  # without conditions at the ends, as with an empty list of them
         if any(one.code not in (0, 1) for one in runs):
             return f"{label}: {runs[0].error or runs[1].error}"
         return None if runs[0].result == runs[1].result else f"{label}: another result"

@@ -86,7 +86,8 @@ void scan_metrics(const VesselMetrics& metrics, Scan& scan) {
   scan.see("smallest lumen ratio" + of, metrics.smallest_lumen_ratio);
   scan.see("largest pressure" + of, metrics.largest_pressure);
   scan.see("contact area" + of, metrics.contact_area);
-  for (const auto& [name, place] : metrics.where) scan.see("place of " + name + of, place);
+  for (const auto& [name, place] : metrics.where)
+    scan.see(joined_text("place of ", name, of), place);
 }
 
 void scan_glenn(const Result& result, Scan& scan) {

@@ -258,6 +258,40 @@ def result_page():
     return page.text()
 
 
+LIBRARY_INTRO = """
+The library is the hybrid model without the command line. `vasorod::predict` takes a scene and
+returns a result; both are plain data. Build and install it, then link `vasorod::vasorod`:
+
+```
+./run build
+cmake --install build --prefix DIR
+cmake -S examples -B build-examples -DCMAKE_PREFIX_PATH=DIR
+cmake --build build-examples
+```
+
+The public headers are those of `hybrid/include/vasorod`, included as `<vasorod/...>`:
+"""
+
+EXAMPLES = {"rod": "A bare rod", "tube": "A tube, bent and compared", "glenn": "A Glenn operation"}
+
+
+def library_page():
+    lines = ["# The library", "", NOTE.format("hybrid/include/vasorod and examples")]
+    lines += [*LIBRARY_INTRO.splitlines(), "", "| header | holds |", "|---|---|"]
+    for header in sorted((ROOT / "hybrid" / "include" / "vasorod").glob("*.h")):
+        head = header.read_text().split("#pragma once")[0]
+        comment = " ".join(line.removeprefix("//").strip() for line in head.splitlines())
+        lines.append(f"| `<vasorod/{header.name}>` | {comment.strip()} |")
+    lines += [
+        "",
+        "The tests build these three programs against the installed library and run them.",
+    ]
+    for name, title in EXAMPLES.items():
+        code = (ROOT / "examples" / f"{name}.cpp").read_text().splitlines()
+        lines += ["", f"## {title}", "", f"`examples/{name}.cpp`:", "", "```cpp", *code, "```"]
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
@@ -265,12 +299,13 @@ def main():
     parser.add_argument("--check", action="store_true", help="write nothing, compare only")
     options = parser.parse_args()
     old = 0
-    for name, text in (("scene.md", scene_page()), ("result.md", result_page())):
+    pages = {"scene.md": scene_page(), "result.md": result_page(), "library.md": library_page()}
+    for name, text in pages.items():
         file = ROOT / "docs" / name
         if not options.check:
             file.write_text(text)
         elif not file.exists() or file.read_text() != text:
-            print(f"docs/{name} is not what the schemas say: run docs/make_reference.py")
+            print(f"docs/{name} is not up to date: run docs/make_reference.py")
             old = 1
     return old
 

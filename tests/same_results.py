@@ -69,6 +69,11 @@ def differences(a, b, place=""):
         yield f"{place}: {a!r}, now {b!r}"
 
 
+def is_wording(line):
+    """Whether only a sentence differs: a note, a warning, a refusal."""
+    return any(word in line.split(":")[0] for word in ("/notes[", "/warnings[", "said/error"))
+
+
 def compare(before, after):
     said = [json.loads((folder / "said.json").read_text()) for folder in (before, after)]
     yield from differences(said[0], said[1], "said")
@@ -98,10 +103,10 @@ def main():
         bad = 0
         for scene in scenes:
             lines = list(compare(before[scene], after[scene]))
-            bad += bool(lines)
+            bad += any(not is_wording(line) for line in lines)
             for line in lines[:10]:
                 print(f"{name_of(scene)}: {line}")
-        print(f"{len(scenes) - bad} of {len(scenes)} scenes equal")
+        print(f"{len(scenes) - bad} of {len(scenes)} scenes equal in every number")
     return 1 if bad else 0
 
 

@@ -73,7 +73,7 @@ std::string to_string(LawKind kind);
 class MaterialLaw {
  public:
   /// Throws InputError (a sentence with the inequality) for inadmissible moduli and for a
-  /// transversely isotropic neo-Hookean wall, which is not implemented.
+  /// transversely isotropic wall with the neo-Hookean law, which is isotropic.
   MaterialLaw(LawKind kind, const Moduli& moduli);
   /// The split neo-Hookean law with given shear and bulk modulus, stress.
   static MaterialLaw split(double mu, double kappa);

@@ -19,7 +19,7 @@ struct FitRequest {
 
 /// Reads, checks and fits a surface. The result has one vessel at rest: `rest` and `current` are
 /// its surface, `centerline` is its rod. Throws InputError (one sentence with the file) if the
-/// surface is not an open tubular vessel, FileError if the file cannot be read.
+/// surface is missing or no open tubular vessel, FileError if the file may not be read.
 Result fit(const FitRequest& request);
 
 }  // namespace vasorod

@@ -34,7 +34,7 @@ std::vector<std::string> fidelity_names();
 /// Solves a scene with the hybrid model: reads and fits the vessels, performs the operation, solves
 /// the rods, then the fidelity's own surface problem. Lengths and stresses are in the scene's
 /// units. A numerical outcome is the result's status. Throws InputError (one sentence) if the scene
-/// cannot be solved as requested, FileError if a surface cannot be read.
+/// cannot be solved as requested, a missing surface too; FileError if one may not be read.
 Result predict(const Scene& scene, const SolveOptions& options = {});
 
 }  // namespace vasorod

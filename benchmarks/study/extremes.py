@@ -6,7 +6,7 @@ import re
 import sys
 
 from measure import result_of
-from runs import Run
+from runs import Run, hybrid_arguments
 from store import REPOSITORY
 from tables import (
     markdown,
@@ -36,19 +36,7 @@ def wall_run(case, fidelity):
     return Run(
         f"extremes/{fidelity}-{name}",
         "vasorod",
-        (
-            "solve",
-            "scene.yaml",
-            "-o",
-            "result",
-            "--quiet",
-            "--threads",
-            "1",
-            "--fidelity",
-            fidelity,
-            "--time-limit",
-            str(TIME_LIMIT),
-        ),
+        (*hybrid_arguments(fidelity), "--time-limit", str(TIME_LIMIT)),
         {"scene.yaml": case.scene},
     )
 

@@ -6,6 +6,8 @@ import io
 import textwrap
 from pathlib import Path
 
+IMAGES = "images/comparison"  # the pictures' folder beside docs/comparison.md
+
 
 def number(text):
     try:
@@ -76,3 +78,13 @@ def paragraph(*parts):
 def markdown(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
     return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]) + "\n"
+
+
+def percent(value, digits=2):
+    """A share in percent; "-" where there is none."""
+    return "-" if value is None else f"{100 * value:.{digits}f}"
+
+
+def signed(value):
+    """A difference in percent, always with its sign; "-" where there is none."""
+    return "-" if value is None else f"{100 * value:+.2f}"

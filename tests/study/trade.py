@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import calculix  # noqa: E402
 from cases import case_named  # noqa: E402
-from report import front_of  # noqa: E402
+from chapters.trade import front_of  # noqa: E402
 
 case = case_named("bend_t1_0.5")
 n, m = 16, 12

@@ -85,6 +85,8 @@ Point arrays of `NAME_centerline.vtp`:
 | `RestPosition` | 3 | length | the node at rest |
 | `u`, `u0` | 3 | 1/length | curvatures and twist, now and at rest |
 | `v`, `v0` | 3 | none | shears and stretch, now and at rest |
+| `LumenArea` | 1 | length^2 | area of the lumen now; nan where the section is not one closed curve (forks, ends, the incision); not at fidelity `rod` |
+| `Flattening` | 1 | none | 1 - H / H_rest, H the narrowest mid-wall width; nan as `LumenArea` |
 | `SectionForce`, `SectionMoment` | 3 | force, force\\*length | force and moment of the section in its own axes; bare rods only |
 """  # noqa: E501
 

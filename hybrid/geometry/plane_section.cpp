@@ -31,18 +31,6 @@ Vec3 polygon_area_vector(const Points& p) {
   return sum;
 }
 
-// Winding number of the polygon around `center`, in the plane with this normal.
-int winding(const Points& p, const Vec3& center, const Vec3& normal) {
-  double angle = 0;
-  for (Eigen::Index i = 0; i < p.rows(); ++i) {
-    Vec3 a = p.row(i).transpose() - center, b = p.row((i + 1) % p.rows()).transpose() - center;
-    a -= a.dot(normal) * normal;
-    b -= b.dot(normal) * normal;
-    angle += std::atan2(a.cross(b).dot(normal), a.dot(b));
-  }
-  return static_cast<int>(std::lround(angle / (2 * M_PI)));
-}
-
 double distance_to(const SectionLoop& loop, const Vec3& point) {
   double best = std::numeric_limits<double>::infinity();
   const Eigen::Index n = loop.points.rows();
@@ -121,11 +109,23 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
   return loops;
 }
 
+int section_winding(const Points& polygon, const Vec3& center, const Vec3& normal) {
+  double angle = 0;
+  for (Eigen::Index i = 0; i < polygon.rows(); ++i) {
+    Vec3 a = polygon.row(i).transpose() - center,
+         b = polygon.row((i + 1) % polygon.rows()).transpose() - center;
+    a -= a.dot(normal) * normal;
+    b -= b.dot(normal) * normal;
+    angle += std::atan2(a.cross(b).dot(normal), a.dot(b));
+  }
+  return static_cast<int>(std::lround(angle / (2 * M_PI)));
+}
+
 int section_around(const std::vector<SectionLoop>& loops, const Vec3& point, const Vec3& normal) {
   int best = -1;
   double best_value = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < loops.size(); ++i) {
-    if (!loops[i].closed || winding(loops[i].points, point, normal) == 0) continue;
+    if (!loops[i].closed || section_winding(loops[i].points, point, normal) == 0) continue;
     const double area = section_area(loops[i]);
     if (area < best_value) {
       best = static_cast<int>(i);

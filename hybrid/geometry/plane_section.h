@@ -23,6 +23,10 @@ struct SectionLoop {
 std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Vec3& point,
                                         const Vec3& normal);
 
+/// How often the closed polygon turns about `center`, seen along `normal`: 1 once,
+/// counter-clockwise.
+int section_winding(const Points& polygon, const Vec3& center, const Vec3& normal);
+
 /// Index of the curve that encloses `point` (the one with the smallest area if there are several).
 /// If none does: the curve closest to `point`. -1: there are no curves. Open curves enclose
 /// nothing.

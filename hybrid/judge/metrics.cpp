@@ -3,85 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/plane_section.h"
 #include "geometry/triangle_surface.h"
 #include "rod/strain_change.h"
 
 namespace vasorod {
-namespace {
-
-constexpr int directions = 36;  // in half a turn
-using Widths = Eigen::Array<double, directions, 1>;
-
-// Per direction of the section's frame: the distance of the two lines perpendicular to it that
-// bound the curve.
-Widths section_widths(const SectionLoop& loop, const Pose& section) {
-  Widths widths;
-  for (int k = 0; k < directions; ++k) {
-    const double angle = M_PI * k / directions;
-    const Vec3 direction =
-        std::cos(angle) * section.director(1) + std::sin(angle) * section.director(2);
-    const Eigen::VectorXd along = loop.points * direction;
-    widths[k] = along.maxCoeff() - along.minCoeff();
-  }
-  return widths;
-}
-
-struct SectionShape {
-  Widths widths;
-  double lumen;
-};
-
-// Mid-wall widths and lumen area of the section at a pose; empty if the section is not one closed
-// curve of about the rod's radius.
-std::optional<SectionShape> section_shape(const PreparedVessel& vessel,
-                                          const TriangleSurface& surface, const Pose& section,
-                                          double radius) {
-  const auto loops = plane_sections(surface, section.position, section.director(3));
-  const int around = section_around(loops, section.position, section.director(3));
-  if (around < 0 || !loops[static_cast<size_t>(around)].closed) return std::nullopt;
-  const SectionLoop& loop = loops[static_cast<size_t>(around)];
-  const double disk = M_PI * radius * radius, area = inset_area(loop, -vessel.mid_offset());
-  if (area < 0.3 * disk || area > 1.7 * disk)
-    return std::nullopt;  // the curve of another branch or of a fork
-  return SectionShape{section_widths(loop, section) + 2 * vessel.mid_offset(),
-                      inset_area(loop, vessel.thickness() / 2 - vessel.mid_offset())};
-}
-
-void judge_sections(const PreparedVessel& vessel, const RodPoses& poses, const Points& current,
-                    VesselMetrics& metrics) {
-  const RodTree& rod = vessel.vessel.rod;
-  const TriangleSurface deformed{current, vessel.vessel.surface.triangles};
-  for (const RodBranch& branch : rod.branches) {
-    // Arc length since the last section examined.
-    double since = std::numeric_limits<double>::infinity();
-    for (size_t k = 0; k + 1 < branch.elements.size(); ++k) {
-      const RodElement& element = rod.elements[static_cast<size_t>(branch.elements[k])];
-      const auto node = static_cast<size_t>(element.second);
-      since += element.length;
-      if (since < 0.5 * rod.radius[node]) continue;
-      since = 0;
-      const auto rest =
-          section_shape(vessel, vessel.vessel.surface, rod.rest[node], rod.radius[node]);
-      if (!rest || rest->lumen <= 0) continue;
-      const auto now = section_shape(vessel, deformed, poses[node], rod.radius[node]);
-      if (!now) continue;
-      // Compares direction by direction: the error of a polygonal section cancels in the ratio of
-      // widths in one direction, not in the ratio of the smallest widths.
-      if (const double flattening = 1 - (now->widths / rest->widths).minCoeff();
-          flattening > metrics.flattening) {
-        metrics.flattening = flattening;
-        metrics.where["flattening"] = poses[node].position;
-      }
-      if (const double ratio = now->lumen / rest->lumen; ratio < metrics.smallest_lumen_ratio) {
-        metrics.smallest_lumen_ratio = ratio;
-        metrics.where["smallest_lumen_ratio"] = poses[node].position;
-      }
-    }
-  }
-}
-
-}  // namespace
 
 VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses) {
   const RodTree& rod = vessel.vessel.rod;
@@ -108,7 +33,9 @@ VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses) 
 
 VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses,
                              const VertexFields& fields, const Points& current,
-                             const Eigen::VectorXd& pressure, bool sections) {
+                             const Eigen::VectorXd& pressure,
+                             const std::vector<JudgedSection>& sections,
+                             const std::vector<char>& opened) {
   VesselMetrics metrics;
   metrics.vessel = vessel.spec.name;
   Eigen::Index place = 0;
@@ -116,7 +43,9 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
   if (metrics.largest_twist_shear > 0) metrics.where["largest_twist_shear"] = current.row(place);
 
   bool first = true;
-  for (const ElementChange& element : element_changes(vessel.vessel.rod, poses)) {
+  const auto changes = element_changes(vessel.vessel.rod, poses);
+  for (size_t e = 0; e < changes.size(); ++e) {
+    const ElementChange& element = changes[e];
     const double stretch = element.strain[2] / (element.strain[2] - element.change[2]);
     if (first || stretch < metrics.stretch[0]) {
       metrics.stretch[0] = stretch;
@@ -127,13 +56,24 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
       metrics.where["largest_stretch"] = element.middle;
     }
     if (const double curvature = element.strain.segment<2>(3).norm();
-        !element.at_fork && curvature > metrics.largest_curvature) {
+        !element.at_fork && !(e < opened.size() && opened[e]) &&
+        curvature > metrics.largest_curvature) {
       metrics.largest_curvature = curvature;
       metrics.where["largest_curvature"] = element.middle;
     }
     first = false;
   }
-  if (sections) judge_sections(vessel, poses, current, metrics);
+  for (const JudgedSection& section : sections) {
+    const Vec3& place_of_section = poses[static_cast<size_t>(section.node)].position;
+    if (section.flattening > metrics.flattening) {
+      metrics.flattening = section.flattening;
+      metrics.where["flattening"] = place_of_section;
+    }
+    if (section.lumen_ratio() < metrics.smallest_lumen_ratio) {
+      metrics.smallest_lumen_ratio = section.lumen_ratio();
+      metrics.where["smallest_lumen_ratio"] = place_of_section;
+    }
+  }
 
   if (pressure.size() > 0 && pressure.maxCoeff(&place) > 0) {
     metrics.largest_pressure = pressure[place];

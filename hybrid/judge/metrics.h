@@ -3,6 +3,7 @@
 
 #include <vasorod/result.h>
 
+#include "judge/sections.h"
 #include "vessel/prepared_vessel.h"
 
 namespace vasorod {
@@ -18,13 +19,15 @@ struct VertexFields {
 VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses);
 
 /// Extremes over the vessel and their places. `current`: the deformed surface; places are points on
-/// it. Flattening is the largest 1 - H / H_rest, where H is the width of the mid-wall section in
-/// one direction of its frame (for a round tube Brazier's 1 - H / 2R). The lumen is the mid-wall
-/// section moved inwards by half the thickness. Sections that are not one closed curve (at forks,
-/// ends and the incision) are left out. With `sections` false (nothing moved), flattening and lumen
-/// keep their rest values.
+/// it. `sections`: its judged sections; none (nothing moved): flattening and lumen keep their rest
+/// values. Flattening is the largest 1 - H / H_rest, where H is the width of the mid-wall section
+/// in one direction of its frame (for a round tube Brazier's 1 - H / 2R). `opened`: per rod
+/// element, whether an incision opens the section there; such elements do not count in the
+/// curvature. Empty: none.
 VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses,
                              const VertexFields& fields, const Points& current,
-                             const Eigen::VectorXd& pressure, bool sections);
+                             const Eigen::VectorXd& pressure,
+                             const std::vector<JudgedSection>& sections,
+                             const std::vector<char>& opened = {});
 
 }  // namespace vasorod

@@ -56,7 +56,8 @@ FibreFactors fibre_factors(const VesselSpec& spec) {
 }  // namespace
 
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
-                  const std::vector<int>& rigid_nodes, Validity& validity) {
+                  const std::vector<int>& rigid_nodes, Validity& validity,
+                  const std::vector<char>& opened) {
   const RodTree& rod = vessel.vessel.rod;
   const Material& material = vessel.spec.wall->material;
   const FibreFactors fibre = fibre_factors(vessel.spec);
@@ -64,7 +65,10 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                root = std::sqrt(1 - material.poisson_tt * material.poisson_tt),
                length = length_scale(rod);
   Extreme brazier, wrinkling, twist, strain, softening;
-  for (const ElementChange& element : element_changes(rod, poses)) {
+  const auto changes = element_changes(rod, poses);
+  for (size_t e = 0; e < changes.size(); ++e) {
+    if (e < opened.size() && opened[e]) continue;
+    const ElementChange& element = changes[e];
     const double r = element.radius;
     const bool at_rigid_end = std::any_of(rigid_nodes.begin(), rigid_nodes.end(), [&](int node) {
       return (rod.rest[static_cast<size_t>(node)].position - element.rest_middle).norm() < r;

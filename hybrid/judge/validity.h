@@ -11,6 +11,8 @@ namespace vasorod {
 
 /// Adds one vessel to the scene's validity. `rigid_nodes`: rod nodes held by a rigid section;
 /// elements within one radius of them are left out, because the section cannot change there.
+/// `opened`: per rod element, whether an incision opens the section there; left out too. Empty:
+/// none.
 ///
 /// brazier_ratio: k / k_cr, k the change of (u1, u2), k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)). Long
 /// vessels only, Omega = (L/R) sqrt(t/R) >= 7 (Brazier 1927; the range of the long-tube formula).
@@ -32,7 +34,8 @@ namespace vasorod {
 /// or wrinkle, and in_range is false. in_range is also false above a strain of 0.2, where the
 /// choice of material law alone changes the answer by 13 to 32 %.
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
-                  const std::vector<int>& rigid_nodes, Validity& validity);
+                  const std::vector<int>& rigid_nodes, Validity& validity,
+                  const std::vector<char>& opened = {});
 
 /// Warns of a Young's modulus outside 0.01 to 100 MPa, where no vessel's wall lies: a slip of the
 /// units. Not of generated tubes, whose modulus is often 1.

@@ -104,6 +104,12 @@ void scan_glenn(const Result& result, Scan& scan) {
   scan.see("incision's opened area", glenn.incision.opened_area);
   scan.see("seam's largest gap", glenn.join.largest_gap);
   scan.see("seam's mean gap", glenn.join.rms_gap);
+  if (!glenn.mouth) return;
+  scan.see("mouth's area", glenn.mouth->area);
+  scan.see("mouth's lumen ratio", glenn.mouth->area_ratio);
+  scan.see("mouth's span", glenn.mouth->span);
+  scan.see("mouth's width", glenn.mouth->width);
+  scan.see("mouth's perimeter ratio", glenn.mouth->perimeter_ratio);
 }
 
 std::vector<std::string> not_finite(const Result& result) {

@@ -8,6 +8,7 @@
 #include "data/index.h"
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
+#include "judge/mouth.h"
 #include "predict/result_of_vessel.h"
 #include "predict/result_parts.h"
 #include "rod/conditions.h"
@@ -100,7 +101,7 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   return balance;
 }
 
-// Gaps and opened area of the seam in the solved surfaces.
+// Gaps, opened area and mouth of the seam in the solved surfaces.
 void measure_seam(const Prediction& prediction, GlennReport& report) {
   const auto& glenn = *prediction.glenn;
   const auto of = [&](const std::string& name) -> const Points& {
@@ -124,6 +125,9 @@ void measure_seam(const Prediction& prediction, GlennReport& report) {
   }
   report.join.rms_gap = std::sqrt(sum / static_cast<double>(glenn.pairs.size()));
   report.incision.opened_area = area_vector(rpa, rim).norm();
+  const PreparedVessel& vein =
+      prediction.vessels[vessel_named(prediction, glenn.report.svc)].prepared;
+  report.mouth = measure_mouth(vein, svc, rpa, glenn.pairs);
 }
 
 void add_contact(const Prediction& prediction, Result& result) {
@@ -189,6 +193,10 @@ Result result_of(const Prediction& prediction, int threads) {
   }
   describe_model(prediction, result);
   add_vessels(prediction, result);
+  if (result.glenn && result.glenn->mouth)
+    for (VesselMetrics& metrics : result.metrics)
+      if (metrics.vessel == result.glenn->svc)
+        judge_mouth(metrics.vessel, *result.glenn->mouth, metrics, result.validity);
   for (const std::string& note : prediction.notes) result.certificate.notes.push_back(note);
   return result;
 }

@@ -1,6 +1,8 @@
 #include "predict/result_of_vessel.h"
 
 #include "judge/metrics.h"
+#include "judge/mouth.h"
+#include "judge/sections.h"
 #include "judge/validity.h"
 #include "rod/strain_change.h"
 
@@ -56,19 +58,32 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
   return out;
 }
 
+// The rod elements over the incision; empty: the vessel has none.
+std::vector<char> opened_in(const Prediction& prediction, const PreparedVessel& vessel) {
+  if (!prediction.glenn || prediction.glenn->report.rpa != vessel.spec.name) return {};
+  return opened_elements(vessel, prediction.glenn->pairs);
+}
+
 // Fields, extremes and validity of a deformable vessel.
 void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& result) {
   const PreparedVessel& prepared = vessel.prepared;
   VertexFields fields = vertex_fields(prepared, vessel.rod.poses);
-  const bool moved = vessel.rod_solved || (vessel.positions.rows() > 0 &&
-                                           vessel.positions != prepared.vessel.surface.points);
   const Points current =
       vessel.positions.rows() > 0
           ? vessel.positions
           : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
+  const std::vector<char> opened = opened_in(prediction, prepared);
+  std::vector<JudgedSection> sections;
+  if (vessel.positions.rows() > 0) {
+    sections = judged_sections(prepared, vessel.rod.poses, current);
+    LumenAlong along = lumen_along(prepared.vessel.rod, sections);
+    result.vessels.back().centerline->lumen_area = std::move(along.area);
+    result.vessels.back().centerline->flattening = std::move(along.flattening);
+  }
   result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
-                                          vessel.pressure, moved && vessel.positions.rows() > 0));
-  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity);
+                                          vessel.pressure, sections, opened));
+  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity,
+               opened);
   warn_of_units(prepared.spec, prediction.scene->units, result.validity);
   result.vessels.back().axial_stretch = std::move(fields.axial_stretch);
   result.vessels.back().twist_shear = std::move(fields.twist_shear);

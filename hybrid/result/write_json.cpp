@@ -100,22 +100,35 @@ Json model(const ModelReport& m) {
           {"left_out", object(m.left_out)}, {"cleaning", object(m.cleaning)}};
 }
 
+Json mouth(const MouthReport& m) {
+  return {{"area", m.area},
+          {"lumen", m.lumen},
+          {"area_ratio", m.area_ratio},
+          {"span", m.span},
+          {"width", m.width},
+          {"perimeter", m.perimeter},
+          {"perimeter_ratio", m.perimeter_ratio},
+          {"center", row(m.center)}};
+}
+
 Json glenn(const GlennReport& g) {
-  return {{"svc", g.svc},
-          {"rpa", g.rpa},
-          {"cut",
-           {{"fraction", g.cut.fraction},
-            {"perimeter", g.cut.perimeter},
-            {"plane", {{"point", row(g.cut.point)}, {"normal", row(g.cut.normal)}}}}},
-          {"incision",
-           {{"length", g.incision.length},
-            {"ends", Json::array({row(g.incision.ends[0]), row(g.incision.ends[1])})},
-            {"opened_area", g.incision.opened_area}}},
-          {"join",
-           {{"pairs", g.join.pairs},
-            {"rotation_deg", g.join.rotation_deg},
-            {"largest_gap", g.join.largest_gap},
-            {"rms_gap", g.join.rms_gap}}}};
+  Json value = {{"svc", g.svc},
+                {"rpa", g.rpa},
+                {"cut",
+                 {{"fraction", g.cut.fraction},
+                  {"perimeter", g.cut.perimeter},
+                  {"plane", {{"point", row(g.cut.point)}, {"normal", row(g.cut.normal)}}}}},
+                {"incision",
+                 {{"length", g.incision.length},
+                  {"ends", Json::array({row(g.incision.ends[0]), row(g.incision.ends[1])})},
+                  {"opened_area", g.incision.opened_area}}},
+                {"join",
+                 {{"pairs", g.join.pairs},
+                  {"rotation_deg", g.join.rotation_deg},
+                  {"largest_gap", g.join.largest_gap},
+                  {"rms_gap", g.join.rms_gap}}}};
+  if (g.mouth) value["mouth"] = mouth(*g.mouth);
+  return value;
 }
 
 Json files_of(const VesselResult& v) {

@@ -181,6 +181,10 @@ std::string centerline_vtp(const CenterlineResult& centerline) {
     at_nodes->AddArray(doubles("SectionForce", rows_of(centerline.force)));
     at_nodes->AddArray(doubles("SectionMoment", rows_of(centerline.moment)));
   }
+  if (!centerline.lumen_area.empty()) {
+    at_nodes->AddArray(doubles("LumenArea", column_of(centerline.lumen_area)));
+    at_nodes->AddArray(doubles("Flattening", column_of(centerline.flattening)));
+  }
   for (int k = 0; k < at_nodes->GetNumberOfArrays(); ++k)
     if (at_nodes->GetArray(k)->GetNumberOfTuples() != centerline.current.rows())
       throw std::logic_error(std::string("centerline: ") + at_nodes->GetArrayName(k) + " has " +

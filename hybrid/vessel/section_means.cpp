@@ -3,8 +3,11 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "data/index.h"
+#include "geometry/rigid_motion.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -13,6 +16,9 @@ namespace {
 constexpr int passes = 2;  // the second pass fits relative to the poses of the first
 // Half width of a band in mean edges, if that is more than an element.
 constexpr double band_edges = 1.2;
+// Of a section with forks near: the part of its circumference that must be seen in one piece.
+constexpr int sectors = 12;
+constexpr int widest_gap = 3;  // unseen sectors next to each other: a quarter of the circumference
 // Relative extent below which a section covers one direction only and has no mean rotation.
 constexpr double thin = 1e-3;
 
@@ -21,6 +27,47 @@ struct OnBranch {
   double s = 0;
   int vertex = 0;
 };
+
+std::vector<OnBranch>::const_iterator first_from(const std::vector<OnBranch>& vertices, double s) {
+  return std::lower_bound(vertices.begin(), vertices.end(), s,
+                          [](const OnBranch& v, double at) { return v.s < at; });
+}
+
+// A point before and after a motion.
+struct WeightedPair {
+  double weight;
+  Vec3 before, after;
+};
+
+// The rigid motion from `before` to `after`: exact at the weighted means, least squares in the
+// rotation. Empty if the points lie on one line.
+std::optional<Pose> rigid_fit(const std::vector<WeightedPair>& pairs) {
+  double weight = 0;
+  Vec3 before = Vec3::Zero(), after = Vec3::Zero();
+  for (const WeightedPair& pair : pairs) {
+    weight += pair.weight;
+    before += pair.weight * pair.before;
+    after += pair.weight * pair.after;
+  }
+  if (!(weight > 0)) return {};
+  before /= weight;
+  after /= weight;
+  Mat3 spread = Mat3::Zero(), size = Mat3::Zero();
+  for (const WeightedPair& pair : pairs) {
+    const Vec3 rho = pair.before - before;
+    spread += pair.weight * (pair.after - after) * rho.transpose();
+    size += pair.weight * rho * rho.transpose();
+  }
+  const Vec3 extent = Eigen::JacobiSVD<Mat3>(size).singularValues();
+  if (extent[1] < thin * extent[0]) return {};
+  const Eigen::JacobiSVD<Mat3> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 sign = Mat3::Identity();
+  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  Pose change;
+  change.rotation = svd.matrixU() * sign * svd.matrixV().transpose();
+  change.position = after - change.rotation * before;
+  return change;
+}
 
 class Sections {
  public:
@@ -48,30 +95,36 @@ class Sections {
   RodPoses fit(const Points& current, const RodPoses& near, const std::vector<char>& unseen) const {
     const RodTree& rod = vessel_.rod;
     const Points local = in_frames(current, near);
+    const std::vector<std::optional<Pose>> forks = fork_changes(current, near);
     RodPoses fitted = near;
     std::vector<char> done(near.size(), 0);
     for (size_t b = 0; b < rod.branches.size(); ++b) {
       const RodBranch& branch = rod.branches[b];
-      // The change of each node's section from `near`; if it is not seen whole, its neighbour's.
-      std::vector<std::optional<Pose>> change;
+      // Empty where the section is not seen whole.
+      std::vector<std::optional<Pose>> found;
+      std::vector<Pose> before;
+      std::vector<double> along;
       double s = 0;
       for (size_t k = 0; k < branch.nodes.size(); ++k) {
+        const size_t node = index(branch.nodes[k]);
         double width = half_width_;
         if (k > 0) width = std::max(width, rod.elements[index(branch.elements[k - 1])].length);
         if (k < branch.elements.size())
           width = std::max(width, rod.elements[index(branch.elements[k])].length);
-        const bool seen = unseen.empty() || !unseen[index(branch.nodes[k])];
-        change.push_back(seen ? mean_change(b, s, width, local) : std::nullopt);
+        const bool seen = (unseen.empty() || !unseen[node]) && is_whole(b, s, width);
+        const std::optional<Pose> change = forks[node] ? forks[node]
+                                           : seen      ? mean_change(b, s, width, local)
+                                                       : std::nullopt;
+        found.push_back(change ? std::optional(near[node] * *change) : std::nullopt);
+        before.push_back(near[node]);
+        along.push_back(s);
         if (k < branch.elements.size()) s += rod.elements[index(branch.elements[k])].length;
       }
-      for (size_t k = 1; k < change.size(); ++k)
-        if (!change[k]) change[k] = change[k - 1];
-      for (size_t k = change.size() - 1; k-- > 0;)
-        if (!change[k]) change[k] = change[k + 1];
+      fill(along, before, found);
       for (size_t k = 0; k < branch.nodes.size(); ++k) {
         const auto node = index(branch.nodes[k]);
-        if (done[node] || !change[k]) continue;
-        fitted[node] = near[node] * *change[k];
+        if (done[node] || !found[k]) continue;
+        fitted[node] = *found[k];
         done[node] = 1;
       }
     }
@@ -79,6 +132,84 @@ class Sections {
   }
 
  private:
+  // Poses of the nodes between two fitted ones: carried by the rigid motion that goes from one to
+  // the other, by arc length. Beyond the last fitted node: carried by its motion. A motion is that
+  // of space from `near`, since the frames of a branch may turn sharply at its fork.
+  static void fill(const std::vector<double>& along, const std::vector<Pose>& near,
+                   std::vector<std::optional<Pose>>& fitted) {
+    const auto motion = [&](size_t k) { return *fitted[k] * near[k].inverse(); };
+    std::vector<size_t> known;
+    for (size_t k = 0; k < fitted.size(); ++k)
+      if (fitted[k]) known.push_back(k);
+    if (known.empty()) return;
+    for (size_t k = 0; k < known.front(); ++k) fitted[k] = motion(known.front()) * near[k];
+    for (size_t k = known.back() + 1; k < fitted.size(); ++k)
+      fitted[k] = motion(known.back()) * near[k];
+    for (size_t i = 0; i + 1 < known.size(); ++i) {
+      const size_t before = known[i], after = known[i + 1];
+      if (after == before + 1) continue;
+      const Pose start = motion(before);
+      const Vec6 step = log_motion(start.inverse() * motion(after));
+      for (size_t k = before + 1; k < after; ++k)
+        fitted[k] = start *
+                    exp_motion((along[k] - along[before]) / (along[after] - along[before]) * step) *
+                    near[k];
+    }
+  }
+
+  // Whether the band of vertices around s covers the whole circumference at rest. Only beside forks
+  // it may not: there the sections of one branch end where the other branch begins.
+  bool is_whole(size_t branch, double s, double width) const {
+    if (on_.size() == 1) return true;
+    std::array<bool, sectors> seen{};
+    const auto& vertices = on_[branch];
+    for (auto v = first_from(vertices, s - width); v != vertices.end() && v->s < s + width; ++v) {
+      const Vec3& local = vessel_.binding[index(v->vertex)].local;
+      if (std::abs(local.z()) > width) continue;  // beyond the branch's own sections
+      const double turn = std::atan2(local.y(), local.x()) / (2 * M_PI) + 0.5;
+      seen[std::min(static_cast<size_t>(turn * sectors), seen.size() - 1)] = true;
+    }
+    int gap = 0;
+    for (size_t k = 0; k < 2 * seen.size(); ++k) {
+      gap = seen[k % seen.size()] ? 0 : gap + 1;
+      if (gap >= widest_gap) return false;
+    }
+    return true;
+  }
+
+  // A node where branches meet has no section of its own. Its change is that of the wall around
+  // it: the rigid motion that fits the vertices of all branches within one radius along the axes.
+  std::vector<std::optional<Pose>> fork_changes(const Points& current, const RodPoses& near) const {
+    const RodTree& rod = vessel_.rod;
+    std::vector<std::optional<Pose>> changes(near.size());
+    for (const RodBranch& child : rod.branches) {
+      if (child.parent < 0) continue;
+      const size_t fork = index(child.nodes.front());
+      if (changes[fork]) continue;
+      const double reach = rod.radius[fork];
+      std::vector<WeightedPair> pairs;
+      const Pose from_rest = rod.rest[fork].inverse(), from_near = near[fork].inverse();
+      const auto add = [&](size_t branch, double at) {
+        const auto& vertices = on_[branch];
+        for (auto v = first_from(vertices, at - reach); v != vertices.end() && v->s < at + reach;
+             ++v)
+          pairs.push_back({area_[v->vertex] * (1 - std::abs(v->s - at) / reach),
+                           from_rest * Vec3(vessel_.surface.points.row(v->vertex)),
+                           from_near * Vec3(current.row(v->vertex))});
+      };
+      for (size_t b = 0; b < rod.branches.size(); ++b) {
+        double s = 0;
+        const RodBranch& branch = rod.branches[b];
+        for (size_t k = 0; k < branch.nodes.size(); ++k) {
+          if (index(branch.nodes[k]) == fork) add(b, s);
+          if (k < branch.elements.size()) s += rod.elements[index(branch.elements[k])].length;
+        }
+      }
+      changes[fork] = rigid_fit(pairs);
+    }
+    return changes;
+  }
+
   // Each vertex in the frame that `near` has at its own section.
   Points in_frames(const Points& current, const RodPoses& near) const {
     Points local(current.rows(), 3);
@@ -92,36 +223,11 @@ class Sections {
   std::optional<Pose> mean_change(size_t branch, double s, double width,
                                   const Points& local) const {
     const auto& vertices = on_[branch];
-    const auto first = std::lower_bound(vertices.begin(), vertices.end(), s - width,
-                                        [](const OnBranch& v, double at) { return v.s < at; });
-    double weight = 0;
-    Vec3 before = Vec3::Zero(), after = Vec3::Zero();
-    const auto hat = [&](const OnBranch& v) {
-      return area_[v.vertex] * std::max(0.0, 1 - std::abs(v.s - s) / width);
-    };
-    for (auto v = first; v != vertices.end() && v->s < s + width; ++v) {
-      weight += hat(*v);
-      before += hat(*v) * vessel_.binding[index(v->vertex)].local;
-      after += hat(*v) * local.row(v->vertex).transpose();
-    }
-    if (!(weight > 0)) return {};
-    before /= weight;
-    after /= weight;
-    Mat3 spread = Mat3::Zero(), size = Mat3::Zero();
-    for (auto v = first; v != vertices.end() && v->s < s + width; ++v) {
-      const Vec3 rho = vessel_.binding[index(v->vertex)].local - before;
-      spread += hat(*v) * (local.row(v->vertex).transpose() - after) * rho.transpose();
-      size += hat(*v) * rho * rho.transpose();
-    }
-    const Vec3 extent = Eigen::JacobiSVD<Mat3>(size).singularValues();
-    if (extent[1] < thin * extent[0]) return {};
-    const Eigen::JacobiSVD<Mat3> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Mat3 sign = Mat3::Identity();
-    sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-    Pose change;
-    change.rotation = svd.matrixU() * sign * svd.matrixV().transpose();
-    change.position = after - change.rotation * before;
-    return change;
+    std::vector<WeightedPair> pairs;
+    for (auto v = first_from(vertices, s - width); v != vertices.end() && v->s < s + width; ++v)
+      pairs.push_back({area_[v->vertex] * std::max(0.0, 1 - std::abs(v->s - s) / width),
+                       vessel_.binding[index(v->vertex)].local, local.row(v->vertex)});
+    return rigid_fit(pairs);
   }
 
   const Vessel& vessel_;

@@ -11,7 +11,8 @@ using shapes::judged_tube;
 using shapes::strained;
 
 VesselMetrics judged(const PreparedVessel& tube, const RodPoses& poses, const Points& current) {
-  return vessel_metrics(tube, poses, vertex_fields(tube, poses), current, {}, true);
+  return vessel_metrics(tube, poses, vertex_fields(tube, poses), current, {},
+                        judged_sections(tube, poses, current));
 }
 
 TEST(Metrics, RestIsUnstretchedUntwistedAndRound) {
@@ -90,7 +91,7 @@ TEST(Metrics, PressureGivesContactArea) {
   pressure[2000] = 0.01;
   const VesselMetrics metrics =
       vessel_metrics(tube, tube.vessel.rod.rest, vertex_fields(tube, tube.vessel.rod.rest),
-                     tube.vessel.surface.points, pressure, false);
+                     tube.vessel.surface.points, pressure, {});
   EXPECT_EQ(metrics.largest_pressure, 0.01);
   EXPECT_NEAR(metrics.contact_area, 2 * M_PI * 10 * 100 / (48 * 80),
               0.01 * 1.64);  // one vertex of 48 x 80 equal ones

@@ -3,6 +3,8 @@
 #include <vasorod/tube.h>
 
 #include "geometry/rigid_motion.h"
+#include "rod/strain_change.h"
+#include "surface_file/read_surface.h"
 #include "vessel/section_means.h"
 
 namespace vasorod {
@@ -73,6 +75,47 @@ TEST(SectionMeans, WhatIsKnownIsTakenAndWhatIsUnseenFollowsItsNeighbour) {
   const RodPoses found = section_means(vessel, moved, vessel.rod.rest, known, unseen);
   EXPECT_EQ(found[0].position, known[0]->position);
   EXPECT_LT((found[n - 1].position - vessel.rod.rest[n - 1].position - shift).norm(), 1e-9);
+}
+
+// A map of space: stretched along z, twisted about z and bent in the plane of x and z.
+Vec3 mapped(const Vec3& p, double stretch, double twist, double curvature) {
+  const double angle = twist * p.z(), x = std::cos(angle) * p.x() - std::sin(angle) * p.y(),
+               y = std::sin(angle) * p.x() + std::cos(angle) * p.y(), z = stretch * p.z();
+  const double turn = curvature * z, out = 1 / curvature - x;
+  return {1 / curvature - out * std::cos(turn), y, out * std::sin(turn)};
+}
+
+// The axis of a forked vessel follows its wall: nowhere does it stretch or shrink more than any
+// edge of the wall. One fork, and three.
+TEST(SectionMeans, BesideForksTheAxisFollowsTheWall) {
+  for (const char* name : {"pulmonary_artery", "aorta"}) {
+    VesselSpec spec;
+    spec.name = name;
+    spec.surface = std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant" /
+                   (std::string(name) + ".vtp");
+    const Vessel vessel = fit_vessel(name, load_surface(spec, Scene{}).surface);
+    ASSERT_GT(vessel.rod.branches.size(), 1U);
+    const Vec3 middle = vessel.surface.points.colwise().mean();
+    Points current(vessel.surface.points.rows(), 3);
+    for (Eigen::Index i = 0; i < current.rows(); ++i)
+      current.row(i) = mapped(Vec3(vessel.surface.points.row(i)) - middle, 1.04, 0.004, 0.004);
+    double shortest = 1, longest = 1;
+    for (Eigen::Index t = 0; t < vessel.surface.triangles.rows(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const int a = vessel.surface.triangles(t, k), b = vessel.surface.triangles(t, (k + 1) % 3);
+        const double ratio = (current.row(a) - current.row(b)).norm() /
+                             (vessel.surface.points.row(a) - vessel.surface.points.row(b)).norm();
+        shortest = std::min(shortest, ratio);
+        longest = std::max(longest, ratio);
+      }
+    const RodPoses found = section_means(vessel, current, vessel.rod.rest, {});
+    for (const ElementChange& element : element_changes(vessel.rod, found)) {
+      const double stretch =
+          element.strain.head<3>().norm() / (element.strain - element.change).head<3>().norm();
+      EXPECT_GT(stretch, shortest - 0.01) << name << " at " << element.rest_middle.transpose();
+      EXPECT_LT(stretch, longest + 0.01) << name << " at " << element.rest_middle.transpose();
+    }
+  }
 }
 
 }  // namespace

@@ -95,6 +95,18 @@ struct VesselMetrics {
   std::map<std::string, Vec3> where;
 };
 
+/// The mouth of an operation: the opening inside the seam. Mid-wall, but for the lumen.
+struct MouthReport {
+  double area = 0,             ///< area inside the seam, length^2
+      lumen = 0,               ///< that area moved inwards by half the vein's thickness, length^2
+      area_ratio = 0,          ///< lumen over the lumen of the cut vein at rest
+      span = 0,                ///< largest distance across, length
+      width = 0,               ///< extent perpendicular to the span, length
+      perimeter = 0,           ///< length of the seam, length
+      perimeter_ratio = 0;     ///< perimeter over that of the cut vein at rest
+  Vec3 center = Vec3::Zero();  ///< centroid, length
+};
+
 /// What the model contained.
 struct ModelReport {
   int rod_nodes = 0,                            ///< rod nodes of all vessels
@@ -131,11 +143,12 @@ struct GlennReport {
   } incision;                    ///< the incision in the RPA
   /// The seam.
   struct {
-    int pairs = 0;            ///< number of vertex pairs
-    double rotation_deg = 0,  ///< rotation of the vein's mouth about its axis, degrees
-        largest_gap = 0,      ///< largest gap of a pair, length
-        rms_gap = 0;          ///< root mean square gap of the pairs, length
-  } join;                     ///< the seam
+    int pairs = 0;                   ///< number of vertex pairs
+    double rotation_deg = 0,         ///< rotation of the vein's mouth about its axis, degrees
+        largest_gap = 0,             ///< largest gap of a pair, length
+        rms_gap = 0;                 ///< root mean square gap of the pairs, length
+  } join;                            ///< the seam
+  std::optional<MouthReport> mouth;  ///< the opening inside the seam; empty: no surfaces
 };
 
 /// The discretisation of `vasorod-fem`; no other program fills this.
@@ -161,6 +174,9 @@ struct CenterlineResult {
   std::vector<Vec3> force,
       /// Moment of the section, stress length^3, work-conjugate to u; as u; may be empty.
       moment;
+  /// Per node: lumen area, length^2, and flattening 1 - H / H_rest of the section; NaN where the
+  /// section is not one closed curve. Both may be empty.
+  std::vector<double> lumen_area, flattening;
   std::vector<std::vector<int>> lines;  ///< node indices of each branch
 };
 

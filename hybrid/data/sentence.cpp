@@ -1,6 +1,8 @@
 #include "data/sentence.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdio>
 
 namespace vasorod {
@@ -22,24 +24,26 @@ int letters_off(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// As printf does in the C locale, whatever the program's locale is.
+std::string written(double value, std::chars_format format, int digits) {
+  std::array<char, 400> text;  // the largest double has 309 digits before the point
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("?");
+}
+
 }  // namespace
 
 std::string number_text(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+  return written(value, std::chars_format::general, digits);
 }
 
 std::string fixed_text(double value, int digits) {
-  char text[400];  // the largest double has 309 digits before the point
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return written(value, std::chars_format::fixed, digits);
 }
 
 std::string scientific_text(double value, int digits) {
-  char text[60];
-  std::snprintf(text, sizeof text, "%.*e", digits, value);
-  return text;
+  return written(value, std::chars_format::scientific, digits);
 }
 
 std::string place_text(const Vec3& p, int digits) {

@@ -5,18 +5,17 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <vasorod/error.h>
 
+#include "data/whole_file.h"
 #include "scene/parse_yaml.h"
 
 namespace vasorod {
 
 namespace {
 
-// The whole text as a finite number, or nothing. YAML's own .inf and .nan are no numbers here.
+// The whole text as a finite number, else empty. YAML's .inf and .nan are not accepted.
 std::optional<double> parse_number(const std::string& text) {
   const char* begin = text.data();
   const char* end = begin + text.size();
@@ -27,7 +26,7 @@ std::optional<double> parse_number(const std::string& text) {
   return value;
 }
 
-// A quoted scalar is a text, whatever it spells.
+// Whether a scalar is unquoted. A quoted one is text even if it spells a number.
 bool plain(const YAML::Node& node) {
   return node.IsScalar() && node.Tag() == "?";
 }
@@ -89,7 +88,7 @@ std::optional<Field> Field::find(const std::string& name) const {
     if (entry.first.IsScalar() && entry.first.Scalar() == name) {
       Field field(file_, key_.empty() ? name : key_ + "." + name, entry.second);
       if (field.line_ <= 0)
-        field.line_ = entry.first.Mark().line + 1;  // an empty value has no place of its own
+        field.line_ = entry.first.Mark().line + 1;  // an empty value has no line of its own
       return field;
     }
   return std::nullopt;
@@ -210,13 +209,7 @@ Field read_yaml(const std::string& file) {
     throw InputError(name + ": found no such file, expected a scene file");
   if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(name + ": found a folder or device, expected a scene file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(name + ": found a file that may not be read, expected a scene file");
-  std::ostringstream all;
-  all << stream.rdbuf();
-  const std::string text = std::move(all).str();
-  const YAML::Node root = parse_yaml(file, text);
+  const YAML::Node root = parse_yaml(file, whole_file(file));
   if (!root.IsDefined() || root.IsNull())
     throw InputError(name + ":1: found an empty file, expected a scene");
   return {file, "", root};
@@ -233,7 +226,7 @@ void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {
   tangent.normalize();
   normal.normalize();
   const double cosine = tangent.dot(normal);
-  // 1e-3: three written digits are enough; anything more is a mistake rather than rounding.
+  // 1e-3 allows for directions written with three digits; more is a mistake, not rounding.
   if (std::abs(cosine) > 1e-3)
     place.refuse("a normal at " +
                      number_text(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI) +

@@ -1,5 +1,5 @@
-// One value of a scene file together with the place it stands: every way of reading it checks type
-// and range, and throws InputError "FILE:LINE: KEY: found X, expected Y".
+// One value of a scene file and its place in the file. Every accessor checks type and range and
+// throws InputError "FILE:LINE: KEY: found X, expected Y".
 #pragma once
 
 #include <initializer_list>
@@ -25,15 +25,15 @@ class Field {
   bool is_list() const { return node_.IsSequence(); }
 
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const;
-  /// "found WHAT", WHAT a phrase that says what was expected too.
+  /// Throws "found WHAT"; WHAT also says what was expected.
   [[noreturn]] void refuse(const std::string& what) const;
-  /// What stands here, in words.
+  /// The value in words, for messages.
   std::string found() const;
 
-  /// Checks that this is a map with no other keys than `known` and none twice.
+  /// Checks that this is a map whose keys are in `known`, each at most once.
   void check_keys(const std::vector<std::string>& known) const;
   bool has(const std::string& name) const;
-  /// A key of this map; refused when it is missing.
+  /// The value of a key of this map; an error if it is missing.
   Field at(const std::string& name, const std::string& expected) const;
   std::optional<Field> find(const std::string& name) const;
 
@@ -51,11 +51,11 @@ class Field {
   /// lowest <= value <= highest.
   double number_in(double lowest, double highest) const;
   int integer_in(int lowest, int highest) const;
-  /// Three numbers, none larger than `largest` either way.
+  /// Three numbers of magnitude at most `largest`.
   Vec3 vec3(double largest = largest_length) const;
   /// The items of a list, with keys "key[0]", ...
   std::vector<Field> list(const std::string& expected) const;
-  /// The same field under a key that says more (a vessel's name instead of its number).
+  /// The same field under a more informative key: a vessel's name instead of its number.
   Field renamed(std::string key) const;
 
  private:
@@ -66,11 +66,12 @@ class Field {
   int line_ = 0;
 };
 
-/// The whole file as one map. Throws InputError when it cannot be read, or is not YAML with one
-/// document.
+/// The whole file as one map. Throws InputError if it is missing or not YAML with one document,
+/// FileError if it cannot be read.
 Field read_yaml(const std::string& file);
 
-/// d3, d1 given at a place: both not zero, at right angles within 1e-3; returns them orthonormal.
+/// Checks d3 and d1 given at `place`: not zero, at right angles within 1e-3. Makes them
+/// orthonormal.
 void check_directions(const Field& place, Vec3& tangent, Vec3& normal);
 
 }  // namespace vasorod

@@ -15,9 +15,9 @@ namespace vasorod {
 
 namespace {
 
-// A scene's deepest value, a number of a rod's stiffness matrix, stands in the ninth list or map.
+// The deepest value of a scene, a number in a rod's stiffness matrix, is at nesting level nine.
 constexpr std::size_t deepest = 50;
-// yaml-cpp takes some hundred bytes for a value; more than this is no scene written by anyone.
+// yaml-cpp needs a few hundred bytes per value. No real scene comes near these limits.
 constexpr std::size_t most_values = 2'000'000, most_bytes = 16'000'000;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& found,
@@ -50,15 +50,15 @@ void check_bytes(const std::string& file, const std::string& text) {
   }
 }
 
-// Follows the parser without building anything, and counts what an alias stands for in full.
+// Follows the parser's events without building a tree. An alias counts as all it stands for.
 class Guard : public YAML::EventHandler {
  public:
   Guard(const std::string& file, const std::string& text) : file_(file), text_(text) {}
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (++documents_ < 2) return;
-    // yaml-cpp never gets past a character that can begin nothing: each parse finds one more
-    // empty document there.
+    // yaml-cpp does not advance past a character that cannot start a value: every parse returns
+    // one more empty document there.
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool stray = at < text_.size() && std::string(",]}").find(text_[at]) != std::string::npos;
     if (stray)

@@ -1,5 +1,5 @@
-// A look at a scene file before it becomes a tree of values, so that none can hang the program,
-// fill its memory or overflow its stack.
+// Checks a scene file before yaml-cpp builds its tree, so that no file can hang the program,
+// exhaust its memory or overflow its stack.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace vasorod {
 
-/// `text`, the whole file, as one document; null where there is none. Throws InputError "FILE:LINE:
-/// found X, expected Y" on control bytes, tabs in the indentation, what is not YAML, more than one
-/// document, and lists or aliases nested or repeated beyond any scene.
+/// Parses `text`, the whole file, as one document; null if there is none. Throws InputError
+/// "FILE:LINE: found X, expected Y" on control bytes, tabs in the indentation, invalid YAML, more
+/// than one document, and more nesting or more values (aliases counted in full) than any scene has.
 YAML::Node parse_yaml(const std::string& file, const std::string& text);
 
 }  // namespace vasorod

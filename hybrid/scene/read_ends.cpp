@@ -62,8 +62,7 @@ bool same_place(const EndCondition& a, const EndCondition& b) {
          a.end.at == b.end.at;
 }
 
-// Ends that are one although they are named differently show where the vessel is known
-// (vessel/end_conditions.h).
+// Two different names of one end are detected once the vessel is known (vessel/end_conditions.h).
 void check_shared(const Field& entry, const EndCondition& end,
                   const std::vector<EndCondition>& before) {
   for (const EndCondition& other : before) {

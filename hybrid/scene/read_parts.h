@@ -1,4 +1,4 @@
-// The parts of a scene file, each read and checked on its own; read_scene puts them together.
+// Readers of the parts of a scene file. read_scene combines them.
 #pragma once
 
 #include <vasorod/read_scene.h>
@@ -18,7 +18,7 @@ std::vector<std::array<std::string, 2>> read_contact(const Field& contact,
                                                      const std::vector<VesselSpec>& vessels);
 GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels);
 
-/// The vessel a field names; refused, with the nearest name, when there is none.
+/// The vessel that a field names. If there is none, the message suggests the nearest name.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);
 
 }  // namespace vasorod

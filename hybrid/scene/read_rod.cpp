@@ -7,9 +7,9 @@ namespace vasorod {
 
 namespace {
 
-// Finer than any mesh of a vessel; many more would only fill the memory.
+// Finer than any mesh of a vessel; far more would exhaust the memory.
 constexpr int most_points = 2'000'000;
-// Of one rod, so that its unknowns are counted by an int.
+// Per rod, so that an int can count its unknowns.
 constexpr int most_elements = 1'000'000;
 
 Vec6 read_six(const Field& row) {
@@ -41,7 +41,7 @@ Mat6 read_matrix(const Field& field) {
                      "a symmetric matrix");
       }
   matrix = (0.5 * (matrix + matrix.transpose())).eval();
-  // Scaled to a unit diagonal, so that mixed units do not decide what counts as definite.
+  // Scaled to a unit diagonal, so that the choice of units does not affect definiteness.
   const Vec6 diagonal = matrix.diagonal();
   const Mat6 scaled = (diagonal.array() >= smallest_stiffness).all()
                           ? Mat6(diagonal.cwiseSqrt().cwiseInverse().asDiagonal() * matrix *
@@ -105,7 +105,7 @@ RodSpec read_rod(const Field& field) {
   RodSpec rod;
   if (const auto parent = field.find("parent")) {
     rod.parent = parent->text("the name of another rod");
-    // In the parent's frame going straight on means along d3 with the same d1.
+    // By default a branch continues straight on in the parent's frame: along d3, with the same d1.
     rod.tangent = Vec3::UnitZ();
     rod.normal = Vec3::UnitX();
   }

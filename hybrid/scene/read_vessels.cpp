@@ -24,7 +24,7 @@ bool good_name(const std::string& name) {
 
 Coefficients read_coefficients(const Field& field) {
   field.check_keys({"binding", "bending", "stretching"});
-  // Without binding nothing ties the surface to the rod; the other two terms may be switched off.
+  // Only the binding ties the surface to the rod; the other two terms may be zero.
   return {field.at("binding", "k_c").stiffness(),
           field.at("bending", "k_b").not_negative(largest_stiffness),
           field.at("stretching", "k_s").not_negative(largest_stiffness)};
@@ -116,7 +116,7 @@ VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
   return vessel;
 }
 
-// A result holds NAME.vtp, NAME_stump.vtp and NAME_centerline.vtp: no name may be another's file.
+// A result has NAME.vtp, NAME_stump.vtp and NAME_centerline.vtp. These must differ between vessels.
 void check_names(const std::vector<Field>& fields, const std::vector<VesselSpec>& vessels) {
   std::set<std::string> taken;
   for (const VesselSpec& vessel : vessels) {

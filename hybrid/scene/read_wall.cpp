@@ -39,7 +39,7 @@ Wall read_wall(const Field& field) {
   if (!(nu > -1 && nu <= 0.5))
     poisson.refuse(number_text(nu, 6), "a number above -1 and at most 0.5");
   material = Material::isotropic(young, nu);
-  if (shear) {  // E and G free of each other: transversely isotropic with nu_LT = 0
+  if (shear) {  // independent E and G: transversely isotropic with nu_LT = 0
     material.shear_axial = *shear;
     material.poisson_lt = 0;
     check_admissible(field, material);

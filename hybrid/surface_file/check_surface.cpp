@@ -18,7 +18,8 @@ namespace vasorod {
 
 namespace {
 
-// Volume over area^1.5: a ball has 0.09, a tube of 1000 radii's length 0.006.
+// Volume over area^1.5 below which a surface is flat. A ball has 0.09, a tube of length 1000 R
+// 0.006.
 constexpr double flat = 1e-6;
 
 Vec3 point_of(const TriangleSurface& surface, int i) {
@@ -44,7 +45,7 @@ struct Side {
   int from, to, triangle;
 };
 
-// Every triangle's three sides, those of one edge next to each other.
+// The three sides of every triangle, sorted so that the sides of one edge are neighbours.
 std::vector<Side> sorted_sides(const Triangles& triangles) {
   std::vector<Side> sides;
   sides.reserve(static_cast<size_t>(triangles.rows()) * 3);
@@ -79,8 +80,8 @@ void check_edges(const std::string& file, const TriangleSurface& surface) {
   }
 }
 
-// Walks the triangles around each point from one to the next through shared edges; a point where
-// the walk misses some joins two sheets only there.
+// Walks around each point from triangle to triangle through shared edges. If the walk misses a
+// triangle of the point, two sheets touch only there.
 void check_fans(const std::string& file, const TriangleSurface& surface) {
   const auto count = static_cast<size_t>(surface.points.rows());
   std::vector<int> triangles_at(count, 0), first(count, -1), edge_count(count, 0);
@@ -109,7 +110,7 @@ void check_fans(const std::string& file, const TriangleSurface& surface) {
       if (spoke == start) break;
     }
     if (spoke != start ||
-        walked == 0) {  // an end: the rest lies on the other side of the first spoke
+        walked == 0) {  // the walk met an end: continue on the other side of the first spoke
       spoke = start;
       for (auto at = third.find(key(spoke, center)); at != third.end();
            at = third.find(key(spoke, center))) {
@@ -143,7 +144,7 @@ void check_components(const std::string& file, const TriangleSurface& surface) {
          "one connected surface");
 }
 
-// Volume with every end closed by a fan around its centroid, taken about the first point.
+// The volume with every end closed by a fan around its centroid, relative to the first point.
 double lidded_volume(const TriangleSurface& surface) {
   const Vec3 origin = point_of(surface, 0);
   double six = 0;
@@ -157,7 +158,7 @@ double lidded_volume(const TriangleSurface& surface) {
     Vec3 center = Vec3::Zero();
     for (const int i : loop) center += point_of(surface, i) / static_cast<double>(loop.size());
     for (size_t k = 0; k < loop.size();
-         ++k)  // against the boundary's own direction: the lid faces outwards
+         ++k)  // against the boundary's direction, so that the lid faces outwards
       add(point_of(surface, loop[(k + 1) % loop.size()]), point_of(surface, loop[k]), center);
   }
   return six / 6;
@@ -224,7 +225,7 @@ double typical_radius(const TriangleSurface& surface) {
 
 void check_unit(const std::string& file, const TriangleSurface& surface, const Units& units) {
   constexpr double smallest = 0.5e-3,
-                   largest = 50e-3;  // metres: from an infant's branch to a dilated aorta
+                   largest = 50e-3;  // metres: an infant's branch, a dilated aorta
   const double radius = typical_radius(surface);
   auto fits = [&](double metres) {
     return radius * metres >= smallest && radius * metres <= largest;

@@ -1,5 +1,5 @@
-// What a surface must be before anything is computed on it. Each check throws InputError: one
-// sentence that begins with `file`, names the place by its coordinates, and says what was expected.
+// The conditions on a surface before anything is computed on it. Each check throws InputError: one
+// sentence that begins with `file`, gives the coordinates of the place and says what was expected.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace vasorod {
 
-/// At most two triangles at an edge, running it in opposite directions; one fan of triangles at a
-/// point; one component.
+/// At most two triangles at an edge, in opposite directions; one fan of triangles at a point; one
+/// component.
 void check_manifold(const std::string& file, const TriangleSurface& surface);
 
 /// A deformable vessel: two or more open ends of six or more edges, no handle. An obstacle may be
@@ -24,10 +24,10 @@ void check_outward(const std::string& file, const TriangleSurface& surface);
 /// No triangle crosses another (CGAL, exact predicates), none has zero area.
 void check_self_intersections(const std::string& file, const TriangleSurface& surface);
 
-/// Twice the volume within lids over the area: a tube's radius, 2/3 of a ball's.
+/// Twice the volume (ends closed) over the area: the radius of a tube, 2/3 of the radius of a ball.
 double typical_radius(const TriangleSurface& surface);
 
-/// A typical radius of 0.5 to 50 mm; otherwise says which unit would fit.
+/// A typical radius of 0.5 to 50 mm; otherwise the message says which unit would fit.
 void check_unit(const std::string& file, const TriangleSurface& surface, const Units& units);
 
 }  // namespace vasorod

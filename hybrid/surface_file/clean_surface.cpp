@@ -30,8 +30,8 @@ bool straighten_one(EditableMesh& mesh, int t, double least) {
   const int a = mesh.corner(t, longest), b = mesh.corner(t, longest + 1);
   const auto both = mesh.on_edge(a, b);
   if (both.size() == 2) return mesh.turn(t, both[0] == t ? both[1] : both[0], a, b, least);
-  // On an end the flat triangle goes, and the end runs through its third point, unless that is on
-  // an end already.
+  // At an end the flat triangle is removed, and the end then passes through its third point,
+  // unless that point is on an end already.
   if (mesh.on_boundary(mesh.corner(t, longest + 2))) return false;
   mesh.remove_triangle(t);
   return true;
@@ -58,8 +58,8 @@ void clean_surface(LoadedSurface& loaded) {
   if (!has_degenerate(loaded.surface, least)) return;
   EditableMesh mesh(loaded.surface);
   bool changed = true;
-  while (changed) {  // every change removes a triangle or lifts one above the limit for good, so
-                     // this ends
+  // Terminates: every change removes a triangle or lifts one above the limit permanently.
+  while (changed) {
     changed = false;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
       if (mesh.alive(t) && collapse_one(mesh, t, least)) {

@@ -7,8 +7,8 @@ namespace vasorod {
 
 /// Edges and triangle heights below this fraction of the mean edge count as degenerate. At 1e-3 a
 /// triangle is far below what any scan resolves, its normal is rounding, and its stiffness (which
-/// grows as the inverse square of its size) would be 1e6 times its neighbours'; yet nothing is
-/// touched that a fine but sound mesh holds.
+/// grows as the inverse square of its size) would be 1e6 times its neighbours'; a fine but
+/// sound mesh has no such triangles.
 constexpr double degenerate_fraction = 1e-3;
 
 /// Collapses edges shorter than degenerate_fraction times the mean edge (onto the lower point

@@ -42,8 +42,8 @@ struct Faces {
   double cosine(int t, int u) const { return normal[at(t)].dot(normal[at(u)]); }
 };
 
-// Connected sets of triangles; `joined(seed, t, u)` says whether u continues the set of `seed`
-// beyond t.
+// Connected sets of triangles. `joined(seed, t, u)`: whether u, a neighbour of t, belongs to the
+// set of `seed`.
 std::vector<std::vector<int>> regions(const Faces& faces,
                                       const std::function<bool(int, int, int)>& joined) {
   std::vector<char> taken(faces.normal.size(), 0);

@@ -1,5 +1,4 @@
-// Flat lids over a vessel's ends, as SimVascular's and VMTK's models carry them: found and taken
-// off.
+// Finds and removes the flat lids that models from SimVascular and VMTK have over a vessel's ends.
 #pragma once
 
 #include "surface_file/read_surface.h"
@@ -10,8 +9,8 @@ namespace vasorod {
 /// degrees of their mean, one border of at least six edges with 4 pi area / perimeter^2 above 0.5
 /// (an ellipse of axes 1 : 4.5; a facet of a coarse tube is a longer strip), and more than 30
 /// degrees to the triangle across every border edge. Where the file names faces (cell array
-/// ModelFaceID, CapID or CellEntityIds), faces are told apart by it instead of by creases. Lids
-/// that share a point are none. Counts go into the report.
+/// ModelFaceID, CapID or CellEntityIds), it separates the faces instead of creases. Lids that
+/// share a point are kept. Counts go into the report.
 void open_caps(LoadedSurface& loaded);
 
 }  // namespace vasorod

@@ -17,8 +17,7 @@ namespace {
                    expected);
 }
 
-// "7", "7/1", "7//3" or "-1" (the last point so far): the point's number from 0; what is no number
-// is no point.
+// The index from 0 of "7", "7/1", "7//3" or "-1" (the last point so far); -1 if there is none.
 int point_number(const std::string& word, int points_so_far) {
   long long number = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -39,7 +38,7 @@ double coordinate(const std::string& word) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-// A backslash at its end continues a line.
+// Reads one line. A backslash at the end of a line continues it.
 bool next_line(std::istream& in, std::string& line, int& number) {
   line.clear();
   std::string part;

@@ -4,13 +4,14 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string_view>
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
+#include "data/whole_file.h"
 #include "surface_file/surface_file.h"
 
 namespace vasorod {
@@ -45,22 +46,10 @@ struct Element {
   std::vector<Property> properties;
 };
 
-// At most a few words of the file, without what would break our sentence.
-std::string shown(std::string text) {
-  text.resize(std::min<size_t>(text.size(), 40));
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
-  return "\"" + text + "\"";
-}
-
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file.string()) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream all;
-    all << in.rdbuf();
-    text_ = all.str();
-  }
+  explicit Reader(const std::filesystem::path& file)
+      : file_(file.string()), text_(whole_file(file)) {}
 
   SurfaceFile read() {
     read_header();
@@ -100,7 +89,7 @@ class Reader {
   const Type& type_named(const std::string& name) const {
     for (const Type& type : types)
       if (name == type.name || name == type.old_name) return type;
-    damaged("the unknown type " + shown(name));
+    damaged("the unknown type " + in_quotes(name));
   }
 
   void read_header() {
@@ -115,7 +104,7 @@ class Reader {
         std::string format;
         words >> format;
         if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-          damaged("the unknown format " + shown(format));
+          damaged("the unknown format " + in_quotes(format));
         ascii_ = format == "ascii";
         swap_ =
             !ascii_ && (format == "binary_big_endian") != (std::endian::native == std::endian::big);
@@ -124,8 +113,6 @@ class Reader {
         Element element;
         long long items = -1;
         words >> element.name >> items;
-        // An item takes at least a byte, so no count that lies can make us allocate more than the
-        // file's size.
         if (items < 0 || items > static_cast<long long>(text_.size()))
           damaged("a count of items that does not fit");
         element.items = static_cast<size_t>(items);
@@ -143,12 +130,18 @@ class Reader {
         words >> property.name;
         elements_.back().properties.push_back(std::move(property));
       } else {
-        damaged("the header line " + shown(line));
+        damaged("the header line " + in_quotes(line));
       }
     }
     if (!has_format) damaged("no format");
-    for (const Element& element : elements_)
-      if (element.items > 0 && element.properties.empty()) damaged("an element without properties");
+    for (const Element& element : elements_) {
+      if (element.items == 0) continue;
+      if (element.properties.empty()) damaged("an element without properties");
+      // Every property of an item takes a byte or more, so no header can make us allocate much more
+      // than the file's size.
+      if (element.items > (text_.size() - at_) / element.properties.size())
+        damaged("more items than fit into the file");
+    }
   }
 
   template <class Number>
@@ -183,7 +176,7 @@ class Reader {
                             : binary<uint32_t>();
   }
 
-  // A number, or for a list its length with the numbers in `list`.
+  // Reads a number, or a list into `list`; returns the number or the length of the list.
   double read_property(const Property& property, std::vector<double>& list) {
     if (property.count == nullptr) return read_number(*property.type);
     const double count = read_number(*property.count);
@@ -207,7 +200,7 @@ class Reader {
     ply.points.setConstant(static_cast<Eigen::Index>(element.items), 3,
                            std::numeric_limits<double>::quiet_NaN());
     ply.point_arrays.clear();
-    std::vector<int> column;  // 0, 1, 2: a coordinate; -1: a list; from 3: an array
+    std::vector<int> column;  // 0 to 2: a coordinate; -1: a list; 3 and above: an array
     for (const Property& property : element.properties) {
       const std::string_view name = property.name;
       const bool coordinate =

@@ -55,10 +55,10 @@ void check_points(const std::filesystem::path& file, const Points& points) {
 
 struct Faces {
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int> cell;  // the file's cell each came from, for its arrays
+  std::vector<int> cell;  // of the file, from which each triangle came
 };
 
-// A polygon becomes triangles: a quad along its shorter diagonal, more corners by ear clipping.
+// Cuts a polygon into triangles: a quad along its shorter diagonal, others by ear clipping.
 void add_polygon(const std::vector<int>& corners, const Points& points, int cell, Faces& faces) {
   auto add = [&](int a, int b, int c) {
     faces.triangles.push_back({a, b, c});
@@ -114,7 +114,7 @@ Faces cut_into_triangles(const std::filesystem::path& file, const SurfaceFile& r
   for (const auto& corners : read.strips) {
     check(corners);
     for (size_t k = 0; k + 2 < corners.size();
-         ++k) {  // every second triangle of a strip runs backwards
+         ++k) {  // every second triangle of a strip has the opposite orientation
       faces.triangles.push_back({corners[k], corners[k + 1 + k % 2], corners[k + 2 - k % 2]});
       faces.cell.push_back(cell);
     }
@@ -123,7 +123,7 @@ Faces cut_into_triangles(const std::filesystem::path& file, const SurfaceFile& r
   return faces;
 }
 
-// Exact duplicates become their first occurrence; the others are left without triangles.
+// Replaces exact duplicates by their first occurrence. The duplicates then have no triangles.
 int weld(LoadedSurface& loaded) {
   const Points& points = loaded.surface.points;
   std::map<std::array<double, 3>, int> first;

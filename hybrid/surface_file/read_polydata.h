@@ -1,4 +1,4 @@
-// One surface file as triangles: VTP in every encoding, STL, PLY, OBJ, told apart by their ending.
+// One surface file as triangles: VTP in every encoding, STL, PLY or OBJ, recognised by the ending.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace vasorod {
 
-/// Polygons and strips as triangles, arrays row by row, STL welded, points without triangles
-/// dropped. Throws InputError on a file that is missing, damaged, without triangles or with points
-/// that are not finite.
+/// Cuts polygons and strips into triangles, with their rows of the arrays; welds STL and OBJ; drops
+/// points without triangles. Throws InputError on a file that is missing, damaged, without
+/// triangles or with points that are not finite.
 LoadedSurface read_polydata(const std::filesystem::path& file);
 
 /// Keeps the named rows of every array, in that order.

@@ -4,14 +4,13 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string_view>
 
 #include <vasorod/error.h>
 
 #include "data/sentence.h"
+#include "data/whole_file.h"
 #include "surface_file/surface_file.h"
 
 namespace vasorod {
@@ -131,10 +130,7 @@ class Ascii {
 
 SurfaceFile read_stl(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream all;
-  all << in.rdbuf();
-  const std::string text = std::move(all).str();
+  const std::string text = whole_file(file);
   const auto facets = text.size() < head_size
                           ? std::size_t(0)
                           : std::size_t(little_endian<std::uint32_t>(text.data() + 80));

@@ -27,7 +27,7 @@ void remesh_loaded(const std::string& file, double edge, LoadedSurface& loaded, 
     throw InputError(joined_text(file, ": remesh: found a target edge of ", edge, ", expected ",
                                  radius / 200, " to ", radius, ", from 1/200 to 1 of the radius"));
   }
-  // Finer than any mesh of a vessel; many more would only fill the memory.
+  // Finer than any mesh of a vessel; far more would exhaust the memory.
   constexpr double most_triangles = 4e6;
   const double triangles = total_area(loaded.surface) / (std::sqrt(3) / 4 * edge * edge);
   if (!(triangles < most_triangles))

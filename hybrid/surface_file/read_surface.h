@@ -1,4 +1,4 @@
-// Surfaces of a scene: read, cleaned, opened, checked, remeshed where asked; or generated.
+// Loads the surfaces of a scene: reads, cleans, opens, checks and remeshes them, or generates them.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace vasorod {
 
-/// What reading changed.
+/// What was changed while reading.
 struct SurfaceReport {
   int merged_points = 0;      ///< exact duplicates welded (STL, whose triangles share no points)
   int dropped_points = 0;     ///< belonged to no triangle
   int removed_triangles = 0;  ///< used a point twice
   int collapsed_edges = 0;    ///< shorter than 1e-3 of the mean edge
   int straightened =
-      0;  ///< triangles flatter than 1e-3 of the mean edge, cured by turning their longest edge
+      0;  ///< triangles flatter than 1e-3 of the mean edge; their longest edge was flipped
   int removed_caps = 0;                     ///< flat lids over ends
   int skipped_cells = 0;                    ///< vertices and lines of the file
   std::optional<double> remeshed;           ///< target edge, scene's length unit
-  std::vector<std::string> dropped_arrays;  ///< by remeshing: they belong to points that are gone
+  std::vector<std::string> dropped_arrays;  ///< by remeshing, because their points no longer exist
 
   std::vector<std::string> lines()
       const;                 ///< one phrase per change; empty when nothing was changed
   std::string text() const;  ///< the lines as one sentence, "unchanged" when there are none
 };
 
-/// A surface as the solvers take it: manifold, oriented outwards, one component; a deformable
+/// A surface as the solvers expect it: manifold, oriented outwards, one component; a deformable
 /// vessel has two or more open ends. Points are in the input's order unless remeshed; then each
 /// end's points come first, ends in input order.
 struct LoadedSurface {
@@ -39,9 +39,9 @@ struct LoadedSurface {
   SurfaceReport report;
 };
 
-/// Reads or generates the surface of `vessel`. Throws InputError (a sentence with the file) on what
-/// is no such surface, and on a radius that is not 0.5 to 50 mm in the scene's unit unless the
-/// vessel says check: false.
+/// Reads or generates the surface of `vessel`. Throws InputError (a sentence with the file) if it
+/// does not meet these conditions or, unless the vessel has check: false, if its radius is not 0.5
+/// to 50 mm.
 LoadedSurface load_surface(const VesselSpec& vessel, const Scene& scene);
 
 }  // namespace vasorod

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <vtkCallbackCommand.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
@@ -17,6 +15,7 @@
 
 #include "data/index.h"
 #include "data/sentence.h"
+#include "data/whole_file.h"
 #include "surface_file/surface_file.h"
 #include "surface_file/vtp_xml.h"
 
@@ -52,11 +51,11 @@ constexpr std::array<Type, 10> types{{{"Int8", 1, true, to_doubles<std::int8_t>}
                                       {"Float32", 4, false, to_doubles<float>},
                                       {"Float64", 8, false, to_doubles<double>}}};
 
-// Counts of points, cells and components: as many as an int numbers, and no array wider than this.
+// Limits of a file: an int must be able to count points and cells; the components of an array.
 constexpr std::size_t most_items = std::numeric_limits<int>::max(), most_components = 10000;
 
-// A block says how large it is unpacked. zlib packs at most 1032 to 1 and LZ4 less; LZMA goes
-// further. What claims more is damaged, and believing it would take memory the file does not fill.
+// Each block states its unpacked size. zlib reaches at most 1032 : 1, LZ4 less, LZMA more. A larger
+// ratio means a damaged file, and would allocate memory that the file cannot fill.
 constexpr std::size_t most_expansion = 1100, most_expansion_lzma = 20000;
 
 std::array<unsigned char, 256> base64_values() {
@@ -69,7 +68,7 @@ std::array<unsigned char, 256> base64_values() {
   return values;
 }
 
-// The first `bytes` bytes of what `text` encodes; nothing where it is too short or no base64.
+// Decodes the first `bytes` bytes of `text`; empty if it is too short or not base64.
 std::optional<std::string> from_base64(std::string_view text, std::size_t bytes) {
   static const auto values = base64_values();
   const std::size_t groups = (bytes + 2) / 3;
@@ -96,7 +95,7 @@ vtkSmartPointer<vtkDataCompressor> compressor_named(const std::string& name) {
   if (name == "vtkZLibDataCompressor") compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
   if (name == "vtkLZ4DataCompressor") compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
   if (name == "vtkLZMADataCompressor") compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
-  if (compressor) {  // it would print what we say in the exception
+  if (compressor) {  // otherwise it prints the error that our exception states
     const auto silence = vtkSmartPointer<vtkCallbackCommand>::New();
     compressor->AddObserver("ErrorEvent", silence);
     compressor->AddObserver("WarningEvent", silence);
@@ -106,11 +105,8 @@ vtkSmartPointer<vtkDataCompressor> compressor_named(const std::string& name) {
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file.string()) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream all;
-    all << in.rdbuf();
-    text_ = std::move(all).str();
+  explicit Reader(const std::filesystem::path& file)
+      : file_(file.string()), text_(whole_file(file)) {
     head_ = read_vtp_head(file_, text_);
   }
 
@@ -151,7 +147,7 @@ class Reader {
     most_expansion_ = compressor == "vtkLZMADataCompressor" ? most_expansion_lzma : most_expansion;
   }
 
-  // A whole number from 0 to `most`; a missing one is `otherwise`, or refused.
+  // An attribute as a whole number from 0 to `most`. If it is missing: `otherwise`, or an error.
   std::size_t count(const VtpTag& tag, const std::string& attribute, std::size_t most,
                     std::optional<std::size_t> otherwise) const {
     if (!tag.attributes.contains(attribute)) {
@@ -184,7 +180,7 @@ class Reader {
     return "the array " + in_quotes(array.value("Name"));
   }
 
-  // `items` numbers of an array, whichever way they are written, and no more than those.
+  // Reads the `items` numbers of an array in any encoding.
   std::vector<double> numbers(const VtpTag& array, const Type& type, std::size_t items) {
     if (items == 0) return {};
     std::string format = array.value("format");
@@ -235,7 +231,7 @@ class Reader {
     damaged(array, called(array) + " is not as long as its points or cells ask for");
   }
 
-  // `bytes` bytes from the front of `from`, decoded.
+  // The first `bytes` bytes of `from`, decoded.
   std::string front(const VtpTag& array, std::string_view from, bool base64,
                     std::size_t bytes) const {
     if (base64) {
@@ -258,7 +254,7 @@ class Reader {
     return value;
   }
 
-  // The bytes of an array behind its header, which must say that there are just as many.
+  // The bytes of an array after its header, which must state the same number.
   std::string unpacked(const VtpTag& array, std::string_view from, bool base64, std::size_t bytes) {
     if (compressor_) return uncompressed(array, from, base64, bytes);
     if (word(front(array, from, base64, word_), 0) != bytes) wrong_length(array);
@@ -266,7 +262,8 @@ class Reader {
     return front(array, from, base64, word_ + bytes).substr(word_);
   }
 
-  // Blocks: their number, size, the last one's size when it is smaller, each one's packed size.
+  // The header of a compressed array: number of blocks, size of a block, size of the last block if
+  // that is smaller, packed size of each block.
   std::string uncompressed(const VtpTag& array, std::string_view from, bool base64,
                            std::size_t bytes) {
     const std::string sizes = front(array, from, base64, 3 * word_);
@@ -274,7 +271,7 @@ class Reader {
     if (blocks == 0 || blocks > from.size() / word_ || size == 0 || size > bytes + (1U << 30) ||
         last > size)
       damaged(array, called(array) + " in blocks that cannot be");
-    // In long double, as the product of two numbers that lie may not fit into 64 bits.
+    // In long double, because the product of two wrong numbers may exceed 64 bits.
     const auto total =
         static_cast<long double>(blocks - (last > 0 ? 1 : 0)) * static_cast<long double>(size) +
         static_cast<long double>(last);
@@ -307,7 +304,7 @@ class Reader {
     return out;
   }
 
-  // Arrays do not share their bytes: many that did would fill the memory from a small file.
+  // Arrays must not share bytes: a small file with many such arrays would fill the memory.
   void use(const VtpTag& array, std::size_t bytes) {
     used_ += bytes;
     if (used_ > text_.size()) damaged(array, called(array) + " lies over other arrays");
@@ -359,7 +356,7 @@ class Reader {
       const Type* type = tag.name == "DataArray" ? type_of(tag) : nullptr;
       const bool known = std::any_of(arrays.begin(), arrays.end(),
                                      [&](const NamedArray& array) { return array.name == name; });
-      if (type == nullptr || name.empty() || known) continue;  // nothing for strings
+      if (type == nullptr || name.empty() || known) continue;  // strings are skipped
       const std::size_t columns = components(tag);
       const std::vector<double> values = numbers(tag, *type, rows * columns);
       NamedArray& array = arrays.emplace_back();
@@ -393,7 +390,7 @@ class Reader {
     const std::size_t skipped = cells("Verts") + cells("Lines");
     const std::size_t all = skipped + cells("Polys") + cells("Strips");
     if (all > most_items) damaged(piece, "more cells than can be numbered");
-    read_cells(piece, "Verts", cells("Verts"));  // checked, and left
+    read_cells(piece, "Verts", cells("Verts"));  // checked but not kept
     out.lines = read_cells(piece, "Lines", cells("Lines"));
     out.polygons = read_cells(piece, "Polys", cells("Polys"));
     out.strips = read_cells(piece, "Strips", cells("Strips"));
@@ -416,8 +413,8 @@ const NamedArray* like(const std::vector<NamedArray>& arrays, const NamedArray& 
   return nullptr;
 }
 
-// The arrays that every piece has, their rows in the order that `rows` takes them from a piece:
-// first row and number.
+// Joins the arrays that all pieces have. `blocks` gives the order of the rows: piece, first row and
+// number of rows.
 template <class Arrays>
 std::vector<NamedArray> joined_arrays(const std::vector<SurfaceFile>& pieces, Arrays arrays_of,
                                       const std::vector<std::array<Eigen::Index, 3>>& blocks) {
@@ -442,7 +439,7 @@ std::vector<NamedArray> joined_arrays(const std::vector<SurfaceFile>& pieces, Ar
   return joined;
 }
 
-// Several pieces as one: points piece by piece, cells kind by kind.
+// Joins several pieces: points piece by piece, cells kind by kind.
 SurfaceFile joined(const std::vector<SurfaceFile>& pieces) {
   SurfaceFile all;
   std::vector<std::array<Eigen::Index, 3>> point_rows, skipped_rows, polygon_rows, strip_rows;
@@ -462,7 +459,7 @@ SurfaceFile joined(const std::vector<SurfaceFile>& pieces) {
     const auto add = [&](const std::vector<std::vector<int>>& from,
                          std::vector<std::vector<int>>& to) {
       for (std::vector<int> cell : from) {
-        for (int& id : cell)  // what is no point of its piece is none of the whole
+        for (int& id : cell)  // an index outside its piece stays invalid
           id = id >= 0 && id < piece.points.rows() && points + id < std::numeric_limits<int>::max()
                    ? static_cast<int>(points) + id
                    : -1;

@@ -32,14 +32,14 @@ TriangleSurface from_cgal(const CgalMesh& mesh) {
   return surface;
 }
 
-// The loop of `surface` that runs nearest to each old end, in the old ends' order.
+// The loop of `surface` nearest to each old end, in the order of the old ends.
 std::vector<std::vector<int>> ends_in_order(const TriangleSurface& before,
                                             const TriangleSurface& surface) {
   auto center = [](const TriangleSurface& s, const std::vector<int>& loop) {
     Vec3 sum = Vec3::Zero();
     double length = 0;
     for (size_t k = 0; k < loop.size();
-         ++k) {  // by length: the points of a coarse end are not spaced evenly
+         ++k) {  // weighted by length: the points of a coarse end are not spaced evenly
       const Vec3 a = s.points.row(loop[k]), b = s.points.row(loop[(k + 1) % loop.size()]);
       sum += (b - a).norm() * 0.5 * (a + b);
       length += (b - a).norm();
@@ -79,7 +79,7 @@ TriangleSurface ends_first(const TriangleSurface& before, const TriangleSurface&
   return out;
 }
 
-// CGAL leaves short edges where an end is jagged, as a clipped one is.
+// CGAL leaves short edges at jagged ends, such as clipped ones.
 void collapse_short_edges(TriangleSurface& surface, double shortest, double longest) {
   EditableMesh mesh(surface);
   for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -103,8 +103,8 @@ TriangleSurface remesh(const TriangleSurface& surface, double edge) {
   namespace pmp = CGAL::Polygon_mesh_processing;
   CgalMesh mesh = to_cgal(surface);
   // Three rounds: on the anatomy's pulmonary artery at 1 mm the spread of edge lengths over their
-  // mean is 0.20, 0.16, 0.15 and 0.14 after 1, 3, 5 and 10 rounds. Ends are split and collapsed
-  // along themselves (not protected: a coarse end would keep its short edges) and never smoothed.
+  // mean is 0.20, 0.16, 0.15 and 0.14 after 1, 3, 5 and 10 rounds. Edges on
+  // ends are split and collapsed, but not smoothed; protected, a coarse end would keep short edges.
   pmp::isotropic_remeshing(faces(mesh), edge, mesh,
                            pmp::parameters::number_of_iterations(3).relax_constraints(false));
   mesh.collect_garbage();

@@ -1,4 +1,4 @@
-// A surface file as it was read, before anything is checked or cut into triangles.
+// A surface file as it was read, before it is checked and cut into triangles.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@ struct SurfaceFile {
   Points points;
   int skipped_cells = 0;  ///< vertices and lines; their rows come first in cell_arrays
   std::vector<std::vector<int>> polygons, strips,
-      lines;  ///< point numbers as the file says, -1 for what is none
+      lines;  ///< point numbers as in the file; -1 if not representable
   std::vector<NamedArray> point_arrays, cell_arrays;
 };
 
 /// VTP in every encoding, uncompressed or packed with zlib, LZ4 or LZMA; several pieces become one.
 /// Not through VTK, whose reader crashes, hangs or takes all memory on damaged files. Every array
-/// is as long as its points or cells ask for and lies within the file.
+/// has one row per point or cell and lies within the file.
 SurfaceFile read_vtp(const std::filesystem::path& file);
 
 /// STL, ascii and binary. A binary file is exactly as long as its number of facets says.
@@ -31,7 +31,7 @@ SurfaceFile read_stl(const std::filesystem::path& file);
 /// damaged files.
 SurfaceFile read_ply(const std::filesystem::path& file);
 
-/// Wavefront OBJ: points and faces; texture, normals, groups and materials are left. Not through
+/// Wavefront OBJ: points and faces; texture, normals, groups and materials are ignored. Not through
 /// VTK, whose reader crashes on damaged files and doubles points that have several normals.
 SurfaceFile read_obj(const std::filesystem::path& file);
 

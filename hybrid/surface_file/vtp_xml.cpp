@@ -11,7 +11,7 @@ namespace vasorod {
 
 namespace {
 
-// A VTP file's deepest tag, a value of an array's information key, is the seventh.
+// The deepest tag of a VTP file, the value of an information key of an array, is at level seven.
 constexpr std::size_t deepest = 20;
 
 bool is_space(char c) {
@@ -23,7 +23,7 @@ bool is_name(char c) {
          c == '-' || c == '.' || c == ':';
 }
 
-// One code point as UTF-8; nothing for what is none.
+// One code point as UTF-8; empty if it is invalid.
 std::string utf8(unsigned long code) {
   std::string out;
   if (code == 0 || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return out;
@@ -43,7 +43,7 @@ class Scanner {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
     VtpHead head;
     std::vector<VtpTag*> open;
-    bool behind_start = false;  // the last tag opened an element: text belongs to it
+    bool behind_start = false;  // the last tag opened an element, and text belongs to it
     while (true) {
       const std::size_t begin = at_, tag = text_.find('<', at_);
       if (tag == std::string_view::npos)
@@ -142,7 +142,7 @@ class Scanner {
     }
   }
 
-  // &amp; and its like as the characters they stand for.
+  // Replaces references such as &amp; by their characters.
   std::string resolved(std::string_view raw) const {
     static const std::map<std::string_view, char> known{
         {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};

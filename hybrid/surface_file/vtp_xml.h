@@ -1,5 +1,5 @@
-// The XML head of a VTP file: its tags with their attributes, and no more of XML than such files
-// use. Whatever a damaged file holds, it is read in one pass or refused with one sentence.
+// Parses the XML of a VTP file: tags and attributes, only the part of XML that such files use. Any
+// input is parsed in one pass or refused with one sentence.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct VtpTag {
   std::size_t at = 0;     ///< where it begins in the file
   std::vector<VtpTag> children;
 
-  /// The first child of that name, or nothing.
+  /// The first child of that name, or null.
   const VtpTag* child(const std::string& child_name) const;
   /// An attribute's value; empty when it is missing.
   std::string value(const std::string& attribute) const;
@@ -25,7 +25,7 @@ struct VtpTag {
 
 struct VtpHead {
   VtpTag root;
-  std::string_view appended;  ///< from behind the underscore to the closing tag
+  std::string_view appended;  ///< after the underscore, up to the closing tag
   bool appended_base64 = false;
 };
 

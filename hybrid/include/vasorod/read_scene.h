@@ -14,7 +14,8 @@ struct ReadOptions {
   bool accept_pressure = false;
 };
 
-/// Reads and checks a scene file. Throws InputError ("FILE:LINE: KEY: found ..., expected ...").
+/// Reads and checks a scene file. Throws InputError ("FILE:LINE: KEY: found ..., expected ..."), a
+/// missing file too; FileError if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace vasorod

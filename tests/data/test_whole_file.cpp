@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+#include <string>
+
+#include <vasorod/error.h>
+
+#include "data/whole_file.h"
+#include "scratch_folder.h"
+
+namespace vasorod {
+namespace {
+
+class WholeFile : public ScratchFolder {};
+
+TEST_F(WholeFile, HasEveryByte) {
+  std::string bytes;
+  for (int k = 0; k < 100'000; ++k) bytes += static_cast<char>(k * 7 % 256);
+  EXPECT_EQ(whole_file(write("bytes", bytes)), bytes);
+  EXPECT_EQ(whole_file(write("empty", "")), "");
+}
+
+TEST_F(WholeFile, WhatCannotBeReadIsAnError) {
+  EXPECT_THROW(whole_file(folder / "missing"), FileError);
+  EXPECT_THROW(whole_file(folder), FileError);
+}
+
+}  // namespace
+}  // namespace vasorod

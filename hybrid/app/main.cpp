@@ -12,6 +12,7 @@
 
 #include "app/commands.h"
 #include "app/stop.h"
+#include "app/streams.h"
 #include "data/sentence.h"
 
 namespace {
@@ -128,6 +129,7 @@ int main(int argc, char** argv) {
   constexpr const char* out_of_memory =
       "vasorod: found no memory left, expected a scene that fits into it: fewer triangles or "
       "elements\n";
+  vasorod::keep_streams_apart();
   try {
     return run(argc, argv);
   } catch (const vasorod::InputError& error) {

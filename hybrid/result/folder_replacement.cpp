@@ -238,10 +238,14 @@ void FolderReplacement::commit() {
   } const placing;
   std::error_code error;
   if (!fs::exists(folder_, error)) {
-    if (rename(staging_.c_str(), folder_.c_str()) != 0) fail(folder_, "cannot be put in place");
-    staging_.clear();
-    note_unfinished({});
-    return;
+    if (rename(staging_.c_str(), folder_.c_str()) == 0) {
+      staging_.clear();
+      note_unfinished({});
+      return;
+    }
+    // Another process put its result there in this moment; ours replaces it.
+    if (errno != ENOTEMPTY && errno != EEXIST) fail(folder_, "cannot be put in place");
+    check(folder_);
   }
   // One step: at no moment is there no result. Then staging_ is the old folder, which the
   // destructor removes.

@@ -1,14 +1,12 @@
 // What goes wrong outside the model: scenes that say nothing, numbers that are none, folders that
 // hold what is not ours, signals, no memory.
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <thread>
-#include <unistd.h>
 
 #include "program/run_program.h"
+#include "program/running_program.h"
 #include "program/small_glenn.h"
 
 namespace vasorod::testing {
@@ -25,56 +23,6 @@ const std::string tube =
 const std::string ends =
     "ends:\n  - {vessel: tube, end: start, hold: true}\n"
     "  - {vessel: tube, end: end, move: [0, 0, 1]}\n";
-
-// A program that runs beside the test, which sends it signals.
-class RunningProgram {
- public:
-  explicit RunningProgram(const std::vector<std::string>& arguments) : process_(fork()) {
-    if (process_ != 0) return;
-    std::vector<char*> words{const_cast<char*>(VASOROD_PROGRAM)};
-    for (const std::string& argument : arguments)
-      words.push_back(const_cast<char*>(argument.c_str()));
-    words.push_back(nullptr);
-    if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(words[0], words.data());
-    _exit(127);
-  }
-  ~RunningProgram() {
-    if (ended_) return;
-    kill(process_, SIGKILL);
-    wait();
-  }
-  RunningProgram(const RunningProgram&) = delete;
-  RunningProgram& operator=(const RunningProgram&) = delete;
-
-  /// Waits until the program answers to the signal itself, sends it, waits until it was taken.
-  void send(int signal) {
-    const std::uint64_t bit = std::uint64_t{1} << (signal - 1);
-    wait_until([&] { return (mask("SigCgt:") & bit) != 0; });
-    kill(process_, signal);
-    wait_until([&] { return ((mask("SigPnd:") | mask("ShdPnd:")) & bit) == 0; });
-  }
-  int wait() {
-    int status = 0;
-    waitpid(process_, &status, 0);
-    ended_ = true;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
-
- private:
-  std::uint64_t mask(const std::string& key) const {
-    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
-    for (std::string line; std::getline(status, line);)
-      if (line.rfind(key, 0) == 0) return std::stoull(line.substr(key.size()), nullptr, 16);
-    return 0;
-  }
-  template <class Question>
-  static void wait_until(Question&& question) {
-    for (int i = 0; i < 3000 && !question(); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  pid_t process_;
-  bool ended_ = false;
-};
 
 class Faults : public ::testing::Test {
  protected:

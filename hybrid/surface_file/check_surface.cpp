@@ -214,6 +214,7 @@ void check_self_intersections(const std::string& file, const TriangleSurface& su
     refuse(
         file,
         "a surface that crosses itself in " + std::to_string(pairs.size()) +
+            (pairs.size() < most_self_intersections ? "" : " or more") +
             " pairs of triangles, first at " +
             place_text(0.5 * (center_of(surface, pairs[0][0]) + center_of(surface, pairs[0][1]))),
         "no self-intersection");

@@ -8,8 +8,11 @@
 
 namespace vasorod {
 
-/// Indices of triangles, sorted (CGAL, exact predicates). The surface must be manifold and
-/// oriented.
+/// As many pairs as a search ends with: a crumpled surface would have one for every two triangles.
+constexpr unsigned most_self_intersections = 10000;
+
+/// Indices of triangles, sorted (CGAL, exact predicates); at most `most_self_intersections` pairs.
+/// The surface must be manifold and oriented.
 std::vector<std::array<int, 2>> self_intersections(const TriangleSurface& surface);
 
 }  // namespace vasorod

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 
 #include <vasorod/error.h>
 
@@ -211,6 +212,24 @@ TEST_F(CheckSurface, SelfIntersection) {
   TriangleSurface surface = sample_tube();
   surface.points.row(24 * 10) << -15, 0, 20;  // moved through the opposite wall
   expect_says(refusal(surface), "crosses itself");
+}
+
+// Points at random: nearly every two of its 4800 triangles that are near each other cross.
+TEST_F(CheckSurface, TheSearchForCrossingsOfACrumpledSurfaceEnds) {
+  TubeSpec spec = small_tube();
+  spec.along = 100;
+  TriangleSurface crumpled = tube_surface(spec);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-5, 5);
+  crumpled.points = crumpled.points.unaryExpr([&](double) { return coordinate(random); });
+  try {
+    check_self_intersections("vessel.vtp", crumpled);
+    FAIL() << "no crossing found";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("in 10000 or more pairs of triangles"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(CheckSurface, Unit) {

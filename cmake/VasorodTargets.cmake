@@ -10,7 +10,17 @@ if(VASOROD_WARNINGS_AS_ERRORS)
   target_compile_options(vasorod_warnings INTERFACE -Werror)
 endif()
 if(VASOROD_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  set(sanitizers -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+  add_compile_options(${sanitizers} -fno-omit-frame-pointer)
+  add_link_options(${sanitizers})
+endif()
+if(VASOROD_FUZZ)
+  # The readers are checked for addresses and undefined behaviour. The solvers only tell libFuzzer
+  # which branches an input took, so that more scenes are solved in the same time; the tests under
+  # VASOROD_SANITIZE check them.
+  set(VASOROD_FUZZ_CHECKS -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  set(VASOROD_FUZZ_READERS data geometry surface_file scene result)
   add_link_options(-fsanitize=address,undefined)
 endif()
 # Eigen and the Lie-group kernels are only fast when inlined; -fno-math-errno keeps IEEE results and
@@ -29,6 +39,11 @@ function(vasorod_library name)
   target_compile_features(vasorod_${name} PUBLIC cxx_std_20)
   target_link_libraries(vasorod_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:vasorod_warnings> ${ARG_PRIVATE_LINKS})
+  if(VASOROD_FUZZ AND name IN_LIST VASOROD_FUZZ_READERS)
+    target_compile_options(vasorod_${name} PRIVATE ${VASOROD_FUZZ_CHECKS})
+  elseif(VASOROD_FUZZ)
+    target_compile_options(vasorod_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
   set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
 endfunction()
 

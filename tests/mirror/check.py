@@ -1,5 +1,5 @@
 """Every .cpp has a test of its name, or a row of the table in tests/README.md that says what covers
-it. Usage: check.py SOURCE_FOLDER"""
+it. The tests that docs/trust.md names exist. Usage: check.py SOURCE_FOLDER"""
 
 import re
 import sys
@@ -65,6 +65,20 @@ def row_faults(root, source, cell):
             yield f"tests/README.md: {wanted} is in none of the tests named for {source}"
 
 
+def trust_faults(root):
+    """The tests that docs/trust.md names and that are not there."""
+    page = root / "docs" / "trust.md"
+    if not page.is_file():
+        return
+    cases = {
+        c for test in (root / "tests").rglob("test_*.cpp") for c in CASE.findall(test.read_text())
+    }
+    suites = {suite for suite, _ in cases}
+    for suite, case in SUITE.findall(page.read_text()):
+        if (suite, case) not in cases and (case or suite not in suites):
+            yield f"docs/trust.md: {suite}.{case} is no test"
+
+
 def faults(root):
     """Everything that is wrong, one sentence each."""
     all_sources = sources(root)
@@ -85,6 +99,7 @@ def faults(root):
         if source not in all_sources:
             yield f"tests/README.md: {source} is not there"
         yield from row_faults(root, source, cell)
+    yield from trust_faults(root)
 
 
 if __name__ == "__main__":

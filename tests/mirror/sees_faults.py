@@ -64,3 +64,6 @@ EXTRA = "| `hybrid/rod/spring.cpp` | `rod/test_newton.cpp` |\n"
 expect({"tests/README.md": GOOD + EXTRA}, "hybrid/rod/spring.cpp is not there")
 EXTRA = "| `hybrid/rod/newton.cpp` | `rod/test_newton.cpp` |\n"
 expect({"tests/README.md": GOOD + EXTRA}, "needs no row")
+
+assert said({"docs/trust.md": "`Newton.Converges` and `Law`"}) == []
+expect({"docs/trust.md": "`Newton.Diverges`"}, "docs/trust.md", "Newton.Diverges")

@@ -1,0 +1,197 @@
+"""Writes seeds/{vtp,ply,stl,obj}: one small tube in every encoding the readers know.
+
+    python3 tests/fuzz/make_seeds.py
+
+The seeds are in the tree; this says how they were made."""
+
+import base64
+import lzma
+import math
+import pathlib
+import struct
+import zlib
+
+AROUND, ALONG, RADIUS, LENGTH = 6, 2, 5.0, 12.0
+SEEDS = pathlib.Path(__file__).parent / "seeds"
+
+
+def tube():
+    """Points row by row from z = 0, each second row turned by half an edge; triangles outward."""
+    points = [
+        (
+            RADIUS * math.cos(2 * math.pi * (i + 0.5 * (j % 2)) / AROUND),
+            RADIUS * math.sin(2 * math.pi * (i + 0.5 * (j % 2)) / AROUND),
+            LENGTH * j / ALONG,
+        )
+        for j in range(ALONG + 1)
+        for i in range(AROUND)
+    ]
+    triangles = []
+    for j in range(ALONG):
+        for i in range(AROUND):
+            a, b = j * AROUND + i, j * AROUND + (i + 1) % AROUND
+            c, d = a + AROUND, b + AROUND
+            triangles += [(a, b, c), (b, d, c)] if j % 2 == 0 else [(a, b, d), (a, d, c)]
+    return points, triangles
+
+
+def flat(rows):
+    return [value for row in rows for value in row]
+
+
+def write(name, content):
+    file = SEEDS / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def lz4_literals(data):
+    """An LZ4 block that packs nothing: one run of literals."""
+    if len(data) < 15:
+        return bytes([len(data) << 4]) + data
+    more, rest = bytearray([0xF0]), len(data) - 15
+    while rest >= 255:
+        more.append(255)
+        rest -= 255
+    return bytes(more) + bytes([rest]) + data
+
+
+def lzma_block(data):
+    return lzma.compress(data, format=lzma.FORMAT_XZ, preset=0)
+
+
+PACKERS = {
+    "vtkZLibDataCompressor": zlib.compress,
+    "vtkLZ4DataCompressor": lz4_literals,
+    "vtkLZMADataCompressor": lzma_block,
+}
+CODES = {"Float32": "f", "Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
+
+
+class Vtp:
+    """One encoding of a VTP file: the bytes of its arrays, inline or appended."""
+
+    def __init__(self, format_, encoding="base64", word="I", order="<", packer=None):
+        self.format, self.encoding, self.word, self.order = format_, encoding, word, order
+        self.packer, self.appended = packer, b""
+
+    def encoded(self, parts):
+        if self.encoding == "raw":
+            return b"".join(parts)
+        return b"".join(base64.b64encode(part) for part in parts)
+
+    def bytes_of(self, kind, values):
+        data = struct.pack(f"{self.order}{len(values)}{CODES[kind]}", *values)
+        if not self.packer:
+            head = struct.pack(self.order + self.word, len(data))
+            return self.encoded([head + data])
+        packed = PACKERS[self.packer](data)
+        head = struct.pack(f"{self.order}4{self.word}", 1, len(data), 0, len(packed))
+        return self.encoded([head, packed])
+
+    def array(self, name, kind, values, components=1):
+        tag = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}"'
+        if self.format == "ascii":
+            return f'{tag} format="ascii">{" ".join(f"{v:g}" for v in values)}</DataArray>\n'
+        data = self.bytes_of(kind, values)
+        if self.format == "binary":
+            return f'{tag} format="binary">{data.decode()}</DataArray>\n'
+        offset, self.appended = len(self.appended), self.appended + data
+        return f'{tag} format="appended" offset="{offset}"/>\n'
+
+    def cells(self, kind, cells):
+        ends = [sum(map(len, cells[: k + 1])) for k in range(len(cells))]
+        return (
+            f"<{kind}>\n"
+            + self.array("connectivity", "Int64", flat(cells))
+            + self.array("offsets", "Int32", ends)
+            + f"</{kind}>\n"
+        )
+
+    def text(self, points, polygons, strips=(), lines=()):
+        order = "LittleEndian" if self.order == "<" else "BigEndian"
+        header = "UInt64" if self.word == "Q" else "UInt32"
+        compressor = f' compressor="{self.packer}"' if self.packer else ""
+        count = len(polygons) + len(strips) + len(lines)
+        out = (
+            f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="{order}"'
+            f' header_type="{header}"{compressor}>\n<PolyData>\n'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="{len(lines)}"'
+            f' NumberOfStrips="{len(strips)}" NumberOfPolys="{len(polygons)}">\n'
+            f'<PointData>\n{self.array("T", "Float32", range(len(points)))}</PointData>\n'
+            f'<CellData>\n{self.array("ModelFaceID", "UInt8", [k % 3 for k in range(count)])}'
+            f"</CellData>\n<Points>\n"
+            + self.array("Points", "Float64", flat(points), 3)
+            + "</Points>\n"
+        )
+        if lines:
+            out += self.cells("Lines", lines)
+        if strips:
+            out += self.cells("Strips", strips)
+        out += self.cells("Polys", polygons) + "</Piece>\n</PolyData>\n"
+        if self.format != "appended":
+            return (out + "</VTKFile>\n").encode()
+        out += f'<AppendedData encoding="{self.encoding}">\n_'
+        return out.encode() + self.appended + b"\n</AppendedData>\n</VTKFile>\n"
+
+
+def vtp_seeds(points, triangles):
+    write("vtp/ascii.vtp", Vtp("ascii").text(points, triangles))
+    write("vtp/inline.vtp", Vtp("binary").text(points, triangles))
+    write("vtp/inline_big_endian.vtp", Vtp("binary", word="Q", order=">").text(points, triangles))
+    write("vtp/appended_base64.vtp", Vtp("appended").text(points, triangles))
+    write("vtp/appended_raw.vtp", Vtp("appended", "raw", "Q").text(points, triangles))
+    for name in PACKERS:
+        short = name[3:].replace("DataCompressor", "").lower()
+        write(f"vtp/{short}.vtp", Vtp("appended", "raw", packer=name).text(points, triangles))
+    write("vtp/zlib_inline.vtp", Vtp("binary", packer="vtkZLibDataCompressor").text(*tube()))
+    strip = [v for i in range(AROUND + 1) for v in (i % AROUND + AROUND, i % AROUND)]
+    lid = list(range(AROUND - 1, -1, -1))
+    upper = triangles[2 * AROUND :]
+    write("vtp/strip_line_lid.vtp", Vtp("ascii").text(points, upper + [lid], [strip], [[0, 6]]))
+
+
+def ply_seeds(points, triangles):
+    head = (
+        "ply\nformat {}\ncomment a tube\nelement vertex {}\nproperty {} x\nproperty {} y\n"
+        "property {} z\nproperty uchar red\nelement face {}\n"
+        "property list uchar int vertex_indices\nproperty int ModelFaceID\nend_header\n"
+    )
+    text = head.format("ascii 1.0", len(points), *["double"] * 3, len(triangles))
+    text += "".join(f"{x:g} {y:g} {z:g} 7\n" for x, y, z in points)
+    write("ply/ascii.ply", text + "".join(f"3 {a} {b} {c} 1\n" for a, b, c in triangles))
+    for order, name in (("<", "little"), (">", "big")):
+        text = head.format(f"binary_{name}_endian 1.0", len(points), *["float"] * 3, len(triangles))
+        data = b"".join(struct.pack(order + "3fB", *p, 7) for p in points)
+        data += b"".join(struct.pack(order + "B4i", 3, *t, 1) for t in triangles)
+        write(f"ply/binary_{name}.ply", text.encode() + data)
+
+
+def stl_seeds(points, triangles):
+    text = "solid tube\n"
+    data = b"tube".ljust(80) + struct.pack("<I", len(triangles))
+    for t in triangles:
+        corners = [points[k] for k in t]
+        text += " facet normal 0 0 0\n  outer loop\n"
+        text += "".join(f"   vertex {x:g} {y:g} {z:g}\n" for x, y, z in corners)
+        text += "  endloop\n endfacet\n"
+        data += struct.pack("<12fH", 0, 0, 0, *flat(corners), 0)
+    write("stl/ascii.stl", text + "endsolid tube\n")
+    write("stl/binary.stl", data)
+
+
+def obj_seeds(points, triangles):
+    corners = "".join(f"v {x:g} {y:g} {z:g}\n" for x, y, z in points)
+    faces = "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
+    write("obj/plain.obj", "# a tube\no tube\n" + corners + faces)
+    count = len(points)
+    faces = "".join(f"f {a + 1}/1/1 {b - count}//1 \\\n {c + 1}/1\n" for a, b, c in triangles)
+    write("obj/normals.obj", "vn 0 0 1\nvt 0 0\nusemtl m\n" + corners + faces + "l 1 2\np 3\n")
+
+
+if __name__ == "__main__":
+    surface = tube()
+    vtp_seeds(*surface)
+    ply_seeds(*surface)
+    stl_seeds(*surface)
+    obj_seeds(*surface)

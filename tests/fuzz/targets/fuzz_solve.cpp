@@ -1,0 +1,78 @@
+// The input as a scene of bare rods or generated tubes, solved with a time limit. A result that is
+// converged or in range must hold finite numbers only.
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include <vasorod/predict.h>
+#include <vasorod/read_scene.h>
+
+#include "fuzz/targets/number_mutator.h"
+
+namespace {
+
+using namespace vasorod;
+
+constexpr std::size_t most_vessels = 4;
+constexpr int most_points = 700, most_elements = 200;
+constexpr double seconds = 1;
+
+// Larger scenes are not wrong but slow, and surface files have targets of their own.
+bool is_small(const Scene& scene) {
+  if (scene.vessels.size() > most_vessels) return false;
+  int points = 0, elements = 0;
+  for (const VesselSpec& vessel : scene.vessels) {
+    if (vessel.surface) return false;
+    if (vessel.tube) points += vessel.tube->around * (vessel.tube->along + 1);
+    if (!vessel.rod) continue;
+    for (const RodPiece& piece : vessel.rod->pieces) elements += piece.elements;
+  }
+  return points <= most_points && elements <= most_elements;
+}
+
+// The keys of result.json that docs/result.md allows to be null in a good result.
+const std::set<std::string> may_be_null{"smallest_curvature_positive", "smallest_gap",
+                                        "opened_area", "largest_gap", "rms_gap"};
+
+void check_json(const nlohmann::json& value, const std::string& key) {
+  if (value.is_null() && !may_be_null.contains(key)) fuzz::finding("null at " + key);
+  if (value.is_object())
+    for (const auto& [name, entry] : value.items()) check_json(entry, name);
+  if (value.is_array())
+    for (const nlohmann::json& entry : value) check_json(entry, key);
+}
+
+void check_fields(const VesselResult& vessel) {
+  const bool finite = vessel.rest.allFinite() && vessel.current.allFinite() &&
+                      vessel.axial_stretch.allFinite() && vessel.twist_shear.allFinite() &&
+                      vessel.contact_pressure.allFinite();
+  if (!finite) fuzz::finding("a field of " + vessel.name + " that is not finite");
+  if (vessel.centerline && !vessel.centerline->current.allFinite())
+    fuzz::finding("a centerline of " + vessel.name + " that is not finite");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fuzz::fs::path file = fuzz::folder() / "scene.yaml";
+  fuzz::write_file(file, fuzz::text_of(data, size));
+  fuzz::accepted([] {
+    const Scene scene = read_scene(file);
+    if (!is_small(scene)) return;
+    SolveOptions options;
+    const auto begin = std::chrono::steady_clock::now();
+    options.stop = [begin] {
+      return std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds);
+    };
+    const Result result = predict(scene, options);
+    if (result.status != Status::converged && !result.validity.in_range) return;
+    check_json(nlohmann::json::parse(to_json(result)), "");
+    for (const VesselResult& vessel : result.vessels) check_fields(vessel);
+  });
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+  return vasorod::fuzz::mutate_scene(data, size, most, seed);
+}

@@ -155,6 +155,18 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
   return finish(std::move(shell));
 }
 
+LawKind law_of(const Material& material) {
+  switch (material.law) {
+    case Law::biot:
+      return LawKind::biot;
+    case Law::svk:
+      return LawKind::svk;
+    case Law::neo_hookean:
+      return LawKind::neo_hookean;
+  }
+  return LawKind::biot;
+}
+
 }  // namespace
 
 TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law) {
@@ -165,7 +177,7 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   problem.length_unit = tube.radius;
   problem.stress_unit = vessel.wall->material.young_axial;
   problem.moduli = moduli_of(vessel.wall->material, problem.stress_unit);
-  problem.law = law.value_or(vessel.wall->material.law == Law::svk ? LawKind::svk : LawKind::biot);
+  problem.law = law.value_or(law_of(vessel.wall->material));
   try {
     const MaterialLaw check(problem.law, problem.moduli);
   } catch (const InputError& error) {

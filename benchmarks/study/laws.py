@@ -16,7 +16,6 @@ CASES = (
     "combined_t1_0.5",
     "curved_t1_0.5",
 )
-HYBRID_LAWS = ("biot", "svk")
 LAWS = ("biot", "svk", "neo-hookean")
 COLUMNS = ("rms", "largest", "force", "moment", "reaction_signed", "u_shape", "u_reaction")
 
@@ -35,7 +34,7 @@ def coupled(case, law):
 
 def all_runs(case):
     return (
-        [*(shell(case, law) for law in LAWS), *(coupled(case, law) for law in HYBRID_LAWS)]
+        [*(shell(case, law) for law in LAWS), *(coupled(case, law) for law in LAWS)]
         if case.name in CASES
         else []
     )
@@ -44,7 +43,7 @@ def all_runs(case):
 def make_table(store, path):
     rows, records = [], []
     for case in map(case_named, CASES):
-        pairs = [("kinematics", law, coupled(case, law), shell(case, law)) for law in HYBRID_LAWS]
+        pairs = [("kinematics", law, coupled(case, law), shell(case, law)) for law in LAWS]
         pairs += [
             ("law", law, shell(case, law), shell(case, "biot")) for law in LAWS if law != "biot"
         ]

@@ -76,6 +76,7 @@ struct CoupledSolution {
   /// Positions, pressures, contacts, seam, sums of forces; its binding is zero.
   SurfaceSolution surface;
   std::vector<std::vector<SectionSolution>> sections;  ///< per body
+  std::vector<FaceExtremes> faces;                     ///< per body; of an obstacle: at rest
   /// The bending energy includes its coupling with the membrane.
   double membrane_energy = 0, bending_energy = 0;
   bool smallest_curvature_positive = false;

@@ -105,6 +105,7 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
   SurfaceSolution& surface = solution.surface;
   surface.bodies.resize(scaled.bodies.size());
   solution.sections.resize(scaled.bodies.size());
+  solution.faces.assign(scaled.bodies.size(), {});
   CoupledForces f;
   CoupledState s;
   if (system) {
@@ -147,6 +148,10 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
     const WallReport energies = system->walls()[index(w)].energy->report(s.q[index(w)]);
     solution.membrane_energy += energies.membrane * scaled.energy();
     solution.bending_energy += (energies.bending + energies.coupling) * scaled.energy();
+    FaceExtremes& faces = solution.faces[b];
+    faces = energies.faces;
+    for (Vec3* place : {&faces.least_place, &faces.largest_place})
+      *place = *place * scaled.length + scaled.origin;
     name_fold(problem.surfaces.bodies[b].name, *system->walls()[index(w)].energy, energies, scaled,
               solution);
   }

@@ -8,12 +8,33 @@
 namespace vasorod {
 
 std::string to_string(Law law) {
-  return law == Law::biot ? "biot" : "svk";
+  switch (law) {
+    case Law::biot:
+      return "biot";
+    case Law::svk:
+      return "svk";
+    case Law::neo_hookean:
+      return "neo-hookean";
+  }
+  return {};
 }
 
 Material Material::isotropic(double young, double poisson, Law law) {
   return {law, young, young, young / (2 * (1 + poisson)), poisson, poisson};
 }
+
+namespace {
+
+// Isotropic but for the rounding of other units.
+bool nearly_isotropic(const Material& m) {
+  constexpr double rounding = 1e-9;
+  const Material like = Material::isotropic(m.young_axial, m.poisson_tt);
+  return std::abs(m.young_transverse - like.young_transverse) <= rounding * m.young_axial &&
+         std::abs(m.shear_axial - like.shear_axial) <= rounding * m.shear_axial &&
+         std::abs(m.poisson_lt - like.poisson_lt) <= rounding;
+}
+
+}  // namespace
 
 bool Material::is_isotropic() const {
   const Material like = isotropic(young_axial, poisson_tt);
@@ -36,6 +57,14 @@ std::optional<MaterialFault> fault_of(const Material& m) {
   if (!(left > -rounding))
     return MaterialFault{"1 - nu_TT - 2 nu_LT^2 E_T/E_L = " + number_text(left),
                          "a number that is not negative, or the wall has no positive energy"};
+  if (m.law == Law::neo_hookean) {
+    if (!nearly_isotropic(m))
+      return MaterialFault{"neo-hookean on a transversely isotropic wall",
+                           "biot or svk, as the neo-Hookean law is isotropic"};
+    if (!(m.poisson_tt >= 0))  // with lambda < 0 a collapse would set free energy without bound
+      return MaterialFault{"neo-hookean with nu = " + number_text(m.poisson_tt),
+                           "0 <= nu <= 0.5 with this law, or biot or svk"};
+  }
   return std::nullopt;
 }
 

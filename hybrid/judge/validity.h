@@ -6,6 +6,7 @@
 #include <vasorod/result.h>
 
 #include "vessel/prepared_vessel.h"
+#include "wall/wall_energy.h"
 
 namespace vasorod {
 
@@ -36,6 +37,11 @@ namespace vasorod {
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                   const std::vector<int>& rigid_nodes, Validity& validity,
                   const std::vector<char>& opened = {});
+
+/// Warns of a wall whose faces are strained past 0.2 at one place, if its law is biot or svk: these
+/// soften in compression where a wall stiffens. The strain of a face counts the folding that
+/// largest_strain, taken from the rod, does not see: at the tip of a slit, along a seam.
+void warn_of_law(const VesselSpec& vessel, const FaceExtremes& faces, Validity& validity);
 
 /// Warns of a Young's modulus outside 0.01 to 100 MPa, where no vessel's wall lies: a slip of the
 /// units. Not of generated tubes, whose modulus is often 1.

@@ -13,6 +13,7 @@
 #include "surgery/glenn.h"
 #include "vessel/end_conditions.h"
 #include "vessel/prepared_vessel.h"
+#include "wall/wall_energy.h"
 
 namespace vasorod {
 
@@ -33,10 +34,11 @@ struct SolvedSurfaces {
   std::vector<std::string> notes;                   ///< sentences for the certificate
   std::vector<std::string> terms;                   ///< terms of the energy for ModelReport
   /// True: the rods were only the start; status, certificate, supports and energy are those of the
-  /// surfaces, and the two members below are filled.
+  /// surfaces, and the members below are filled.
   bool carry_everything = false;
-  std::vector<EndReaction> ends;  ///< supports' and loads' forces on the walls
-  std::vector<Vec3> load;         ///< per vessel: sum of its dead loads, force
+  std::vector<EndReaction> ends;    ///< supports' and loads' forces on the walls
+  std::vector<Vec3> load;           ///< per vessel: sum of its dead loads, force
+  std::vector<FaceExtremes> faces;  ///< per vessel: strains of its wall's faces; empty: no walls
 };
 
 /// A scene while it is solved.

@@ -84,6 +84,10 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
                                           vessel.pressure, sections, opened));
   add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity,
                opened);
+  if (prediction.surfaces && !prediction.surfaces->faces.empty())
+    warn_of_law(prepared.spec,
+                prediction.surfaces->faces[vessel_named(prediction, prepared.spec.name)],
+                result.validity);
   warn_of_units(prepared.spec, prediction.scene->units, result.validity);
   result.vessels.back().axial_stretch = std::move(fields.axial_stretch);
   result.vessels.back().twist_shear = std::move(fields.twist_shear);

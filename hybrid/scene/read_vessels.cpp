@@ -59,6 +59,15 @@ void read_shape(const Field& field, const std::filesystem::path& folder, VesselS
   }
 }
 
+void read_law(const Field& field, Material& material) {
+  std::vector<std::string> names;
+  for (const Law law : {Law::biot, Law::svk, Law::neo_hookean}) names.push_back(to_string(law));
+  const std::string name = field.one_of(names);
+  for (const Law law : {Law::biot, Law::svk, Law::neo_hookean})
+    if (name == to_string(law)) material.law = law;
+  if (const auto fault = fault_of(material)) field.refuse(fault->found, fault->expected);
+}
+
 void read_material(const Field& field, VesselSpec& vessel) {
   if (vessel.rod) {
     for (const char* key : {"wall", "law", "coefficients", "pressure"})
@@ -75,7 +84,7 @@ void read_material(const Field& field, VesselSpec& vessel) {
   }
   if (const auto law = field.find("law")) {
     if (!vessel.wall) law->refuse("it on a vessel without a wall", "it beside wall only");
-    vessel.wall->material.law = law->one_of({"biot", "svk"}) == "biot" ? Law::biot : Law::svk;
+    read_law(*law, vessel.wall->material);
   }
   if (const auto coefficients = field.find("coefficients"))
     vessel.coefficients = read_coefficients(*coefficients);

@@ -21,7 +21,8 @@ struct MembraneStrain {
   Mat3 derivative;  ///< d strain / d C
 };
 
-/// The strain of `law`; `c` holds (C11, C22, C12).
+/// The strain of `law`, Biot's for the neo-Hookean law (large_strain_wall.h); `c` holds
+/// (C11, C22, C12).
 MembraneStrain membrane_strain(Law law, const Vec3& c);
 
 /// Sum over i of stress_i d^2 strain_i / dC dC, with the stress in the order (11, 22, 12).

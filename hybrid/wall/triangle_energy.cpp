@@ -37,8 +37,10 @@ struct Height {
   }
 };
 
-// Factor of the collapse barrier: about E t A.
+// Factor of the collapse barrier: about E t A. A law for large strains needs none: its own energy
+// stops a collapse.
 double collapse_stiffness(const TriangleRest& rest) {
+  if (rest.large) return 0;
   return (rest.stiffness(0, 0) + rest.stiffness(1, 1)) / 2;
 }
 
@@ -67,6 +69,7 @@ Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& st
 
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state) {
   const Vec6 y = triangle_strains(law, rest, state);
+  if (rest.large) return large_strain_energy(*rest.large, y, false).value;
   return y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
          collapse_stiffness(rest) * CollapseBarrier(state.metric).value;
 }
@@ -76,8 +79,18 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   TriangleEnergy e;
   const MembraneStrain membrane = membrane_strain(law, state.metric);
   e.strains = triangle_strains(law, rest, state);
-  e.stress.noalias() = rest.stiffness * e.strains;
-  e.value = e.stress.dot(e.strains) / 2;
+  const Mat6* stiffness = &rest.stiffness;
+  Mat6 tangent;
+  if (rest.large) {
+    const LargeStrainEnergy large = large_strain_energy(*rest.large, e.strains, with_hessian);
+    e.value = large.value;
+    e.stress = large.stress;
+    tangent = large.tangent;
+    stiffness = &tangent;
+  } else {
+    e.stress.noalias() = rest.stiffness * e.strains;
+    e.value = e.stress.dot(e.strains) / 2;
+  }
   if (rest.relief > 0) {
     e.value -= relieved(rest, state, e.strains);
     e.stress[2] -= rest.relief * (e.strains[2] - state.partner_shear);
@@ -131,7 +144,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     e.hessian(3 + k, 6 + k) = e.hessian(6 + k, 3 + k) = -moment * h.value * state.half_sine[k];
   }
   if (with_hessian) {
-    Eigen::Matrix<double, 6, 9> kd = rest.stiffness * d;
+    Eigen::Matrix<double, 6, 9> kd = *stiffness * d;
     kd.row(2) -= rest.relief * d.row(2);
     e.hessian.noalias() += d.transpose() * kd;
   }

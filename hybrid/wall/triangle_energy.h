@@ -25,12 +25,17 @@
 //   relief / 2 (y_2 - y_2 of the partner)^2
 //
 // is subtracted, half of it from each.
+//
+// A wall with a law for large strains has E(y) of large_strain_wall.h, of which K is the Hessian at
+// rest, in place of 1/2 y^T K y.
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include <vasorod/types.h>
 
+#include "wall/large_strain_wall.h"
 #include "wall/plane_stress.h"
 
 namespace vasorod {
@@ -47,6 +52,8 @@ struct TriangleRest {
   Mat6 stiffness = Mat6::Zero();  ///< K on (e11, e22, 2 e12, b_0, b_1, b_2), times the area
   /// Shear stiffness that the triangle and its partner give up, times the area.
   double relief = 0;
+  /// The wall of a law for large strains; null: the energy is quadratic in y.
+  std::shared_ptr<const LargeStrainWall> large;
 };
 
 /// The nine scalars of a deformed triangle.
@@ -64,7 +71,7 @@ struct TriangleState {
 /// theta_0..2, xi_0..2), including the partner's share.
 struct TriangleEnergy {
   Vec6 strains;  ///< y
-  Vec6 stress;   ///< K y, minus the relief
+  Vec6 stress;   ///< dE/dy: K y, minus the relief
   double value;
   Vec9 gradient;
   Mat9 hessian;  ///< only if requested

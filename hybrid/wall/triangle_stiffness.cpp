@@ -58,14 +58,20 @@ struct CurvedPiece {
   }
 };
 
-// The section's stiffness corrected for the mode n = 2 of a ring: the transverse shear of the wall
-// is added, the softness of the triangle is removed.
-Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
-  Mat6 stiffness = wall_section_stiffness(section);
-  const Mat3 bending = stiffness.bottomRightCorner<3, 3>();
+// A direction of principal curvature and the bending compliance along it, 1 / (force length), that
+// corrects the section for the mode n = 2 of a ring: the transverse shear of the wall is added, the
+// softness of the triangle is removed.
+struct RingCorrection {
+  Vec2 direction;
+  double compliance;
+};
+
+std::array<RingCorrection, 2> ring_corrections(const Eigen::Matrix<double, 2, 3>& gradients,
+                                               const WallSection& section, const Mat3& bending) {
   Mat2 b;
   b << section.curvature[0], section.curvature[2], section.curvature[2], section.curvature[1];
   const Eigen::SelfAdjointEigenSolver<Mat2> principal(b);
+  std::array<RingCorrection, 2> corrections;
   for (int i = 0; i < 2; ++i) {
     const Vec2 d = principal.eigenvectors().col(i);
     const double k = principal.eigenvalues()[i];
@@ -73,26 +79,53 @@ Mat6 ring_corrected(const Eigen::Matrix<double, 2, 3>& gradients, const WallSect
     const double softness = ring_softness(gradients, bending, d, k);
     // negative compliance: stiffer by the factor 1 + softness
     const double stiffer = -softness / ((1 + softness) * unit.dot(bending * unit));
-    add_bending_compliance(stiffness, d, shear_compliance(section, d, k) + stiffer);
+    corrections[static_cast<size_t>(i)] = {d, shear_compliance(section, d, k) + stiffer};
   }
-  return stiffness;
+  return corrections;
 }
+
+// The facet's strains (e11, e22, 2 e12, b_0, b_1, b_2) to (e, c) of the curved piece.
+struct Facet {
+  double area, ratio;  // ratio: of the piece's area to the facet's
+  Mat6 map;
+
+  Facet(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section)
+      : area(0.5 /
+             std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0))) {
+    std::array<Vec2, 3> edge;
+    Mat6 bending = Mat6::Identity();  // c = sum_k b_k g_k g_k^T
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 g = gradients.col(k);
+      edge[static_cast<size_t>(k)] = 2 * area * Vec2(-g[1], g[0]);
+      bending.block<3, 1>(3, 3 + k) << g[0] * g[0], g[1] * g[1], 2 * g[0] * g[1];
+    }
+    const CurvedPiece piece(edge, section.curvature);
+    map = piece.map * bending;
+    ratio = piece.area_ratio;
+  }
+};
 
 }  // namespace
 
 Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
-  const double area =
-      0.5 / std::abs(gradients(0, 0) * gradients(1, 1) - gradients(0, 1) * gradients(1, 0));
-  std::array<Vec2, 3> edge;
-  Mat6 bending = Mat6::Identity();  // c = sum_k b_k g_k g_k^T
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 g = gradients.col(k);
-    edge[static_cast<size_t>(k)] = 2 * area * Vec2(-g[1], g[0]);
-    bending.block<3, 1>(3, 3 + k) << g[0] * g[0], g[1] * g[1], 2 * g[0] * g[1];
+  const Facet facet(gradients, section);
+  Mat6 stiffness = wall_section_stiffness(section);
+  for (const RingCorrection& ring :
+       ring_corrections(gradients, section, stiffness.bottomRightCorner<3, 3>()))
+    add_bending_compliance(stiffness, ring.direction, ring.compliance);
+  return facet.area * facet.ratio * facet.map.transpose() * stiffness * facet.map;
+}
+
+WallPiece wall_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
+  const Facet facet(gradients, section);
+  Mat6 stiffness = wall_section_stiffness(section), strains = Mat6::Identity();
+  for (const RingCorrection& ring :
+       ring_corrections(gradients, section, stiffness.bottomRightCorner<3, 3>())) {
+    const Mat6 reduced = less_bending(stiffness, ring.direction, ring.compliance);
+    stiffness = reduced.transpose() * stiffness * reduced;
+    strains *= reduced;
   }
-  const CurvedPiece piece(edge, section.curvature);
-  const Mat6 map = piece.map * bending;
-  return area * piece.area_ratio * map.transpose() * ring_corrected(gradients, section) * map;
+  return {strains * facet.map, facet.area * facet.ratio};
 }
 
 }  // namespace vasorod

@@ -19,4 +19,13 @@ namespace vasorod {
 /// the section, 1/length.
 Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section);
 
+/// The curved piece of wall that a triangle represents: K = area strains^T S strains with S the
+/// section's own stiffness (wall_section.h). A law that is not quadratic starts from these strains.
+struct WallPiece {
+  Mat6 strains;  ///< (e, c) of the piece from (e11, e22, 2 e12, b_0, b_1, b_2)
+  double area;   ///< length^2
+};
+
+WallPiece wall_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section);
+
 }  // namespace vasorod

@@ -137,6 +137,25 @@ double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient)
   return energy;
 }
 
+// Compares the faces of a triangle with the extremes found so far.
+void WallEnergy::see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& bend,
+                           FaceExtremes& extremes) const {
+  const WallSection& section = sections_[static_cast<size_t>(triangle)];
+  const Vec3 strain = membrane_strain(Law::biot, metric_of(deformation(q, triangle))).strain;
+  const FaceStretches faces =
+      face_stretches(section.inner, section.outer, section.curvature, strain, bend);
+  const auto v = triangles_.row(triangle);
+  const Vec3 middle = (point(q, v[0]) + point(q, v[1]) + point(q, v[2])) / 3;
+  if (faces.least < extremes.least) {
+    extremes.least = faces.least;
+    extremes.least_place = middle;
+  }
+  if (faces.largest > extremes.largest) {
+    extremes.largest = faces.largest;
+    extremes.largest_place = middle;
+  }
+}
+
 WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
   const Geometry g = geometry(q);
   WallReport report;
@@ -144,8 +163,15 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), false);
     const Vec3 strain = e.strains.head<3>(), bending = e.strains.tail<3>();
-    const double bend = bending.dot(rest.stiffness.bottomRightCorner<3, 3>() * bending) / 2;
-    const double coupling = strain.dot(rest.stiffness.topRightCorner<3, 3>() * bending);
+    double bend = bending.dot(rest.stiffness.bottomRightCorner<3, 3>() * bending) / 2;
+    double coupling = strain.dot(rest.stiffness.topRightCorner<3, 3>() * bending);
+    if (rest.large) {
+      Vec6 alone = Vec6::Zero();
+      alone.tail<3>() = bending;
+      bend = large_strain_energy(*rest.large, alone, false).value;
+      alone << strain, Vec3::Zero();
+      coupling = e.value - bend - large_strain_energy(*rest.large, alone, false).value;
+    }
     report.membrane += e.value - bend - coupling;
     report.bending += bend;
     report.coupling += coupling;
@@ -158,6 +184,7 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     report.strain.push_back(strain);
     report.bend.push_back(dyads * bending);
     report.force.push_back(e.stress.head<3>() / rest.area);
+    see_faces(q, t, dyads * bending, report.faces);
     report.moment.push_back(dyads.transpose().inverse() * e.stress.tail<3>() / rest.area);
   }
   const auto sharpest = std::min_element(g.half_cosine.begin(), g.half_cosine.end());

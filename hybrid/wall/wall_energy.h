@@ -49,6 +49,12 @@ struct WallEdge {
   int unknown = 0;
 };
 
+/// The least and the largest principal stretch of a wall's two faces, and where on the given
+/// surface.
+struct FaceExtremes : FaceStretches {
+  Vec3 least_place = Vec3::Zero(), largest_place = Vec3::Zero();
+};
+
 /// Energies, strains and stresses of the wall in one state.
 struct WallReport {
   double membrane = 0, bending = 0, coupling = 0;  ///< their sum is the wall's energy
@@ -58,6 +64,7 @@ struct WallReport {
   std::vector<Vec3> strain, bend, force, moment;
   double sharpest_fold = 0;  ///< angle between two triangles, radians
   Vec3 fold_place = Vec3::Zero();
+  FaceExtremes faces;
 };
 
 /// The energy of one wall with gradient and Hessian as functions of q.
@@ -118,6 +125,8 @@ class WallEnergy {
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
   void set_relief(double share);
+  void see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& bend,
+                 FaceExtremes& extremes) const;
   // Parts of the Hessian.
   struct TriangleDerivatives;
   TriangleDerivatives derivatives(const Eigen::VectorXd& q, const Geometry& g, int triangle,

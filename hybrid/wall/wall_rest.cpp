@@ -186,7 +186,14 @@ void WallEnergy::set_material(const Material& material) {
     WallSection section = sections_[t];
     section.stiffness = stiffness;
     section.shear_modulus = shear;
-    triangle_rest_[t].stiffness = triangle_stiffness(triangle_rest_[t].gradients, section);
+    TriangleRest& rest = triangle_rest_[t];
+    rest.stiffness = triangle_stiffness(rest.gradients, section);
+    rest.large.reset();
+    if (law_ != Law::neo_hookean) continue;
+    const WallPiece piece = wall_piece(rest.gradients, section);
+    rest.large = std::make_shared<LargeStrainWall>(
+        LargeStrainWall{section.inner, section.outer, section.curvature, material.shear_axial,
+                        material.poisson_tt, piece.strains, piece.area});
   }
   set_relief(1 - ordinary_shear(material) / material.shear_axial);
 }

@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 #include <array>
+#include <cmath>
+
+#include "wall/thickness_points.h"
 
 namespace vasorod {
 
@@ -9,15 +12,15 @@ namespace {
 
 using Mat2 = Eigen::Matrix2d;
 
-// Gauss points on [-1, 1]: five points integrate the thin wall exactly, and 1/Z to 1e-6 at
-// t/R = 0.5.
-constexpr std::array<double, 5> abscissa{0, 0.5384693101056831, -0.5384693101056831,
-                                         0.9061798459386640, -0.9061798459386640};
-constexpr std::array<double, 5> weight{0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                       0.2369268850561891, 0.2369268850561891};
-
 Vec3 voigt(const Mat2& m) {
   return {m(0, 0), m(1, 1), m(0, 1) + m(1, 0)};
+}
+
+// Bending along the unit direction d, as (e, c).
+Vec6 unit_bend(const Vec2& d) {
+  Vec6 bend = Vec6::Zero();
+  bend.tail<3>() << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+  return bend;
 }
 
 }  // namespace
@@ -31,8 +34,8 @@ Mat6 wall_section_stiffness(const WallSection& s) {
   unit[2] << 0, 0.5, 0.5, 0;
   const double half = (s.outer - s.inner) / 2, middle = (s.outer + s.inner) / 2;
   Mat6 stiffness = Mat6::Zero();
-  for (size_t i = 0; i < abscissa.size(); ++i) {
-    const double z = middle + half * abscissa[i];
+  for (size_t i = 0; i < thickness_point_count; ++i) {
+    const double z = middle + half * thickness_abscissa[i];
     const Mat2 shifter = Mat2::Identity() + z * b;
     const Mat2 inverse = shifter.inverse();
     Eigen::Matrix<double, 3, 6> strain;
@@ -41,8 +44,8 @@ Mat6 wall_section_stiffness(const WallSection& s) {
       strain.col(k) = voigt((m - z * m * b) * inverse);
       strain.col(3 + k) = voigt(z * m * inverse);
     }
-    stiffness +=
-        half * weight[i] * shifter.determinant() * strain.transpose() * s.stiffness * strain;
+    stiffness += half * thickness_weight[i] * shifter.determinant() * strain.transpose() *
+                 s.stiffness * strain;
   }
   return stiffness;
 }
@@ -53,11 +56,19 @@ double shear_compliance(const WallSection& s, const Vec2& d, double curvature) {
 }
 
 void add_bending_compliance(Mat6& stiffness, const Vec2& d, double compliance) {
-  Vec6 bend = Vec6::Zero();
-  bend.tail<3>() << d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1];
+  const Vec6 bend = unit_bend(d);
   // (K^-1 + compliance bend bend^T)^-1 by Sherman and Morrison
   const Vec6 moment = stiffness * bend;
   stiffness -= compliance / (1 + compliance * bend.dot(moment)) * moment * moment.transpose();
+}
+
+Mat6 less_bending(const Mat6& stiffness, const Vec2& d, double compliance) {
+  // M = I - f bend moment^T; f is the root of 2 f - f^2 bend.moment = compliance / (1 + compliance
+  // bend.moment) that vanishes with the compliance.
+  const Vec6 bend = unit_bend(d), moment = stiffness * bend;
+  const double along = bend.dot(moment);
+  return Mat6::Identity() -
+         (1 - 1 / std::sqrt(1 + compliance * along)) / along * bend * moment.transpose();
 }
 
 }  // namespace vasorod

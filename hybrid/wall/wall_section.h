@@ -44,4 +44,7 @@ double shear_compliance(const WallSection& section, const Vec2& d, double curvat
 /// Adds a compliance (subtracts it if negative) to bending along the unit direction d.
 void add_bending_compliance(Mat6& stiffness, const Vec2& d, double compliance);
 
+/// The same correction as a map M of (e, c): M^T stiffness M is the stiffness with the compliance.
+Mat6 less_bending(const Mat6& stiffness, const Vec2& d, double compliance);
+
 }  // namespace vasorod

@@ -51,6 +51,7 @@ TEST(Material, IsotropicHasItsTwoNumbersInEveryDirection) {
   EXPECT_EQ(Material::isotropic(3, 0.25).law, Law::biot);
   EXPECT_EQ(to_string(Law::biot), "biot");
   EXPECT_EQ(to_string(Law::svk), "svk");
+  EXPECT_EQ(to_string(Law::neo_hookean), "neo-hookean");
 }
 
 TEST(Material, OneNumberOffIsNotIsotropic) {
@@ -126,6 +127,20 @@ TEST(Material, TheSentenceSaysWhereWhatAndWhatWasExpected) {
   EXPECT_EQ(sentence_of({Law::biot, 1, 2, 1, 0.5, 0.5}),
             "wall of aorta: found 1 - nu_TT - 2 nu_LT^2 E_T/E_L = -0.5, expected a number that is "
             "not negative, or the wall has no positive energy");
+}
+
+TEST(Material, TheNeoHookeanLawIsIsotropicInAnyUnit) {
+  Material m = Material::isotropic(1.0 / 3, 0.45, Law::neo_hookean);
+  EXPECT_FALSE(fault_of(m));
+  for (double* modulus : {&m.young_axial, &m.young_transverse, &m.shear_axial}) *modulus /= 7e3;
+  EXPECT_FALSE(fault_of(m));
+  m.shear_axial *= 1.001;
+  EXPECT_EQ(sentence_of(m),
+            "wall of aorta: found neo-hookean on a transversely isotropic wall, expected biot or "
+            "svk, as the neo-Hookean law is isotropic");
+  EXPECT_FALSE(fault_of(Material::isotropic(1, 0.5, Law::neo_hookean)));
+  EXPECT_FALSE(fault_of(Material::isotropic(1, 0, Law::neo_hookean)));
+  EXPECT_TRUE(fault_of(Material::isotropic(1, -0.1, Law::neo_hookean)));
 }
 
 TEST(Material, RefusesWhatHasNoPositiveEnergy) {

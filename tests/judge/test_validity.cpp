@@ -43,6 +43,32 @@ TEST(Validity, ShortTubesAreMeasuredAgainstLocalWrinkling) {
   EXPECT_NEAR(validity.wrinkling_ratio, 0.004 * 100 / 0.605, 1e-8);
 }
 
+TEST(Validity, AFoldPastTheRangeOfALinearLawIsNamed) {
+  PreparedVessel tube = judged_tube(100);
+  const auto warnings = [&](double least, double largest) {
+    FaceExtremes faces;
+    faces.least = least;
+    faces.largest = largest;
+    faces.least_place = Vec3(1, 2, 3);
+    faces.largest_place = Vec3(4, 5, 6);
+    Validity validity;
+    warn_of_law(tube.spec, faces, validity);
+    EXPECT_TRUE(validity.in_range);
+    return validity.warnings;
+  };
+  EXPECT_TRUE(warnings(0.81, 1.19).empty());
+  ASSERT_EQ(warnings(0.38, 1.4).size(), 1U);
+  EXPECT_EQ(
+      warnings(0.38, 1.4)[0],
+      "vessel tube at (1, 2, 3): a face of its wall is shortened by 62 %, past the 20 % up to "
+      "which law biot holds: use law neo-hookean");
+  EXPECT_NE(warnings(0.9, 1.4)[0].find("(4, 5, 6): a face of its wall is lengthened by 40 %"),
+            std::string::npos);
+  EXPECT_NE(warnings(-0.6, 1.4)[0].find("folded through itself"), std::string::npos);
+  tube.spec.wall->material.law = Law::neo_hookean;
+  EXPECT_TRUE(warnings(0.38, 1.4).empty());
+}
+
 // The smallest axial strain at which a cylinder with an axial fibre wrinkles: Donnell's linear
 // equations, nu_LT = 0, over axial and circumferential waves.
 double donnell_strain(double e_l, double e_t, double g, double radius, double t) {

@@ -69,6 +69,22 @@ class ReadScene : public ScratchFolder {
   Scene read(const std::string& text) const { return read_scene(write("scene.yaml", text)); }
 };
 
+TEST_F(ReadScene, ReadsTheNeoHookeanLaw) {
+  const Scene scene = read(R"(scene: law
+units: {length: mm, stress: MPa}
+vessels:
+  - name: tube
+    tube: {length: 100, radius: 10}
+    wall: {thickness: 1.0, young: 1.0, poisson: 0.45}
+    law: neo-hookean
+ends:
+  - {vessel: tube, end: start, hold: true}
+  - {vessel: tube, end: end, move: [1, 0, 0]}
+fidelity: coupled
+)");
+  EXPECT_EQ(scene.vessel("tube").wall->material.law, Law::neo_hookean);
+}
+
 TEST_F(ReadScene, ReadsEveryKeyOfTheContract) {
   const Scene scene = read(tubes);
   EXPECT_EQ(scene.name, "bend-10");

@@ -40,6 +40,7 @@ BEYOND = [
     r"a symmetric matrix|positive definite",
     r"a stretch v3 above 0",
     r"nu_LT\^2",
+    r"the neo-Hookean law is isotropic|neo-hookean with nu",
     r"only the finite-element reference vasorod-fem",
     r"elements up to here",  # of a rod's pieces together
     r"points around and",  # of a tube's mesh

@@ -31,6 +31,30 @@ TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
               area * ec.dot(wall_section_stiffness(section) * ec), 1e-14);
 }
 
+// The piece of wall that a law for large strains starts from has the same stiffness, with all
+// corrections.
+TEST(TriangleStiffness, ThePieceOfWallHasTheSameStiffness) {
+  const Vec2 x1(0.8, 0.1), x2(0.2, 0.7);
+  Eigen::Matrix2d edges;
+  edges << x1, x2;
+  Eigen::Matrix<double, 2, 3> gradients;
+  gradients.rightCols<2>() = edges.inverse().transpose();
+  gradients.col(0) = -gradients.col(1) - gradients.col(2);
+  for (const Vec3& b : {Vec3(0, 0, 0), Vec3(0, 0.6, 0), Vec3(-0.2, 0.5, 0.1)})
+    for (const double inner : {-0.2, -0.4}) {
+      const WallSection section{inner, inner + 0.4, b, plane_stress(Material::isotropic(1, 0.45)),
+                                Vec2(0.35, 0.35)};
+      const WallPiece piece = wall_piece(gradients, section);
+      const Mat6 k = triangle_stiffness(gradients, section);
+      EXPECT_LT((piece.area * piece.strains.transpose() * wall_section_stiffness(section) *
+                     piece.strains -
+                 k)
+                    .norm(),
+                1e-14 * k.norm())
+          << b.transpose();
+    }
+}
+
 // A cylinder stretched along its axis and widened uniformly: the facets' energy relative to the
 // smooth wall's.
 double relative_error(int around, double along, double wider) {

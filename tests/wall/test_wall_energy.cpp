@@ -13,6 +13,7 @@ const Material isotropic = Material::isotropic(1, 0.3);
 const Material fibred{Law::biot, 2, 1, 0.1, 0.4, 0.2};
 
 const Material stiff_in_shear{Law::biot, 2, 1, 30, 0.4, 0.2};
+const Material neo_hookean = Material::isotropic(1, 0.45, Law::neo_hookean);
 
 struct Case {
   const char* name;
@@ -45,8 +46,11 @@ std::vector<Case> cases() {
     all.push_back(
         {glued ? "fibred glued" : "fibred", tube_wall(tube(3, 1, 7, 4), 0.3, fibred, glued)});
     all.push_back({glued ? "svk glued" : "svk", tube_wall(tube(3, 1, 7, 4), 0.3, svk, glued)});
+    all.push_back({glued ? "neo-hookean glued" : "neo-hookean",
+                   tube_wall(tube(3, 1, 7, 4), 0.3, neo_hookean, glued)});
   }
   all.push_back({"slit", slit_wall(fibred)});
+  all.push_back({"neo-hookean slit", slit_wall(neo_hookean)});
   all.push_back({"stiff in shear", slit_wall(stiff_in_shear)});
   all.push_back({"three around", tube_wall(tube(3, 1, 3, 2), 0.3, fibred, true)});
   Case outer{"outer face", tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true)};
@@ -100,6 +104,68 @@ TEST(WallEnergy, HessianAgainstDifferencesOfTheGradient) {
       EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-6) << c.name << " " << i;
     }
   }
+}
+
+// A law for large strains where they are large: stretches from 0.5 to 1.6, a wall bent by half its
+// thickness.
+TEST(WallEnergy, LargeStrainsAgainstDifferences) {
+  WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, neo_hookean, true);
+  WallEnergy wall(in);
+  for (const auto& [along, around] :
+       {std::pair{0.5, 1.3}, std::pair{1.6, 0.7}, std::pair{0.6, 0.6}, std::pair{1.5, 1.5}}) {
+    Eigen::VectorXd q = wall.rest();
+    for (int i = 0; i < wall.vertices(); ++i) {
+      q.segment<2>(3 * i) *= around;
+      q[3 * i + 2] *= along;
+    }
+    q += 0.1 * noise(wall.unknowns(), 9);
+    for (const WallEdge& e : wall.edges())
+      if (!e.glued) q[e.unknown] += 0.3 * std::sin(3.0 * e.a + e.b);
+    Eigen::VectorXd g, up, down;
+    EXPECT_NEAR(wall.gradient(q, g), wall.value(q), 1e-12 * wall.value(q));
+    const Eigen::MatrixXd hessian = Eigen::MatrixXd(
+        Eigen::SparseMatrix<double>(wall.hessian(q).selfadjointView<Eigen::Lower>()));
+    const double h = 1e-6;
+    for (int i = 0; i < wall.unknowns(); ++i) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(wall.unknowns(), i);
+      const double slope = (wall.gradient(q + step, up) - wall.gradient(q - step, down)) / (2 * h);
+      EXPECT_NEAR(slope, g[i], 1e-7 * (1 + g.norm())) << along << " " << i;
+      EXPECT_LT(((up - down) / (2 * h) - hessian.col(i)).norm(), 1e-7 * (1 + hessian.norm()))
+          << along << " " << i;
+    }
+  }
+}
+
+// All laws have one Hessian at rest: EA, EI and GJ are the same, and so is the preconditioner.
+TEST(WallEnergy, LawsAgreeAtSmallStrains) {
+  for (const double offset : {0.0, -0.15}) {
+    WallInput in = tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true);
+    in.mid_offset = offset;
+    WallEnergy biot(in);
+    for (const Law law : {Law::svk, Law::neo_hookean}) {
+      in.material.law = law;
+      WallEnergy other(in);
+      const Eigen::SparseMatrix<double> k = biot.hessian(biot.rest());
+      EXPECT_LT((other.hessian(other.rest()) - k).norm(), 1e-13 * k.norm()) << to_string(law);
+    }
+  }
+}
+
+TEST(WallEnergy, ReportNamesTheMostStrainedFaces) {
+  WallInput in = tube_wall(tube(3, 1, 12, 6), 0.2, isotropic, false);
+  const WallEnergy wall(in);
+  EXPECT_NEAR(wall.report(wall.rest()).faces.least, 1, 1e-12);
+  Eigen::VectorXd q = wall.rest();
+  for (int i = 0; i < wall.vertices(); ++i) q[3 * i + 2] *= 1.3;
+  const WallReport stretched = wall.report(q);
+  // 12 facets around are a coarse circle
+  EXPECT_NEAR(stretched.faces.largest, 1.3, 0.01);
+  EXPECT_NEAR(stretched.faces.least, 1, 0.01);
+  q = wall.rest();
+  q.segment<2>(0) *= 0.5;  // a dent at vertex 0
+  const WallReport dented = wall.report(q);
+  EXPECT_LT(dented.faces.least, 0.9);
+  EXPECT_LT((dented.faces.least_place - wall.rest().head<3>()).norm(), 0.8);
 }
 
 // Two triangles of a flat strip folded over their edge, beyond a right angle.
@@ -237,20 +303,26 @@ TEST(WallEnergy, ReportNamesTheSharpestFold) {
 }
 
 TEST(WallEnergy, ReportAddsUp) {
-  const WallEnergy wall(slit_wall(fibred));
-  const Eigen::VectorXd q = disturbed(wall, 0.05, 6);
-  const WallReport r = wall.report(q);
-  EXPECT_NEAR(r.membrane + r.bending + r.coupling, wall.value(q), 1e-13);
-  EXPECT_EQ(r.strain.size(), r.moment.size());
+  for (const Material& material : {fibred, neo_hookean}) {
+    const WallEnergy wall(slit_wall(material));
+    const Eigen::VectorXd q = disturbed(wall, 0.05, 6);
+    const WallReport r = wall.report(q);
+    EXPECT_NEAR(r.membrane + r.bending + r.coupling, wall.value(q), 1e-13);
+    EXPECT_GT(r.membrane, 0);
+    EXPECT_GT(r.bending, 0);
+    EXPECT_EQ(r.strain.size(), r.moment.size());
+  }
 }
 
 TEST(WallEnergy, AnotherMaterialIsAnotherWall) {
   WallEnergy changed(tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true));
-  changed.set_material(fibred);
-  WallEnergy wall(tube_wall(tube(3, 1, 7, 4), 0.3, fibred, true));
-  const Eigen::VectorXd q = disturbed(wall, 0.05, 7);
-  EXPECT_DOUBLE_EQ(changed.value(q), wall.value(q));
-  EXPECT_LT((changed.hessian(q) - wall.hessian(q)).norm(), 1e-14);
+  for (const Material& material : {fibred, neo_hookean, fibred}) {
+    changed.set_material(material);
+    WallEnergy wall(tube_wall(tube(3, 1, 7, 4), 0.3, material, true));
+    const Eigen::VectorXd q = disturbed(wall, 0.05, 7);
+    EXPECT_DOUBLE_EQ(changed.value(q), wall.value(q));
+    EXPECT_LT((changed.hessian(q) - wall.hessian(q)).norm(), 1e-14);
+  }
 }
 
 TEST(WallEnergy, RefusesInOneSentence) {
@@ -275,6 +347,12 @@ TEST(WallEnergy, RefusesInOneSentence) {
   in = good;
   in.material.shear_axial = -1;
   EXPECT_EQ(sentence(in), "wall: found G_axial = -1, expected a finite number above 0");
+  in = good;
+  in.material = fibred;
+  in.material.law = Law::neo_hookean;
+  EXPECT_EQ(sentence(in),
+            "wall: found neo-hookean on a transversely isotropic wall, expected biot or svk, as "
+            "the neo-Hookean law is isotropic");
 }
 
 }  // namespace

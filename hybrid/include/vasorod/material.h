@@ -7,19 +7,20 @@
 
 namespace vasorod {
 
-/// The strain measure E in which the wall's energy density 1/2 E : C : E is quadratic.
+/// The wall's elastic energy at finite strain. The first two are 1/2 E : C : E in a strain E.
 enum class Law {
-  biot,  ///< E = U - I, engineering strain: rods and edge springs are linear in it
-  svk,   ///< E = (F^T F - I) / 2, Saint-Venant and Kirchhoff
+  biot,         ///< E = U - I, engineering strain: rods and edge springs are linear in it
+  svk,          ///< E = (F^T F - I) / 2, Saint-Venant and Kirchhoff
+  neo_hookean,  ///< mu/2 (I1 - 3) - mu ln J + lambda/2 ln^2 J, for large strains; isotropic only
 };
 
-/// The law's name in scene files: "biot" or "svk".
+/// The law's name in scene files: "biot", "svk" or "neo-hookean".
 std::string to_string(Law law);
 
 /// Elastic constants. Moduli in the scene's stress unit, Poisson's ratios without unit.
 /// L: along the fibre; T: transverse to the fibre.
 struct Material {
-  Law law = Law::biot;          ///< strain measure
+  Law law = Law::biot;          ///< energy at finite strain
   double young_axial = 0;       ///< E_L, along the fibre, stress
   double young_transverse = 0;  ///< E_T, transverse to the fibre, stress
   double shear_axial = 0;       ///< G_L, between the fibre and its normals, stress
@@ -41,8 +42,8 @@ struct MaterialFault {
 
 /// Checks that the three-dimensional energy is positive (positive definite compliance of a
 /// transversely isotropic solid): moduli positive and finite, |nu_TT| < 1,
-/// 1 - nu_TT - 2 nu_LT^2 E_T / E_L >= 0 (zero: incompressible). Returns the fault, or empty if the
-/// material is admissible.
+/// 1 - nu_TT - 2 nu_LT^2 E_T / E_L >= 0 (zero: incompressible); with the neo-Hookean law isotropic
+/// and nu >= 0. Returns the fault, or empty if the material is admissible.
 std::optional<MaterialFault> fault_of(const Material& material);
 
 /// Throws InputError if `fault_of` finds a fault. The message begins with `where`.

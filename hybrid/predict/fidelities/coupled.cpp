@@ -108,6 +108,7 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   surfaces.notes = solution.notes;
   surfaces.terms = {"bending", "stretching"};
   surfaces.carry_everything = true;
+  surfaces.faces = solution.faces;
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {
     Vec3& load = surfaces.load.emplace_back(Vec3::Zero());
     for (const SectionSolution& section : solution.sections[v]) {

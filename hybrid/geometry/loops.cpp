@@ -7,6 +7,7 @@
 namespace vasorod {
 namespace {
 
+// The first search of an offset compares the loops at this many points each.
 constexpr int sample_count = 180;
 
 double modulo_one(double x) {
@@ -21,22 +22,42 @@ LoopCurve::LoopCurve(Points corners) : corners_(std::move(corners)), position_{0
     position_.push_back(position_.back() + (corners_.row((k + 1) % n) - corners_.row(k)).norm());
 }
 
-Vec3 LoopCurve::at(double fraction) const {
-  const double s = modulo_one(fraction) * length();
+LoopCurve::Place LoopCurve::place(double fraction) const {
+  const double s = modulo_one(fraction) * length(), corner = 1e-12 * length();
   const auto after = std::upper_bound(position_.begin() + 1, position_.end() - 1, s);
-  const auto k = static_cast<Eigen::Index>(after - position_.begin()) - 1;
-  const double edge = position(static_cast<int>(k) + 1) - position(static_cast<int>(k));
-  const double t = edge > 0 ? (s - position(static_cast<int>(k))) / edge : 0;
-  return (1 - t) * corners_.row(k) + t * corners_.row((k + 1) % corners_.rows());
+  const auto k = static_cast<int>(after - position_.begin()) - 1;
+  if (s - position(k) <= corner) return {k, 0};
+  if (position(k + 1) - s <= corner) return {(k + 1) % count(), 0};
+  return {k, (s - position(k)) / (position(k + 1) - position(k))};
+}
+
+Vec3 LoopCurve::at(const Place& place) const {
+  return (1 - place.along) * corners_.row(place.edge) +
+         place.along * corners_.row((place.edge + 1) % corners_.rows());
+}
+
+Vec3 LoopCurve::at(double fraction) const {
+  return at(place(fraction));
 }
 
 double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset) {
-  double sum = 0;
-  for (int i = 0; i < sample_count; ++i) {
-    const double u = static_cast<double>(i) / sample_count;
-    sum += (a.at(u) - b.at(offset - u)).squaredNorm();
+  // Both points move along straight edges between the corners of either loop, so the squared
+  // distance is a parabola there and Simpson's rule is exact.
+  std::vector<double> corners;
+  for (int k = 0; k < a.count(); ++k) corners.push_back(a.position(k) / a.length());
+  for (int k = 0; k < b.count(); ++k)
+    corners.push_back(modulo_one(offset - b.position(k) / b.length()));
+  std::sort(corners.begin(), corners.end());
+  corners.push_back(corners.front() + 1);
+  const auto squared = [&](double u) { return (a.at(u) - b.at(offset - u)).squaredNorm(); };
+  double sum = 0, before = squared(corners.front());
+  for (size_t k = 0; k + 1 < corners.size(); ++k) {
+    const double after = squared(corners[k + 1]),
+                 middle = squared((corners[k] + corners[k + 1]) / 2);
+    sum += (corners[k + 1] - corners[k]) * (before + 4 * middle + after) / 6;
+    before = after;
   }
-  return sum / sample_count;
+  return sum;
 }
 
 double opposite_offset(const LoopCurve& a, const LoopCurve& b) {

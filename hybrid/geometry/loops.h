@@ -17,7 +17,16 @@ class LoopCurve {
   int count() const { return static_cast<int>(corners_.rows()); }
   /// Arc length from corner 0 to corner k, length unit; k = count() gives the total length.
   double position(int k) const { return position_[static_cast<size_t>(k)]; }
-  /// The point at a fraction of the length (any real number, taken modulo 1).
+  /// A point of the polygon: (1 - along) corner[edge] + along corner[edge + 1], cyclic.
+  struct Place {
+    int edge = 0;
+    double along = 0;  ///< in [0, 1)
+  };
+  /// The place at a fraction of the length (any real number, taken modulo 1). Within 1e-12 of the
+  /// length of a corner it is that corner.
+  Place place(double fraction) const;
+  Vec3 at(const Place& place) const;
+  /// The point at a fraction of the length.
   Vec3 at(double fraction) const;
 
  private:
@@ -30,7 +39,7 @@ class LoopCurve {
 /// about 1e-8, the rounding limit of a minimum.
 double opposite_offset(const LoopCurve& a, const LoopCurve& b);
 
-/// The mean of |a(u) - b(offset - u)|^2, length^2, by the trapezoidal rule.
+/// The mean of |a(u) - b(offset - u)|^2 over u, length^2, exact.
 double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset);
 
 }  // namespace vasorod

@@ -113,7 +113,10 @@ bool SurfaceEditor::acceptable(const std::vector<Corners>& before,
 }
 
 bool SurfaceEditor::move(int v, const Blend& target) {
-  const Vec3 to = point(target);
+  return move(v, point(target), source_of(target));
+}
+
+bool SurfaceEditor::move(int v, const Vec3& to, const VertexSource& from) {
   std::vector<Corners> before, after;
   for (const int t : triangles_of(v)) {
     Corners c, d;
@@ -125,10 +128,9 @@ bool SurfaceEditor::move(int v, const Blend& target) {
     after.push_back(d);
   }
   if (!acceptable(before, after)) return false;
-  VertexSource from = source_of(target);
-  points_[static_cast<size_t>(v)] = to;
-  sources_[static_cast<size_t>(v)] = std::move(from);
-  touched_[static_cast<size_t>(v)] = 1;
+  points_[index(v)] = to;
+  sources_[index(v)] = from;
+  touched_[index(v)] = 1;
   return true;
 }
 

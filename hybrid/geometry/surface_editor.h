@@ -48,6 +48,8 @@ class SurfaceEditor : public EditableMesh {
   /// Moves v unless a triangle would turn over, become too thin or get too short an edge. False: no
   /// change.
   bool move(int v, const Blend& target);
+  /// The same, to the point `to` that is the mean of input vertices `from`.
+  bool move(int v, const Vec3& to, const VertexSource& from);
   /// Collapses the edge keep-gone into `keep` at `target`, under the conditions of `move` and if
   /// the surface stays manifold.
   bool collapse(int keep, int gone, const Blend& target);

@@ -55,6 +55,19 @@ TEST(SurfaceEditor, AMoveThatFoldsOrFlattensATriangleIsRefusedAndChangesNothing)
   EXPECT_NEAR((editor.point(0) - Vec3(0.3, 0, 0)).norm(), 0, 1e-15);
 }
 
+TEST(SurfaceEditor, AMoveToAnInputPointKeepsThatSource) {
+  SurfaceEditor editor(hexagon());
+  ASSERT_TRUE(editor.move(2, {{2, 0.8}, {3, 0.2}}));  // no longer where the input has it
+  VertexSource from;
+  from.vertex = {0, 2};
+  from.weight = {0.6, 0.4};
+  const Vec3 to = 0.4 * Vec3(hexagon().points.row(2));
+  ASSERT_TRUE(editor.move(0, to, from));
+  EXPECT_EQ(editor.point(0), to);
+  EXPECT_EQ(editor.source(0).vertex, from.vertex);
+  EXPECT_EQ(editor.source(0).weight, from.weight);
+}
+
 TEST(SurfaceEditor, CollapsingKeepsTheSurfaceManifoldOrIsRefused) {
   testing::TubeShape shape;
   shape.around = 3;  // the three vertices of a ring are joined, but no triangle lies between them

@@ -2,159 +2,106 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <stdexcept>
 
+#include <vasorod/error.h>
+
+#include "data/index.h"
+#include "data/sentence.h"
 #include "geometry/loops.h"
 #include "geometry/surface_editor.h"
-#include "geometry/triangle_surface.h"
+#include "surgery/seam_knots.h"
+#include "surgery/seam_lengths.h"
+#include "surgery/slide_loop.h"
 
 namespace vasorod {
 namespace {
 
-// A corner of one of the loops, by arc length from the start of the matching, counted along the
-// mouth for both loops.
-struct Corner {
-  double position;  // length unit
-  int index;        // into the loop
+// Worst triangles that a slide may leave (EditTolerances::min_quality). The next one is tried where
+// no choice of knots works with the one before.
+constexpr double triangle_qualities[] = {0.35, 0.12, 0.02};
+
+// The vertices of both loops in the mouth's order from the first tip, and their indices in the
+// loops.
+struct Order {
+  SeamCorners corners;
+  std::vector<int> mouth, rim;  // index into the loop, per corner
 };
 
-// A vertex of both loops. Index -1: the loop has no corner there, its edge is split at the
-// position.
-struct Knot {
-  Corner mouth, rim;
-};
-
-// Pairs the corners of two stretches with common ends: first the two closest ones, in fractions of
-// their stretches, if closer than `tolerance`; then the parts to the left and right of that pair.
-// The remaining corners have no counterpart.
-class Matching {
- public:
-  Matching(double tolerance, std::vector<Knot>& knots) : tolerance_(tolerance), knots_(knots) {}
-
-  void stretch(const Knot& from, const std::vector<Corner>& mouth, const std::vector<Corner>& rim,
-               const Knot& to) {
-    const double on_mouth = to.mouth.position - from.mouth.position,
-                 on_rim = to.rim.position - from.rim.position;
-    const double mean = (on_mouth + on_rim) / 2;
-    const auto fraction = [](const Corner& c, double begin, double whole) {
-      return (c.position - begin) / whole;
-    };
-    double closest = std::numeric_limits<double>::infinity();
-    size_t best_mouth = 0, best_rim = 0;
-    for (size_t i = 0; i < mouth.size(); ++i)
-      for (size_t j = 0; j < rim.size(); ++j) {
-        const double distance = mean * std::abs(fraction(mouth[i], from.mouth.position, on_mouth) -
-                                                fraction(rim[j], from.rim.position, on_rim));
-        if (distance >= closest) continue;
-        closest = distance;
-        best_mouth = i;
-        best_rim = j;
-      }
-    if (closest < tolerance_) {
-      const Knot knot{mouth[best_mouth], rim[best_rim]};
-      const auto head = [](const std::vector<Corner>& all, size_t n) {
-        return std::vector<Corner>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
-      };
-      const auto tail = [](const std::vector<Corner>& all, size_t n) {
-        return std::vector<Corner>(all.begin() + static_cast<std::ptrdiff_t>(n) + 1, all.end());
-      };
-      stretch(from, head(mouth, best_mouth), head(rim, best_rim), knot);
-      knots_.push_back(knot);
-      stretch(knot, tail(mouth, best_mouth), tail(rim, best_rim), to);
-      return;
+Order order_of(const SeamCurve& mouth, const SeamCurve& rim, int other_tip) {
+  Order order;
+  const auto list = [](const SeamCurve& curve, std::vector<int>& at, std::vector<double>& ways) {
+    const int n = curve.loop.count();
+    std::vector<std::pair<double, int>> all;
+    for (int k = 0; k < n; ++k) {
+      const double ahead = curve.loop.position(k) / curve.loop.length() - curve.start;
+      const double way = curve.reversed ? -ahead : ahead;
+      all.emplace_back(way - std::floor(way), k);
     }
-    std::vector<Knot> alone;
-    for (const Corner& c : mouth)
-      alone.push_back(
-          {c, {from.rim.position + on_rim * fraction(c, from.mouth.position, on_mouth), -1}});
-    for (const Corner& c : rim)
-      alone.push_back(
-          {{from.mouth.position + on_mouth * fraction(c, from.rim.position, on_rim), -1}, c});
-    std::sort(alone.begin(), alone.end(),
-              [](const Knot& l, const Knot& r) { return l.mouth.position < r.mouth.position; });
-    knots_.insert(knots_.end(), alone.begin(), alone.end());
-  }
-
- private:
-  double tolerance_;
-  std::vector<Knot>& knots_;
-};
-
-// The knots in the mouth's order, starting with a pair of corners.
-std::vector<Knot> match(const LoopCurve& mouth, const LoopCurve& rim, double offset,
-                        double tolerance) {
-  // The rim's corners by arc length along the mouth: u = offset - w.
-  const double length = (mouth.length() + rim.length()) / 2;
-  std::vector<double> u(static_cast<size_t>(mouth.count())), w(static_cast<size_t>(rim.count()));
-  for (int i = 0; i < mouth.count(); ++i)
-    u[static_cast<size_t>(i)] = mouth.position(i) / mouth.length();
-  for (int j = 0; j < rim.count(); ++j) {
-    const double x = offset - rim.position(j) / rim.length();
-    w[static_cast<size_t>(j)] = x - std::floor(x);
-  }
-  size_t first_mouth = 0, first_rim = 0;
-  double closest = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < u.size(); ++i)
-    for (size_t j = 0; j < w.size(); ++j) {
-      const double distance = std::abs(std::remainder(u[i] - w[j], 1.0));
-      if (distance >= closest) continue;
-      closest = distance;
-      first_mouth = i;
-      first_rim = j;
+    std::sort(all.begin(), all.end());
+    for (const auto& [way, k] : all) {
+      ways.push_back(way);
+      at.push_back(k);
     }
-  const auto after = [&](const std::vector<double>& all, size_t first, int direction) {
-    std::vector<Corner> corners;
-    const auto n = static_cast<int>(all.size());
-    for (int k = 1; k < n; ++k) {
-      const int index = ((static_cast<int>(first) + direction * k) % n + n) % n;
-      const double x = all[static_cast<size_t>(index)] - all[first];
-      corners.push_back({(x - std::floor(x)) * length, index});
-    }
-    return corners;
   };
-  const Knot start{{0, static_cast<int>(first_mouth)}, {0, static_cast<int>(first_rim)}};
-  const Knot end{{length, start.mouth.index}, {length, start.rim.index}};
-  std::vector<Knot> knots{start};
-  Matching(tolerance, knots)
-      .stretch(start, after(u, first_mouth, +1), after(w, first_rim, -1), end);
-  return knots;
+  list(mouth, order.mouth, order.corners.mouth);
+  list(rim, order.rim, order.corners.rim);
+  order.corners.other_tip = static_cast<int>(
+      std::find(order.rim.begin(), order.rim.end(), other_tip) - order.rim.begin());
+  return order;
 }
 
-// The shortest piece that would result from splitting a loop's edges.
-double shortest_piece(const std::vector<Knot>& knots, Corner Knot::*loop, double length) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (size_t k = 0; k < knots.size(); ++k) {
-    const Corner& a = knots[k].*loop;
-    const Corner& b = knots[(k + 1) % knots.size()].*loop;
-    if (a.index >= 0 && b.index >= 0) continue;
-    shortest = std::min(shortest, b.position - a.position + (k + 1 == knots.size() ? length : 0));
-  }
-  return shortest;
-}
+// A surface of the seam while its loop is changed.
+struct Side {
+  SurfaceEditor editor;
+  SlidLoop loop;  // its vertices are per knot
+};
 
-// The vertex of every knot; splits the loop's edges where it has no corner.
-std::vector<int> knot_vertices(SurfaceEditor& editor, const std::vector<int>& loop,
-                               const std::vector<Knot>& knots, Corner Knot::*side, double length) {
-  std::vector<int> vertices(knots.size(), -1);
+Side divide(const TriangleSurface& surface, const std::vector<int>& loop, const SeamCurve& curve,
+            const std::vector<int>& corners, const std::vector<SeamKnot>& knots,
+            int SeamKnot::*corner, const std::vector<double>& ways,
+            const EditTolerances& tolerances) {
   const size_t n = knots.size();
+  std::vector<LoopTarget> targets(n);
   for (size_t k = 0; k < n; ++k) {
-    const Corner& here = knots[k].*side;
-    if (here.index >= 0) {
-      vertices[k] = loop[static_cast<size_t>(here.index)];
+    LoopTarget& target = targets[k];
+    target.fraction = curve.fraction(ways[k]);
+    if (knots[k].*corner >= 0) {
+      target.corner = corners[index(knots[k].*corner)];
       continue;
     }
-    size_t next =
-        k + 1;  // the first knot is a corner of both loops, so knots exist before and after
-    while ((knots[next % n].*side).index < 0) ++next;
-    const double end = next >= n ? length : (knots[next].*side).position;
-    const double begin = (knots[k - 1].*side).position;
-    vertices[k] =
-        editor.split_edge(vertices[k - 1], loop[static_cast<size_t>((knots[next % n].*side).index)],
-                          (here.position - begin) / (end - begin));
+    size_t next = k;
+    while (knots[next % n].*corner < 0) ++next;
+    const double before = k > 0 ? ways[k - 1] : ways[n - 1] - 1,
+                 after = ways[next % n] + (next >= n ? 1 : 0);
+    target.between = (ways[k] - before) / (after - before);
   }
-  return vertices;
+  Side side{SurfaceEditor(surface, tolerances), {}};
+  side.loop = slide_loop(side.editor, loop, curve.loop, targets);
+  return side;
+}
+
+// Notes what the meshes refused. False: nothing is left to give up.
+bool note_refusals(const std::vector<SeamKnot>& knots, const Side& mouth, const Side& rim,
+                   int other_tip, SeamRefusals& refusals) {
+  bool changed = false;
+  for (const Side* side : {&mouth, &rim})
+    for (const int k : side->loop.refused) {
+      const SeamKnot& knot = knots[index(k)];
+      if (knot.mouth >= 0 && knot.rim >= 0) {
+        // The pair meets at the mouth's vertex, midway, at the rim's vertex, or not at all.
+        const bool tip = knot.rim == 0 || knot.rim == other_tip;
+        double& share = refusals.share[{knot.mouth, knot.rim}];
+        changed |= share <= 1;
+        share = tip ? 2 : share + 0.5;
+        continue;
+      }
+      char& stays = knot.mouth >= 0 ? refusals.mouth_stays[index(knot.mouth)]
+                                    : refusals.rim_stays[index(knot.rim)];
+      changed |= stays == 0;
+      stays = 1;
+    }
+  return changed;
 }
 
 Points rows_of(const Points& points, const std::vector<int>& rows) {
@@ -162,6 +109,22 @@ Points rows_of(const Points& points, const std::vector<int>& rows) {
   for (size_t k = 0; k < rows.size(); ++k)
     result.row(static_cast<Eigen::Index>(k)) = points.row(rows[k]);
   return result;
+}
+
+// The joined surfaces and their pairs, in the rim's order, which is the reverse of the mouth's.
+void take(const Side& mouth, const Side& rim, const std::vector<SeamKnot>& knots, int other_tip,
+          JoinOutcome& outcome) {
+  // No vertex was removed: the editors' indices are the surfaces'.
+  auto svc_part = mouth.editor.whole(), rpa_part = rim.editor.whole();
+  outcome.svc = std::move(svc_part.surface);
+  outcome.svc_sources = std::move(svc_part.sources);
+  outcome.rpa = std::move(rpa_part.surface);
+  outcome.rpa_sources = std::move(rpa_part.sources);
+  for (size_t k = 0; k < knots.size(); ++k) {
+    const size_t at = (knots.size() - k) % knots.size();
+    if (knots[at].rim == other_tip) outcome.other_tip = static_cast<int>(k);
+    outcome.pairs.push_back({mouth.loop.vertices[at], rim.loop.vertices[at]});
+  }
 }
 
 }  // namespace
@@ -176,50 +139,30 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   outcome.offset = opposite_offset(mouth_curve, rim_curve);
   outcome.rms_distance = std::sqrt(opposite_distance(mouth_curve, rim_curve, outcome.offset));
 
-  SurfaceEditor svc_editor(svc), rpa_editor(rpa);
-  const double length = (mouth_curve.length() + rim_curve.length()) / 2;
-  const double fine = std::min(svc_editor.mean_edge(), rpa_editor.mean_edge());
-  const double coarse = std::max(svc_editor.mean_edge(), rpa_editor.mean_edge());
-  // Where corners of one loop are close together, a short piece may remain on the other. Tries
-  // several tolerances, and shifts by a fraction of an edge, and takes the first without a short
-  // piece, or the best.
-  std::vector<Knot> knots;
-  double best = -1;
-  for (const double shift : {0.0, 0.1, -0.1, 0.2, -0.2})
-    for (const double factor : {0.3, 0.27, 0.33, 0.24, 0.36, 0.2, 0.4}) {
-      if (best > 0.2) continue;
-      auto trial = match(mouth_curve, rim_curve, outcome.offset + shift * fine / length,
-                         std::max(factor * fine, 0.1 * coarse));
-      const double worst =
-          std::min(shortest_piece(trial, &Knot::mouth, length) / svc_editor.mean_edge(),
-                   shortest_piece(trial, &Knot::rim, length) / rpa_editor.mean_edge());
-      if (worst <= best) continue;
-      best = worst;
-      knots = std::move(trial);
+  const SeamCurve on_mouth{LoopCurve(rows_of(svc.points, mouth)), outcome.offset, false},
+      on_rim{rim_curve, 0, true};
+  const Order order = order_of(on_mouth, on_rim, other_tip);
+  for (const double quality : triangle_qualities) {
+    SeamRefusals refusals{{}, std::vector<char>(mouth.size(), 0), std::vector<char>(rim.size(), 0)};
+    EditTolerances tolerances;
+    tolerances.min_quality = quality;
+    while (true) {
+      const auto knots = choose_knots(order.corners, refusals);
+      const auto places = equal_shares(on_mouth, on_rim, knots, order.corners.other_tip);
+      const Side above = divide(svc, mouth, on_mouth, order.mouth, knots, &SeamKnot::mouth,
+                                places.mouth, tolerances);
+      const Side below =
+          divide(rpa, rim, on_rim, order.rim, knots, &SeamKnot::rim, places.rim, tolerances);
+      if (above.loop.refused.empty() && below.loop.refused.empty()) {
+        take(above, below, knots, order.corners.other_tip, outcome);
+        return outcome;
+      }
+      if (!note_refusals(knots, above, below, order.corners.other_tip, refusals)) break;
     }
-
-  const auto on_mouth = knot_vertices(svc_editor, mouth, knots, &Knot::mouth, length);
-  const auto on_rim = knot_vertices(rpa_editor, rim, knots, &Knot::rim, length);
-  const auto finish = [](SurfaceEditor& editor, const std::vector<int>& loop) {
-    const std::set<int> on_loop(loop.begin(), loop.end());
-    editor.improve([&](int a, int b) { return on_loop.contains(a) && on_loop.contains(b); });
-    return editor.whole();  // no vertex was removed: the editor's indices are the surface's
-  };
-  auto svc_part = finish(svc_editor, on_mouth), rpa_part = finish(rpa_editor, on_rim);
-  outcome.svc = std::move(svc_part.surface);
-  outcome.svc_sources = std::move(svc_part.sources);
-  outcome.rpa = std::move(rpa_part.surface);
-  outcome.rpa_sources = std::move(rpa_part.sources);
-
-  // In the rim's order, the reverse of the mouth's.
-  const auto first = std::find(on_rim.begin(), on_rim.end(), rim.front()) - on_rim.begin();
-  const auto n = static_cast<std::ptrdiff_t>(on_rim.size());
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto at = static_cast<size_t>(((first - k) % n + n) % n);
-    if (on_rim[at] == rim[static_cast<size_t>(other_tip)]) outcome.other_tip = static_cast<int>(k);
-    outcome.pairs.push_back({on_mouth[at], on_rim[at]});
   }
-  return outcome;
+  throw InputError("seam near " + place_text(rpa.points.row(rim.front())) +
+                   ": the triangles beside the cut or the incision are too irregular for pairs at "
+                   "equal arc length, expected rounder ones, as `remesh` makes them");
 }
 
 WeldedSurface weld(const TriangleSurface& svc, const TriangleSurface& rpa,

@@ -13,7 +13,8 @@ namespace vasorod {
 
 /// A seam.
 struct JoinOutcome {
-  /// The inputs with some boundary edges of the seam split; the inputs' vertices first.
+  /// The inputs with the seam's vertices moved along their loops and others added; the inputs'
+  /// vertices first.
   TriangleSurface svc, rpa;
   VertexSources svc_sources, rpa_sources;  ///< in the inputs
   /// {svc vertex, rpa vertex}: every vertex of mouth and rim once, in the rim's order from rim[0],
@@ -30,8 +31,12 @@ struct JoinOutcome {
 /// surface on its left, so the only free number is the cyclic offset. It minimises the sum of
 /// squared distances between the mouth at its start (`mouth_start`, one row per entry of `mouth`)
 /// and the rim at rest, so that the seam does not twist. Then both loops get the same number of
-/// vertices: two vertices within 0.3 of the mean edge are paired; opposite every other vertex the
-/// boundary edge is split. The slit's tips are vertices of the rim and thus also of the mouth.
+/// vertices at equal arc length: the vertices of the loops slide along them, and where there are
+/// too few, a boundary edge is split (seam_knots.h). Lengths are those of the new loops: the k-th
+/// segment's share in its loop is the same on both, to rounding. So a seam of loops of equal length
+/// is not strained at rest. Most slides are on the rim; the slit's tips stay and are pairs. No
+/// triangle turns over, no new edge is shorter than 5 % of the mean edge. Throws InputError where
+/// the triangles do not allow that.
 JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
                        const Points& mouth_start, const TriangleSurface& rpa,
                        const std::vector<int>& rim, int other_tip);

@@ -122,9 +122,10 @@ json in_original_units(json value, const std::string& name, const GlennScene& sc
   }
   if (!value.is_number_float()) return value;
   const double x = value.get<double>(), l = scene.length_scale;
-  if (name == "perimeter" || name == "length" || name == "largest_gap" || name == "rms_gap")
-    return x / l;
-  if (name == "opened_area" || name == "contact_area") return x / (l * l);
+  for (const char* length : {"perimeter", "length", "largest_gap", "rms_gap", "span", "width"})
+    if (name == length) return x / l;
+  for (const char* area : {"opened_area", "contact_area", "area", "lumen"})
+    if (name == area) return x / (l * l);
   if (name == "largest_curvature") return x * l;
   if (name == "largest_pressure") return x / scene.stress_scale;
   return value;

@@ -1,4 +1,4 @@
-// Bytes as text, for what is embedded in report.html.
+// Bytes as text, for the data embedded in report.html.
 #pragma once
 
 #include <string>

@@ -36,14 +36,14 @@ std::pair<Vec3, Vec3> bounds(const std::vector<Seen>& scene, const Mat3& axes, b
   return {Vec3::Constant(-1), Vec3::Constant(1)};
 }
 
-// What is in front in each cell of a coarse grid over what is wanted.
+// The nearest body in each cell of a coarse grid over the wanted bodies.
 class FrontGrid {
  public:
   FrontGrid(const std::vector<Seen>& scene, const Mat3& axes) : axes_(axes) {
     const auto [low, high] = bounds(scene, axes, true);
     low_ = low;
     size_ = std::max({high.x() - low.x(), high.y() - low.y(), 1e-300}) / cells;
-    constexpr Eigen::Index enough = 6000;  // points of a body: several for each cell it covers
+    constexpr Eigen::Index enough = 6000;  // points of a body: several per covered cell
     for (const Seen& seen : scene)
       for (Eigen::Index i = 0; i < seen.points->rows(); i += 1 + seen.points->rows() / enough) {
         double depth = 0;
@@ -57,7 +57,7 @@ class FrontGrid {
         std::count_if(grid_.begin(), grid_.end(), [](const Cell& cell) { return cell.wanted; }));
   }
 
-  // Whether nothing lies more than two cells in front of a point.
+  // Whether no body is more than two cells in front of a point.
   bool shows(const Vec3& point) {
     double depth = 0;
     const Cell* cell = cell_at(point, depth);
@@ -83,7 +83,8 @@ class FrontGrid {
   std::vector<Cell> grid_ = std::vector<Cell>(static_cast<std::size_t>(cells + 1) * (cells + 1));
 };
 
-// The best of the directions across `up`, or a little lifted; the first of equals.
+// The best of the directions perpendicular to `up` or lifted a little; the first if several are
+// equal.
 template <class Score>
 Vec3 best_direction(const Vec3& up, Score&& score) {
   constexpr int around = 24;

@@ -1,4 +1,4 @@
-// From where a scene is looked at, chosen from the scene.
+// The camera of a picture, chosen from the scene.
 #pragma once
 
 #include <vector>
@@ -12,36 +12,36 @@ struct Camera {
   Vec3 centre = Vec3::Zero();    ///< length unit
   Mat3 axes = Mat3::Identity();  ///< rows: to the right, up, towards the eye; orthonormal
   double distance = 1;           ///< eye to centre, length unit
-  double half_height = 1;  ///< half of what is seen from bottom to top, at the centre, length unit
-  double shift = 0;        ///< how far left of the picture's middle the centre is, in half widths
+  double half_height = 1;        ///< half the visible height at the centre, length unit
+  double shift = 0;  ///< distance of the centre left of the picture's middle, in half widths
 };
 
-/// Something to look at.
+/// A body in front of the camera.
 struct Seen {
   const Points* points = nullptr;
-  bool wanted = true;  ///< what the picture is about; the rest may hide or leave the picture
+  bool wanted = true;  ///< the picture is about it; other bodies may be hidden or outside
 };
 
-/// The direction towards the eye, perpendicular to `up` or lifted a little, from which most of what
-/// is wanted is seen.
+/// The direction towards the eye from which most of the wanted bodies is visible, perpendicular to
+/// `up` or lifted a little.
 Vec3 clearest_direction(const std::vector<Seen>& scene, const Vec3& up);
 
-/// A place on a surface that a picture is about.
+/// A point of a surface that should be visible.
 struct Spot {
   Vec3 at = Vec3::Zero(), normal = Vec3::Zero();  ///< normal: outwards, unit
   double weight = 0;
 };
 
-/// Of the same directions the one from which most of the spots' weight is seen, each as far as it
-/// faces the eye and nothing of the scene hides it.
+/// Of the same directions, the one from which most of the spots' weight is visible. A spot counts
+/// as far as it faces the eye, and not at all if a body hides it.
 Vec3 facing_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots,
                       const Vec3& up);
 
-/// The direction across the longest axis of the wanted points that a wide picture needs as `up`.
+/// The `up` for a wide picture: perpendicular to the longest axis of the wanted points.
 Vec3 level_up(const std::vector<Seen>& scene);
 
-/// A camera from that direction which holds every wanted point, width over height = aspect;
-/// `clear_right`: part of the width to leave free at the right, for a legend.
+/// A camera in that direction with every wanted point in the picture. `aspect`: width over height.
+/// `clear_right`: fraction of the width that stays free at the right for a legend.
 Camera fit_camera(const std::vector<Seen>& scene, const Vec3& towards_eye, const Vec3& up,
                   double aspect, double clear_right = 0);
 

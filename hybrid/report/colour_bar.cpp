@@ -9,7 +9,7 @@ namespace vasorod {
 
 namespace {
 
-// Lines of whole words, none wider than `width` where its words allow it.
+// Breaks text into lines of whole words, at most `width` wide unless a single word is wider.
 std::vector<std::string> wrapped(const std::string& text, double width, double size) {
   std::vector<std::string> lines(1);
   std::istringstream words(text);
@@ -26,7 +26,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, double s
 }  // namespace
 
 void draw_colour_bar(Picture& picture, const ColourScale& scale) {
-  constexpr Colour ink{0.48F, 0.48F, 0.50F};  // read on white and on black
+  constexpr Colour ink{0.48F, 0.48F, 0.50F};  // readable on white and on black
   const double size = picture.height / 22.0;
   const int top = static_cast<int>(0.2 * picture.height),
             bottom = static_cast<int>(0.9 * picture.height);

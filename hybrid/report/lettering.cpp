@@ -67,8 +67,8 @@ void blend(Picture& picture, int column, int row, const Colour& colour, double c
   pixel[3] = static_cast<std::uint8_t>(std::lround(255 * alpha));
 }
 
-// Fills by the even-odd rule; each pixel by the part of it that is covered, exactly across, on four
-// lines down.
+// Fills by the even-odd rule. A pixel's coverage is exact horizontally and sampled on four lines
+// vertically.
 void fill(Picture& picture, const std::vector<Contour>& contours, const Colour& colour) {
   constexpr int lines = 4;
   Vec2 low = contours[0][0], high = low;

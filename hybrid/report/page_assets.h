@@ -1,4 +1,4 @@
-// The files of page/, embedded by CMake: report.html needs nothing beside itself.
+// The files of page/, embedded by CMake, so that report.html needs no other file.
 #pragma once
 
 #include <string_view>

@@ -25,7 +25,7 @@ struct Corner {
   std::uint16_t body;
 };
 
-// Depth and triangle of the foremost body at each sample.
+// Depth and triangle of the nearest body at each sample.
 struct Layer {
   std::vector<float> nearness;
   std::vector<std::uint32_t> triangle;
@@ -63,8 +63,8 @@ void add_vertices(Canvas& canvas, const DrawnSurface& surface, const Camera& cam
     vertex.colour = {colour[0], colour[1], colour[2]};
     canvas.vertices.push_back(vertex);
   }
-  // Normals weighted by area: at this size no one sees the difference to the angle's weight, and
-  // they cost a tenth.
+  // Normals weighted by area: at this size they look the same as normals weighted by angle, and
+  // they take a tenth of the time.
   for (Eigen::Index t = 0; t < surface.triangles->rows(); ++t) {
     const auto corner = surface.triangles->row(t);
     const Vec3 a = surface.points->row(corner[0]), b = surface.points->row(corner[1]),
@@ -138,9 +138,9 @@ struct Shade {
   float facing = 0;  // 1 face-on, 0 at the outline
 };
 
-// The light stands up and to the left of the viewer; a weaker, cooler one fills from the right. All
-// depends on the normal alone, and little of it, so that a colour can still be looked up in its
-// scale.
+// The main light comes from above and left of the viewer, a weaker and cooler one from the right.
+// Brightness depends on the normal alone, and only weakly, so that a colour can still be found in
+// its scale.
 Shade shade(const Canvas& canvas, std::uint32_t index, float x, float y) {
   const Corner& corner = canvas.triangles[index];
   const Vertex &a = canvas.vertices[corner.vertex[0]], &b = canvas.vertices[corner.vertex[1]],
@@ -154,8 +154,7 @@ Shade shade(const Canvas& canvas, std::uint32_t index, float x, float y) {
   Vec3f normal = at_a * a.normal + at_b * b.normal + at_c * c.normal;
   normal *= 1 / std::sqrt(normal.squaredNorm() + 1e-12F);
   const bool inside =
-      area >
-      0;  // rows count downwards, so what is counter-clockwise to the viewer has a negative area
+      area > 0;  // rows count downwards: counter-clockwise triangles have a negative area
   if (inside) normal = -normal;
   normal.z() = std::abs(normal.z());
   const Vec3f key(-0.436F, 0.532F, 0.726F), fill(0.866F, -0.108F, 0.487F),
@@ -172,8 +171,8 @@ Shade shade(const Canvas& canvas, std::uint32_t index, float x, float y) {
   return {colour.cwiseMin(1.0F), normal.z()};
 }
 
-// Where the depth of one row of samples bends more than a smooth wall's does: 1 on the farther side
-// of a jump, one thin line.
+// Depth jumps in one row of samples: 1 on the farther side of a jump, which gives a thin line. A
+// smooth wall has none.
 void outline(const Layer& layer, const Canvas& canvas, int row, std::vector<std::uint8_t>& marks) {
   std::fill(marks.begin(), marks.end(), std::uint8_t{0});
   if (row == 0 || row + 1 == canvas.rows) return;
@@ -188,7 +187,7 @@ void outline(const Layer& layer, const Canvas& canvas, int row, std::vector<std:
   }
 }
 
-// Edges of one triangle alone.
+// Edges that belong to one triangle only.
 std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std::uint32_t first) {
   std::vector<std::array<std::uint32_t, 2>> edges, alone;
   edges.reserve(3 * static_cast<std::size_t>(triangles.rows()));
@@ -205,7 +204,7 @@ std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std
   return alone;
 }
 
-// Marks the samples beside a border's edge that nothing solid hides.
+// Marks the samples beside a border's edge, unless a solid body hides them.
 void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const Vertex& b,
                std::vector<std::uint8_t>& marks) {
   if (a.nearness <= 0 || b.nearness <= 0) return;
@@ -229,7 +228,7 @@ void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const 
   }
 }
 
-// What one pixel's samples show, summed and premultiplied.
+// Sum of one pixel's samples, premultiplied.
 struct Sum {
   Vec3f colour = Vec3f::Zero();
   float cover = 0;
@@ -271,7 +270,8 @@ class Resolver {
         shade_once(glass_.triangle[at], former_pane, pane, column, row);
         const float opacity = surfaces_[canvas_.triangles[former_pane].body].opacity;
         const float hides =
-            1 - (1 - opacity) * std::min(1.0F, 0.35F + pane.facing);  // a slanted pane hides more
+            1 -
+            (1 - opacity) * std::min(1.0F, 0.35F + pane.facing);  // a slanted pane is more opaque
         colour = hides * pane.colour + (1 - hides) * colour;
         alpha = hides + (1 - hides) * alpha;
       }
@@ -296,7 +296,7 @@ class Resolver {
   std::array<std::vector<std::uint8_t>, samples> marks_;
 };
 
-// One pixel more on every side than any vertex needs.
+// One pixel larger on every side than the vertices need.
 struct Box {
   int left, top, right, bottom;
 };

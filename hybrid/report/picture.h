@@ -1,5 +1,5 @@
-// Pictures of triangle surfaces, drawn on the processor: no window system, no graphics card, the
-// same bytes on every machine that rounds alike.
+// Pictures of triangle surfaces, drawn on the processor: no window system, no graphics card.
+// Machines that round alike write the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,19 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// One body of a picture. Vectors are referred to, not copied: they must outlive the call.
+/// One body of a picture. It refers to its vectors, which must outlive the call.
 struct DrawnSurface {
   const Points* points = nullptr;  ///< length unit
   const Triangles* triangles =
       nullptr;  ///< counter-clockwise seen from outside; inner faces are drawn darker
-  Colour colour{0.8F, 0.8F, 0.8F};  ///< of the whole body, where `values` is null
-  float opacity = 1;                ///< below 1: seen through, more so face-on than at its outline
+  Colour colour{0.8F, 0.8F, 0.8F};          ///< of the whole body if `values` is null
+  float opacity = 1;                        ///< below 1: transparent, less so at the outline
   const Eigen::VectorXd* values = nullptr;  ///< per vertex, coloured by `scale`
   const ColourScale* scale = nullptr;
 };
 
-/// Smooth shading by a light beside the viewer, a thin line where the depth jumps and along the
-/// borders of solid bodies (so that a slit that is still closed shows), 2 x 2 samples per pixel,
-/// nothing behind the bodies.
+/// Smooth shading by a light beside the viewer, 2 x 2 samples per pixel, transparent background. A
+/// thin line marks depth jumps and the borders of solid bodies, so that a closed slit is visible.
 Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
                int height);
 

@@ -1,6 +1,6 @@
 // PNG (ISO 15948): signature, IHDR, one IDAT, IEND. Every row is stored as its difference from the
-// row above: on shaded surfaces before nothing that packs as well as choosing a filter per row,
-// which is what most of libpng's time went to.
+// row above. For shaded surfaces on an empty background this packs as well as a filter chosen per
+// row, and the choice took most of libpng's time.
 #include <array>
 #include <stdexcept>
 #include <vtkNew.h>
@@ -37,7 +37,7 @@ void append_chunk(std::string& bytes, const std::string& type, const std::string
   append_number(bytes, ~crc);
 }
 
-// Each row behind its filter's number: 2, the difference from the row above.
+// Each row follows the number of its filter: 2, the difference from the row above.
 std::string filtered(const Picture& picture) {
   const std::size_t line = 4 * static_cast<std::size_t>(picture.width),
                     rows = static_cast<std::size_t>(picture.height);

@@ -26,7 +26,8 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 bool is_scene_file(const std::string& name) {
   const std::string extension = fs::path(name).extension().string();
-  return extension == ".yaml" || extension == ".yml";  // may differ in its fidelity alone
+  return extension == ".yaml" ||
+         extension == ".yml";  // two scenes may differ in their fidelity only
 }
 
 void require_one_scene(const fs::path& folder_a, const Result& a, const fs::path& folder_b,
@@ -68,7 +69,7 @@ std::optional<ReadCenterline> centerline_in(const fs::path& folder, const std::s
   return read_centerline_vtp(file);
 }
 
-// Every segment of the polylines: its two nodes.
+// The two nodes of every segment of the polylines.
 std::vector<std::array<int, 2>> segments(const ReadCenterline& line) {
   std::vector<std::array<int, 2>> pairs;
   for (const std::vector<int>& run : line.lines)
@@ -104,13 +105,13 @@ double length_of(const std::optional<ReadCenterline>& line) {
   return length;
 }
 
-// Collects weighted distances; in length units until over() divides by R.
+// Sums weighted distances, in length units until over() divides by R.
 class Sum {
  public:
   void add(double distance, double weight, const Vec3& at) {
     squares_ += weight * distance * distance;
     weights_ += weight;
-    if (!(distance <= result_.largest)) {  // not-a-number counts as largest
+    if (!(distance <= result_.largest)) {  // NaN counts as the largest
       result_.largest = distance;
       result_.largest_at = at;
     }
@@ -131,14 +132,14 @@ Distances surface_distances(const ReadVessel& a, const ReadVessel& b, double rad
                             double& rest_distance) {
   const ClosestPoint closest({b.rest, b.triangles});
   const Points moved = b.current - b.rest;
-  // On one and the same mesh a point is its own partner: the two banks of an incision lie on each
-  // other at rest, and the closest point could be on either.
+  // On the same mesh, a point is its own partner. The closest point would be ambiguous at an
+  // incision, whose two sides coincide at rest.
   const bool same_mesh = a.rest.rows() == b.rest.rows() && a.rest == b.rest &&
                          a.triangles.rows() == b.triangles.rows() && a.triangles == b.triangles;
   const Eigen::VectorXd areas = vertex_areas({a.rest, a.triangles});
   Sum sum;
   for (Eigen::Index i = 0; i < a.rest.rows(); ++i) {
-    if (areas[i] == 0) continue;  // a point no triangle uses
+    if (areas[i] == 0) continue;  // a point without triangles
     const Vec3 at = a.rest.row(i).transpose();
     if (same_mesh) {
       sum.add((a.current.row(i) - b.current.row(i)).norm(), areas[i], at);

@@ -32,7 +32,7 @@ std::string text(double value) {
   return std::isfinite(value) ? scientific_text(value, 3) : "-";
 }
 
-// Columns as wide as their widest cell, the first to the left, the others to the right.
+// Columns as wide as their widest cell; the first is aligned left, the others right.
 std::string table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& line : rows)

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Absolute, links resolved, no trailing slash: what is renamed is the folder itself, not a link to
-// it.
+// Absolute, links resolved, no trailing slash, so that the folder itself is renamed and not a link
+// to it.
 fs::path place_of(const fs::path& folder) {
   if (folder.empty()) throw FileError("the result folder's name is empty, expected a path");
   std::error_code error;
@@ -54,7 +54,7 @@ bool is_ours(const fs::path& file) {
          name.ends_with(".vtp") || (name.starts_with("picture_") && name.ends_with(".png"));
 }
 
-// The first thing in a former result that no result has; empty where there is none.
+// The first entry of an earlier result that no result contains; empty if there is none.
 fs::path foreign(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator entry(folder, error);
@@ -71,7 +71,7 @@ std::size_t longest_name(const fs::path& existing) {
   return most > 0 ? static_cast<std::size_t>(most) : NAME_MAX;
 }
 
-// A name or a path that the file system does not take shows now, not when it is to be made.
+// Finds names and paths that the file system refuses before the folder is created.
 void check_names(const fs::path& place, const fs::path& existing) {
   constexpr std::size_t longest_file = 128;  // a vessel's name has at most 100 letters
   const std::size_t most = longest_name(existing);
@@ -121,15 +121,16 @@ void check(const fs::path& place) {
   throw FileError(path.string() + ": " + what + ": " + std::strerror(errno));
 }
 
-// The hidden sibling that a result is written to is .NAME.writing-PROCESS-XXXXXX, NAME cut where
-// that would grow too long.
+// A result is written to the hidden sibling .NAME.writing-PROCESS-XXXXXX. NAME is shortened if the
+// whole would be too long.
 std::string staging_start(const fs::path& place) {
   constexpr std::size_t rest = 40;
   return "." + place.filename().string().substr(0, longest_name(place.parent_path()) - rest) +
          ".writing-";
 }
 
-// The process that made the sibling no longer runs; one whose name does not say is a day old.
+// Whether the process that created the sibling has ended. Without a process in its name, a sibling
+// counts as abandoned after a day.
 bool is_left_over(const fs::path& sibling, const std::string& start) {
   const std::string rest = sibling.filename().string().substr(start.size());
   const auto dash = rest.find('-');
@@ -156,7 +157,7 @@ void remove_left_overs(const fs::path& parent, const std::string& start) {
   for (const fs::path& sibling : found) fs::remove_all(sibling, error);
 }
 
-// What a signal handler has to know of the replacement at work; it may touch plain data only.
+// Data of the active replacement for a signal handler, which may use plain data only.
 std::array<char, PATH_MAX> unfinished{};
 std::atomic<bool> has_unfinished{false}, putting_in_place{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -169,8 +170,8 @@ void note_unfinished(const fs::path& staging) {
   has_unfinished = true;
 }
 
-// Removes the files of an open folder by system calls alone: the library's ways to list a folder
-// allocate memory.
+// Removes the files of an open folder with system calls only, because the library's functions that
+// list a folder allocate memory.
 void remove_files(int folder) {
   constexpr long size_at = 16, name_at = 19;  // in the kernel's linux_dirent64
   alignas(8) std::array<char, 4096> block{};
@@ -231,7 +232,7 @@ void FolderReplacement::write(const std::string& name, const std::string& bytes)
 }
 
 void FolderReplacement::commit() {
-  check(folder_);  // whatever came to be there while we computed
+  check(folder_);  // the place may have changed during the computation
   struct Placing {
     Placing() { putting_in_place = true; }
     ~Placing() { putting_in_place = false; }
@@ -247,13 +248,13 @@ void FolderReplacement::commit() {
     if (errno != ENOTEMPTY && errno != EEXIST) fail(folder_, "cannot be put in place");
     check(folder_);
   }
-  // One step: at no moment is there no result. Then staging_ is the old folder, which the
-  // destructor removes.
+  // One step, so that there is a result at every moment. Afterwards staging_ is the old folder,
+  // which the destructor removes.
   if (renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) == 0)
     return;
   if (errno != EINVAL && errno != ENOSYS) fail(folder_, "cannot be replaced");
-  // A file system without exchange: the old folder steps aside, and comes back if the new one
-  // cannot take its place.
+  // A file system without exchange: the old folder is moved aside, and moved back if the new one
+  // cannot be put in its place.
   const fs::path aside = staging_.string() + "-old";
   if (rename(folder_.c_str(), aside.c_str()) != 0) fail(folder_, "cannot be moved aside");
   if (rename(staging_.c_str(), folder_.c_str()) != 0) {
@@ -274,7 +275,8 @@ void require_outside(const fs::path& folder, const std::vector<fs::path>& inputs
   const fs::path place = place_of(folder);
   for (const fs::path& input : inputs) {
     if (input.empty()) continue;
-    // Both where its name is and where it is itself: a link goes with its folder as a file does.
+    // Both the place of its name and the place of its target: a link is lost with its folder, like
+    // a file.
     std::error_code error;
     const fs::path name = fs::absolute(input, error).lexically_normal(),
                    link = fs::weakly_canonical(name.parent_path(), error) / name.filename(),

@@ -1,4 +1,5 @@
-// A result folder is replaced whole or not at all: written beside its place, then renamed into it.
+// Replaces a result folder completely or not at all: the new folder is written beside the old one
+// and then renamed.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +8,14 @@
 
 namespace vasorod {
 
-/// Writes into a temporary sibling of `folder`; commit() puts that in its place in one step of the
-/// file system. Without commit() (an exception, an interrupt that unwinds) the temporary is removed
-/// and the old folder is as it was; a killed process leaves the old folder, and a
-/// `.NAME.writing-PROCESS-XXXXXX` beside it, which the next one to write there removes.
+/// Writes into a temporary sibling of `folder`; commit() puts it in place in one step of the file
+/// system. Without commit() (an exception, or an interrupt that unwinds the stack) the sibling is
+/// removed and the old folder is unchanged. A killed process leaves the old folder and the sibling
+/// `.NAME.writing-PROCESS-XXXXXX`, which the next replacement of the folder removes.
 ///
-/// Only a place that is absent, an empty folder, or a folder with our result.json and nothing but
-/// files that a result has may be replaced, and never the current folder or one above it; else
-/// FileError, one sentence. Parents are made as needed.
+/// The folder may be absent, empty, or an earlier result with its result.json and no foreign files.
+/// Anything else is a FileError (one sentence), as are the current folder and folders above it.
+/// Missing parents are created.
 class FolderReplacement {
  public:
   explicit FolderReplacement(const std::filesystem::path& folder);
@@ -30,15 +31,15 @@ class FolderReplacement {
   std::filesystem::path folder_, staging_;
 };
 
-/// Throws the FileError that FolderReplacement would, before a long computation; creates nothing.
+/// Throws the same FileError as FolderReplacement, before a long computation. Creates nothing.
 void require_replaceable(const std::filesystem::path& folder);
 
-/// Throws FileError where one of the inputs lies inside `folder`, which is replaced whole.
+/// Throws FileError if an input lies inside `folder`, because the whole folder is replaced.
 void require_outside(const std::filesystem::path& folder,
                      const std::vector<std::filesystem::path>& inputs);
 
-/// For a signal handler that ends the process: removes what a FolderReplacement has written so far.
-/// False while one is being put in its place: the process may end a moment later, not now.
+/// For a signal handler that ends the process: removes the files that a FolderReplacement has
+/// written so far. False during the renaming: the process must not end before it is done.
 bool remove_unfinished_folder();
 
 }  // namespace vasorod

@@ -8,8 +8,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Shortest digits that read back to the same double; null for what is not finite; bytes that are
-// not UTF-8 replaced.
+// Shortest digits that read back to the same double; null for numbers that are not finite. Bytes
+// that are not UTF-8 are replaced.
 std::string scalar_text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -1,4 +1,4 @@
-// JSON laid out for people: indented, but a row of numbers or words stays on its line.
+// JSON for human readers: indented, with rows of numbers or words on one line.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// result.json read back, as far as a comparison of two results needs it.
+// Reads the parts of result.json that a comparison of two results needs.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 namespace vasorod {
 
 /// Reads scene, program, fidelity, status, units, ends, seconds, inputs and the vessels' names (no
-/// geometry). A null number becomes NaN. Throws InputError, one sentence, where the file is missing
-/// or not a result of ours, or a surface or centerline that it lists is not beside it.
+/// geometry). A null number becomes NaN. Throws InputError (one sentence) if the file is missing or
+/// was not written by one of our programs, or if a surface or centerline that it lists is missing.
 Result read_json(const std::filesystem::path& file);
 
 /// Whether a folder holds a result.json that one of our programs wrote.

@@ -30,7 +30,8 @@ const NamedArray* array_named(const SurfaceFile& data, const std::string& name) 
   return nullptr;
 }
 
-// A comparison squares distances and looks for closest points, so every place at rest is a place.
+// A comparison squares distances and searches closest points, so every rest position must be
+// finite.
 Points rest_of(const std::filesystem::path& file, const SurfaceFile& data) {
   const NamedArray* rest = array_named(data, "RestPosition");
   if (rest == nullptr || rest->values.cols() != 3)

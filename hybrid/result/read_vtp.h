@@ -1,4 +1,4 @@
-// The geometry of a result folder read back, as far as a comparison needs it.
+// Reads the geometry of a result folder that a comparison needs.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct ReadCenterline {
   std::vector<std::vector<int>> lines;
 };
 
-/// Throw InputError, one sentence, where the file is missing, damaged or without RestPosition.
+/// Both throw InputError (one sentence) if the file is missing, damaged or without RestPosition.
 ReadVessel read_vessel_vtp(const std::filesystem::path& file);
 ReadCenterline read_centerline_vtp(const std::filesystem::path& file);
 

@@ -75,6 +75,15 @@ Point arrays of `NAME.vtp`; all are 64-bit floating-point numbers:
 The point and cell arrays of a surface file come along with their types. One that has the name of an
 array above is kept as `NAME_input`.
 
+Field data of every VTP file; each is one text:
+
+| array | meaning |
+| --- | --- |
+| `Units` | the units of its numbers, as `length mm, stress MPa` |
+| `Program` | name and version of the program that wrote it |
+| `SceneHash` | SHA-256 of the scene file; with `vasorod fit` of the surface |
+| `SPACE` | `LPS` or `RAS`; only where the surface file of the vessel says so, as those of 3D Slicer do. A scene whose vessels lie in different spaces is refused |
+
 Point arrays of `NAME_centerline.vtp`:
 
 | array | components | unit | meaning |
@@ -195,8 +204,8 @@ class Page:
                 rows.append(" | ".join(cells))
         self.add("| " + " | ".join(head) + " |", "| --- | --- | --- | --- | --- |", *rows, "")
 
-    def meanings(self, key):
-        words = self.schema["properties"][key]["x-meaning"]
+    def meanings(self, key, node=None):
+        words = (node or self.schema)["properties"][key]["x-meaning"]
         self.add(f"| {key} | meaning |", "| --- | --- |")
         self.add(*(f"| `{word}` | {text} |" for word, text in words.items()), "")
 
@@ -206,6 +215,9 @@ class Page:
                 continue
             self.add(f"{level} {node['title']}", "", *wrapped(node["description"]), "")
             self.table(node, defaults)
+            for key, value in node["properties"].items():
+                if "x-meaning" in value:
+                    self.meanings(key, node)
 
     def add(self, *lines):
         self.lines += lines

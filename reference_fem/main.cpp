@@ -17,6 +17,7 @@
 #include "reference_fem/clock.h"
 #include "reference_fem/solve_scene.h"
 #include "result/folder_replacement.h"
+#include "result/sha256.h"
 
 namespace {
 
@@ -67,6 +68,7 @@ int solve(Arguments& arguments) {
   result.program = "vasorod-fem " VASOROD_VERSION;
   result.environment.blas = blas_name();
   result.environment.threads = arguments.threads;
+  result.environment.scene_hash = sha256_of_file(arguments.scene);
   result.seconds["read"] = read;
   result.seconds["total"] = fem::now() - start;
   if (processes.size() > 1)

@@ -9,26 +9,72 @@
 
 #include "data/sentence.h"
 #include "result/folder_replacement.h"
+#include "result/unknown_validity.h"
 
 namespace vasorod {
 namespace {
 
-// A line a person can use: status, what was written, what to look at; warnings of validity each on
-// their own line.
-void say(const Result& result, const CommandOptions& options) {
-  if (options.json) {
-    std::cout << to_json(result) << '\n';
-    return;
-  }
+std::string radii(const FittedLength& part, const std::string& unit) {
+  return "radius " + number_text(part.smallest_radius, 4) + " to " +
+         number_text(part.largest_radius, 4) + " " + unit + ", mean " +
+         number_text(part.mean_radius, 4) + " " + unit;
+}
+
+// Without the rounding errors of zero.
+Vec3 readable(const Vec3& v) {
+  return v.unaryExpr([](double x) { return std::abs(x) < 1e-6 ? 0 : x; });
+}
+
+// What `fit` found: the vessel, its branches where it forks, and its ends.
+void say_fit(const Result& result) {
+  const FitReport& fit = *result.fit;
+  const std::string& unit = result.length_unit;
+  const auto length = [&](const FittedLength& part) {
+    return "length " + number_text(part.length, 4) + " " + unit + ", " + radii(part, unit);
+  };
+  std::cout << result.scene << ": " << length(fit.whole) << '\n';
+  if (fit.branches.size() > 1)
+    for (std::size_t k = 0; k < fit.branches.size(); ++k)
+      std::cout << "  branch " << k + 1 << ": " << length(fit.branches[k]) << '\n';
+  for (const FittedEnd& end : fit.ends)
+    std::cout << "  end " << end.end << (end.name.empty() ? "" : ", ModelFaceID " + end.name)
+              << ": centre " << place_text(readable(end.center), 4) << ", radius "
+              << number_text(end.radius, 4) << ' ' << unit << ", normal "
+              << place_text(readable(end.normal), 3) << '\n';
+}
+
+// The status, and of a solution what a reader should look at.
+void say_status(const Result& result) {
   const double residual = result.certificate.relative_residual;
   std::cout << result.scene << ": " << to_string(result.status) << " (" << result.fidelity << ")";
   if (is_unfinished(result.status))
     std::cout << ", relative residual "
               << (std::isfinite(residual) ? number_text(residual, 3) : "unknown");
-  if (result.glenn && result.fidelity != "rod")
+  if (result.glenn && result.fidelity != "rod" && is_solution(result.status))
     std::cout << ", largest seam gap " << result.glenn->join.largest_gap << ' '
               << result.length_unit;
   std::cout << '\n';
+  if (!is_solution(result.status)) std::cout << "  " << why_unknown(result.status) << '\n';
+  if (result.status == Status::iteration_limit)
+    for (const std::string& note : result.certificate.notes) std::cout << "  " << note << '\n';
+  for (const Criterion& criterion : result.criteria)
+    if (criterion.verdict == Verdict::warning || criterion.verdict == Verdict::strong_warning)
+      std::cout << "  " << criterion.name << " of " << criterion.vessel << ' '
+                << number_text(criterion.value, 3)
+                << (criterion.unit.empty() ? "" : " " + criterion.unit)
+                << (criterion.verdict == Verdict::warning ? ": warning" : ": strong warning")
+                << " (report.html has the thresholds and their source)\n";
+}
+
+void say(const Result& result, const CommandOptions& options) {
+  if (options.json) {
+    std::cout << to_json(result) << '\n';
+    return;
+  }
+  if (result.fit)
+    say_fit(result);
+  else
+    say_status(result);
   for (const std::string& warning : result.validity.warnings) std::cout << "  " << warning << '\n';
   std::cout << "  " << (options.folder / "report.html").string() << '\n';
 }

@@ -15,7 +15,7 @@ namespace {
 // the neo-Hookean law, that of S = C:E 42 %; in tension 18 and 55 % above.
 constexpr double largest_strain_of_linear_laws = 0.2;
 
-// std::max leaves out what is not a number; here it stays.
+// The larger value. NaN is kept; std::max would lose it.
 double worst(double a, double b) {
   return std::isnan(b) ? b : std::max(a, b);
 }
@@ -25,7 +25,7 @@ struct Extreme {
   double value = 0;
   Vec3 where = Vec3::Zero();
   void see(double candidate, const Vec3& place) {
-    if (candidate <= value || std::isnan(value)) return;  // what is not a number stays
+    if (candidate <= value || std::isnan(value)) return;  // NaN is kept
     value = candidate;
     where = place;
   }
@@ -153,6 +153,36 @@ void warn_of_units(const VesselSpec& vessel, const Units& units, Validity& valid
   judge_one("Young's modulus", material.young_axial);
   if (material.young_transverse != material.young_axial)
     judge_one("Young's modulus across the fibre", material.young_transverse);
+}
+
+void warn_of_radius(const std::string& vessel, double radius, const Units& units,
+                    Validity& validity) {
+  // Measured means: an adult's superior vena cava, pulmonary artery and aorta 8.8 to 10.0 mm, which
+  // are 0.88 to 1.0 where cm is read as mm; an infant's 3.3 to 3.8 mm, 33 to 38 where mm is read as
+  // cm.
+  constexpr double smallest = 1.5, largest = 20;
+  const double millimetres = radius * units.metres * 1e3;
+  if (millimetres >= smallest && millimetres <= largest) return;
+  const bool small = millimetres < smallest;
+  std::string question = "is the unit right?";
+  if (small && units.length != "m")
+    question = "is it in " + std::string(units.length == "mm" ? "cm" : "m") + "?";
+  if (!small && units.length != "mm")
+    question = "is it in " + std::string(units.length == "m" ? "cm" : "mm") + "?";
+  validity.warnings.push_back("vessel " + vessel + ": a mean radius of " + number_text(radius, 3) +
+                              " " + units.length + " is " + (small ? "small" : "large") +
+                              " for a great vessel: " + question);
+}
+
+void warn_of_keep(const GlennReport& glenn, Validity& validity) {
+  if (!(glenn.join.axis_turn_deg > 90)) return;
+  validity.warnings.push_back(
+      "vessel " + glenn.svc + ": the mouth of the kept part has to turn by " +
+      number_text(glenn.join.axis_turn_deg, 3) + " degrees to meet " + glenn.rpa +
+      " from outside, that of the other part would turn by " +
+      number_text(180 - glenn.join.axis_turn_deg, 3) +
+      ": check that keep names the end on the head's side, and that the incision is on the side "
+      "that faces the vein");
 }
 
 }  // namespace vasorod

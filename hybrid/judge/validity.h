@@ -43,8 +43,18 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
 /// largest_strain, taken from the rod, does not see: at the tip of a slit, along a seam.
 void warn_of_law(const VesselSpec& vessel, const FaceExtremes& faces, Validity& validity);
 
-/// Warns of a Young's modulus outside 0.01 to 100 MPa, where no vessel's wall lies: a slip of the
-/// units. Not of generated tubes, whose modulus is often 1.
+/// Warns of a Young's modulus outside 0.01 to 100 MPa. No vessel has one, so the units are probably
+/// wrong. Generated tubes are not checked; their modulus is often 1.
 void warn_of_units(const VesselSpec& vessel, const Units& units, Validity& validity);
+
+/// Warns of a vessel whose mean radius, in the unit it was read in, is that of the same vessel in
+/// another unit: below 1.5 mm or above 20 mm.
+void warn_of_radius(const std::string& vessel, double radius, const Units& units,
+                    Validity& validity);
+
+/// Warns where the vein's mouth has to turn by more than 90 degrees to meet the incision from
+/// outside. Then the part that was cut off would have to turn by less than 90 degrees, so that the
+/// scene probably keeps the wrong one.
+void warn_of_keep(const GlennReport& glenn, Validity& validity);
 
 }  // namespace vasorod

@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 
 #include <vasorod/error.h>
 #include <vasorod/fit.h>
 
+#include "data/index.h"
 #include "data/sentence.h"
+#include "judge/validity.h"
 #include "predict/input_hashes.h"
 #include "predict/name_faults.h"
 #include "predict/result_of_vessel.h"
@@ -21,6 +25,58 @@ std::string vessel_name(std::string text) {
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
   return text;
+}
+
+FittedLength measured(const RodTree& rod, const std::vector<int>& elements) {
+  FittedLength out;
+  out.smallest_radius = std::numeric_limits<double>::infinity();
+  for (const int e : elements) {
+    const RodElement& element = rod.elements[index(e)];
+    const double first = rod.radius[index(element.first)],
+                 second = rod.radius[index(element.second)];
+    out.length += element.length;
+    out.mean_radius += 0.5 * element.length * (first + second);
+    out.smallest_radius = std::min({out.smallest_radius, first, second});
+    out.largest_radius = std::max({out.largest_radius, first, second});
+  }
+  out.mean_radius /= out.length;
+  return out;
+}
+
+// The name of the lid that closed an end: the one nearest to its centre, within its radius.
+std::string lid_name(const std::vector<Lid>& lids, const Vec3& center, double radius) {
+  std::string name;
+  double nearest = radius;
+  for (const Lid& lid : lids)
+    if (const double distance = (lid.center - center).norm(); distance <= nearest) {
+      nearest = distance;
+      name = lid.name;
+    }
+  return name;
+}
+
+FitReport report_of(const Vessel& vessel, const LoadedSurface& loaded) {
+  FitReport report;
+  std::vector<int> all;
+  for (const RodBranch& branch : vessel.rod.branches) {
+    report.branches.push_back(measured(vessel.rod, branch.elements));
+    all.insert(all.end(), branch.elements.begin(), branch.elements.end());
+  }
+  report.whole = measured(vessel.rod, all);
+  for (std::size_t k = 0; k < vessel.ends.size(); ++k) {
+    const VesselEnd& end = vessel.ends[k];
+    const double radius = vessel.rod.radius[index(end.node)];
+    // A person copies the place into a scene: to a thousandth of the radius, rounded.
+    const double step = 1e-3 * std::pow(10, std::floor(std::log10(radius)));
+    EndSelector selector{
+        EndSelector::Kind::near,
+        end.center.unaryExpr([&](double x) { return std::round(x / step) * step; }), 0};
+    if (k == 0) selector.kind = EndSelector::Kind::start;
+    if (k == 1 && vessel.ends.size() == 2) selector.kind = EndSelector::Kind::end;
+    report.ends.push_back({to_string(selector), lid_name(loaded.lids, end.center, radius),
+                           end.center, end.outward, radius});
+  }
+  return report;
 }
 
 }  // namespace
@@ -55,15 +111,19 @@ Result fit(const FitRequest& request) {
   result.model.cleaning[spec.name] = loaded.report.text();
   VesselResult out;
   out.name = spec.name;
+  out.space = loaded.space;
   out.rest = out.current = vessel.surface.points;
   out.triangles = vessel.surface.triangles;
   out.point_arrays = loaded.point_arrays;
   out.cell_arrays = loaded.cell_arrays;
   out.centerline = centerline_of(vessel.rod, vessel.rod.rest);
   result.vessels.push_back(std::move(out));
+  result.fit = report_of(vessel, loaded);
+  warn_of_radius(spec.name, vessel.mean_radius, scene.units, result.validity);
   result.stages.push_back({"rest", {vessel.surface}, {spec.name}});
   result.seconds = watch.seconds();
   result.environment.inputs = inputs.hashes();
+  result.environment.scene_hash = inputs.scene();
   name_faults(result);
   return result;
 }

@@ -33,6 +33,11 @@ std::string InputHashes::name_of(const std::filesystem::path& surface) const {
   return (beside.empty() ? surface : beside).generic_string();
 }
 
+std::string InputHashes::scene() const {
+  const auto found = hashes_.find(scene_.file.filename().string());
+  return found == hashes_.end() ? std::string() : found->second;
+}
+
 void InputHashes::add(const VesselSpec& vessel) {
   if (vessel.surface) hashes_[name_of(*vessel.surface)] = sha256_of_file(*vessel.surface);
 }

@@ -24,6 +24,8 @@ class InputHashes {
 
   /// SHA-256 by file name, or by path where two files have one name.
   const std::map<std::string, std::string>& hashes() const { return hashes_; }
+  /// SHA-256 of the scene's file, which is the surface itself in `fit`; empty where there is none.
+  std::string scene() const;
 
  private:
   std::string name_of(const std::filesystem::path& surface) const;

@@ -1,5 +1,6 @@
 #include "predict/name_faults.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -100,6 +101,7 @@ void scan_glenn(const Result& result, Scan& scan) {
   scan.see("incision's length", glenn.incision.length);
   for (const Vec3& end : glenn.incision.ends) scan.see("incision's end", end);
   scan.see("seam's rotation", glenn.join.rotation_deg);
+  scan.see("turn of the mouth's axis", glenn.join.axis_turn_deg);
   if (result.fidelity == "rod") return;  // nothing was joined
   scan.see("incision's opened area", glenn.incision.opened_area);
   scan.see("seam's largest gap", glenn.join.largest_gap);
@@ -136,6 +138,13 @@ std::vector<std::string> not_finite(const Result& result) {
   return scan.names();
 }
 
+// Whether a note says why there is no equilibrium. All such notes use one of these words; others,
+// as of a chosen fidelity, do not.
+bool explains(const std::string& note) {
+  return note.find("equilibrium") != std::string::npos ||
+         note.find("not finite") != std::string::npos;
+}
+
 }  // namespace
 
 void name_faults(Result& result) {
@@ -152,7 +161,9 @@ void name_faults(Result& result) {
     result.certificate.relative_residual = std::numeric_limits<double>::quiet_NaN();
     result.certificate.smallest_curvature_positive.reset();
   }
-  if (result.status == Status::iteration_limit && result.certificate.notes.empty())
+  const auto& notes = result.certificate.notes;
+  if (result.status == Status::iteration_limit &&
+      std::none_of(notes.begin(), notes.end(), explains))
     result.certificate.notes.push_back("no equilibrium was found; the relative residual is " +
                                        number_text(result.certificate.relative_residual, 3));
 }

@@ -5,6 +5,7 @@
 
 #include "data/sentence.h"
 #include "judge/choose_fidelity.h"
+#include "judge/criteria.h"
 #include "numerics/blas.h"
 #include "predict/fidelity.h"
 #include "predict/input_hashes.h"
@@ -159,6 +160,22 @@ Stage rest_stage(const Prediction& prediction) {
   return rest;
 }
 
+// A left and a right exchanged between vessels would be a scene that no patient has.
+void require_one_space(const Prediction& prediction) {
+  const PredictedVessel* first = nullptr;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    const std::string& space = vessel.prepared.loaded.space;
+    if (space.empty()) continue;
+    if (first == nullptr) first = &vessel;
+    const LoadedSurface& other = first->prepared.loaded;
+    if (other.space != space)
+      throw InputError(place(*prediction.scene, vessel.prepared.spec) +
+                       "found a surface in the space " + space + " (SPACE in its file) where " +
+                       first->prepared.spec.name + " is in " + other.space +
+                       ", expected all surfaces in one space: export them from 3D Slicer again");
+  }
+}
+
 // Cuts, incises and places; solves the vein's rod.
 void operate_on(Prediction& prediction, const SolveOptions& options) {
   const Scene& scene = *prediction.scene;
@@ -203,7 +220,9 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   if (has_bare_rods(scene)) {
     Result result = solve_rod_scene(scene, options);
     result.environment.inputs = inputs.hashes();
+    result.environment.scene_hash = inputs.scene();
     name_faults(result);
+    result.criteria = criteria_of(result);
     return result;
   }
 
@@ -211,6 +230,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   Prediction prediction;
   prediction.scene = &scene;
   read_vessels(*fidelity, options, inputs, prediction);
+  require_one_space(prediction);
   watch.lap("read");
   for (PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
@@ -238,7 +258,9 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   watch.lap("collect");
   result.seconds = watch.seconds();
   result.environment.inputs = inputs.hashes();
+  result.environment.scene_hash = inputs.scene();
   name_faults(result);
+  result.criteria = criteria_of(result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "judge/mouth.h"
+#include "judge/validity.h"
 #include "predict/result_of_vessel.h"
 #include "predict/result_parts.h"
 #include "rod/conditions.h"
@@ -190,13 +191,18 @@ Result result_of(const Prediction& prediction, int threads) {
   if (prediction.glenn) {
     result.glenn = prediction.glenn->report;
     measure_seam(prediction, *result.glenn);
+    warn_of_keep(*result.glenn, result.validity);
   }
   describe_model(prediction, result);
   add_vessels(prediction, result);
-  if (result.glenn && result.glenn->mouth)
+  if (result.glenn && result.glenn->mouth) {
+    const std::size_t before = result.validity.warnings.size();
     for (VesselMetrics& metrics : result.metrics)
       if (metrics.vessel == result.glenn->svc)
         judge_mouth(metrics.vessel, *result.glenn->mouth, metrics, result.validity);
+    // The mouth of a state that is no solution gives no warning.
+    if (!is_solution(result.status)) result.validity.warnings.resize(before);
+  }
   for (const std::string& note : prediction.notes) result.certificate.notes.push_back(note);
   return result;
 }

@@ -44,6 +44,7 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
   VesselResult out;
   out.name = prepared.spec.name;
   out.obstacle = prepared.obstacle();
+  out.space = prepared.loaded.space;
   if (vessel.positions.rows() > 0) {
     out.rest = prepared.vessel.surface.points;
     out.current = vessel.positions;
@@ -82,13 +83,19 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   }
   result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
                                           vessel.pressure, sections, opened));
+  const std::size_t before = result.validity.warnings.size();
   add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity,
                opened);
   if (prediction.surfaces && !prediction.surfaces->faces.empty())
     warn_of_law(prepared.spec,
                 prediction.surfaces->faces[vessel_named(prediction, prepared.spec.name)],
                 result.validity);
+  // Ratios of a state that is no solution give no warnings.
+  if (!is_solution(result.status)) result.validity.warnings.resize(before);
   warn_of_units(prepared.spec, prediction.scene->units, result.validity);
+  if (prepared.spec.surface && prepared.spec.check)
+    warn_of_radius(prepared.spec.name, prepared.vessel.mean_radius, prediction.scene->units,
+                   result.validity);
   result.vessels.back().axial_stretch = std::move(fields.axial_stretch);
   result.vessels.back().twist_shear = std::move(fields.twist_shear);
 }

@@ -5,6 +5,7 @@
 
 #include <vasorod/version.h>
 
+#include "data/sentence.h"
 #include "numerics/blas.h"
 
 namespace vasorod {
@@ -35,8 +36,12 @@ void add_rod(const std::string& name, const RodSummary& summary, bool certificat
     result.certificate.smallest_curvature_positive =
         result.certificate.smallest_curvature_positive.value_or(true) &&
         summary.negative_directions == 0;
-  if (!summary.message.empty())
-    result.certificate.notes.push_back("rod of " + name + ": " + summary.message);
+  std::string message = summary.message;
+  if (summary.status == Status::iteration_limit)
+    message = "no equilibrium was found: residual " + number_text(summary.residual, 3) + " after " +
+              std::to_string(summary.iterations) + " linear solves" +
+              (message.empty() ? "" : "; " + message);
+  if (!message.empty()) result.certificate.notes.push_back("rod of " + name + ": " + message);
   result.energy.rod += summary.energy;
   result.iterations["rod"] += summary.iterations;
 }

@@ -10,14 +10,15 @@ namespace vasorod {
 
 namespace {
 
-// Moreland's cool-warm (2009) and the light part of matplotlib's magma (CC0), turned round:
-// untouched is pale.
+// Moreland's cool-warm (2009), and the light part of matplotlib's magma (CC0) in reverse order, so
+// that zero is pale.
 constexpr std::array<std::uint32_t, 17> cool_warm{
     0x3b4cc0, 0x4e68d8, 0x6282ea, 0x779af7, 0x8db0fe, 0xa3c2fe, 0xb9d0f9, 0xccd9ed, 0xdddcdc,
     0xecd3c5, 0xf5c4ac, 0xf7b093, 0xf4987a, 0xeb7d62, 0xdd5f4b, 0xca3b37, 0xb40426};
 constexpr std::array<std::uint32_t, 17> magma{
     0xfcf0b2, 0xfed89a, 0xfec185, 0xfea772, 0xfc8e64, 0xf8765c, 0xf05f5e, 0xe24d66, 0xcf4070,
     0xba3878, 0xa5317e, 0x8e2a81, 0x792282, 0x651a80, 0x51127c, 0x3b0f70, 0x251255};
+constexpr std::array<std::uint32_t, 2> greys{0xe4e4e4, 0x8a8a8a};
 
 Colour colour_of(std::uint32_t rgb) {
   return {static_cast<float>(rgb >> 16 & 255U) / 255, static_cast<float>(rgb >> 8 & 255U) / 255,
@@ -35,6 +36,7 @@ double step_of(double width) {
 }  // namespace
 
 std::span<const std::uint32_t> colours_of(ColourMap map) {
+  if (map == ColourMap::grey) return greys;
   return map == ColourMap::diverging ? std::span(cool_warm) : std::span(magma);
 }
 
@@ -50,6 +52,7 @@ Colour ColourScale::operator()(double value) const {
 }
 
 std::vector<double> ColourScale::ticks() const {
+  if (map == ColourMap::grey) return {};
   const double step = step_of(high - low), slack = 1e-9 * (high - low);
   std::vector<double> values;
   for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k)
@@ -78,7 +81,7 @@ ColourScale scale_for(ColourMap map, const std::string& title,
     low = neutral - reach;
     high = neutral + reach;
   }
-  // Nothing to show: a scale that says so, not one that magnifies rounding.
+  // Without this, a field of constant value would show its rounding errors.
   if (high - low <= 1e-9 * std::max(1.0, std::abs(neutral))) {
     high = neutral + (map == ColourMap::diverging ? 0.01 : 1);
     low = map == ColourMap::diverging ? neutral - 0.01 : neutral;

@@ -13,18 +13,19 @@ namespace vasorod {
 /// sRGB, each 0 to 1.
 using Colour = std::array<float, 3>;
 
-/// Blue to red through grey, for what has a neutral value; pale yellow to black violet, for what
-/// starts at zero.
-enum class ColourMap { diverging, sequential };
+/// diverging: blue to red through grey, for values about a neutral one. sequential: pale yellow to
+/// dark violet, for values from zero up. grey: for values that say nothing; its scale has no ticks.
+enum class ColourMap { diverging, sequential, grey };
 
 struct ColourScale {
   ColourMap map = ColourMap::sequential;
   double low = 0, high = 1;
   std::string title;  ///< with the unit
 
-  /// Values outside [low, high] have the colour of the nearer end; what is not a number is grey.
+  /// Values outside [low, high] have the colour of the nearer end. Values that are not finite are
+  /// grey.
   Colour operator()(double value) const;
-  /// Round values inside [low, high], about five, and their text.
+  /// About five round values inside [low, high]; none in grey.
   std::vector<double> ticks() const;
 };
 
@@ -34,8 +35,8 @@ std::span<const std::uint32_t> colours_of(ColourMap map);
 /// The value of a tick with no more digits than the ticks' step needs.
 std::string tick_text(double value, double step);
 
-/// A scale from the values' range: diverging scales are symmetric about `neutral`; a range of no
-/// width is widened.
+/// A scale for the range of the values. Diverging scales are symmetric about `neutral`. A range
+/// without width is widened.
 ColourScale scale_for(ColourMap map, const std::string& title,
                       std::span<const Eigen::VectorXd* const> fields, double neutral = 0);
 

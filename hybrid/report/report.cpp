@@ -5,6 +5,7 @@
 #include "report/base64.h"
 #include "report/page_assets.h"
 #include "report/report_parts.h"
+#include "result/unknown_validity.h"
 
 namespace vasorod {
 
@@ -34,7 +35,7 @@ std::string badge(const std::string& kind, const std::string& text) {
   return "<span class=\"badge " + kind + "\">" + html_text(text) + "</span>\n";
 }
 
-// A solve without an equilibrium says how far it was from one.
+// An unfinished solve says how far it was from an equilibrium.
 std::string headline(const Result& result) {
   std::string text = "Status: " + status_sentence(result.status);
   if (is_unfinished(result.status))
@@ -44,29 +45,33 @@ std::string headline(const Result& result) {
 
 std::string badges(const Result& result) {
   std::string html = "<div class=\"badges\">\n";
+  if (result.fit) return html + badge("plain", "fitted at rest, nothing solved") + "</div>\n";
   html += badge(result.status == Status::converged          ? "good"
                 : result.status == Status::equilibrium_only ? "warn"
                                                             : "bad",
                 headline(result));
-  html += is_unfinished(result.status) ? badge("warn", "Validity: unknown")
-          : result.validity.in_range   ? badge("good", "Validity: within the model's range")
-                                       : badge("bad", "Validity: outside the model's range");
+  const std::optional<bool> in_range = known_range(result);
+  html += !in_range   ? badge("warn", "Validity: unknown")
+          : *in_range ? badge("good", "Validity: within the model's range")
+                      : badge("bad", "Validity: outside the model's range");
   html += badge("plain", "fidelity " + result.fidelity);
   return html + "</div>\n";
 }
 
 std::string validity_notice(const Result& result) {
   const Validity& validity = result.validity;
-  const bool fine = validity.in_range && !is_unfinished(result.status);
+  std::vector<std::string> warnings = validity.warnings;
+  if (!is_solution(result.status)) warnings.insert(warnings.begin(), why_unknown(result.status));
+  const bool fine = result.fit || known_range(result).value_or(false);
   std::string html;
-  if (!validity.warnings.empty()) {
+  if (!warnings.empty()) {
     html += std::string("<div class=\"notice ") + (fine ? "warn" : "bad") + "\"><strong>" +
-            (fine ? "Close to the model's limits" : "Do not rely on this result as it stands") +
+            (fine ? "Check before you rely on it" : "Do not rely on this result as it stands") +
             "</strong><ul>\n";
-    for (const std::string& warning : validity.warnings)
-      html += "<li>" + html_text(warning) + "</li>\n";
+    for (const std::string& warning : warnings) html += "<li>" + html_text(warning) + "</li>\n";
     html += "</ul></div>\n";
   }
+  if (!known_range(result)) return html;  // the ratios would be taken for those of a solution
   return html + "<p class=\"soft small\">Brazier ratio " + cell_text(validity.brazier_ratio) +
          ", wrinkling ratio " + cell_text(validity.wrinkling_ratio) + ", twist ratio " +
          cell_text(validity.twist_ratio) + ", largest strain " +
@@ -78,7 +83,19 @@ std::string fact(const std::string& name, const std::string& value, const std::s
          (unit.empty() ? "" : " <small>" + html_text(unit) + "</small>") + "</dd></div>\n";
 }
 
+std::string fit_facts(const FitReport& fit, const std::string& unit) {
+  return fact("Length", cell_text(fit.whole.length), unit) +
+         fact("Smallest radius", cell_text(fit.whole.smallest_radius), unit) +
+         fact("Mean radius", cell_text(fit.whole.mean_radius), unit) +
+         fact("Largest radius", cell_text(fit.whole.largest_radius), unit) +
+         fact("Branches", std::to_string(fit.branches.size()), "") +
+         fact("Open ends", std::to_string(fit.ends.size()), "");
+}
+
 std::string facts(const Result& result) {
+  const bool solved = is_solution(result.status);
+  const auto peak = [&](double value) { return solved ? cell_text(value) : "unknown"; };
+  const auto unit = [&](const std::string& name) { return solved ? name : std::string(); };
   double twist = 0, lumen = 1, pressure = 0;
   for (const VesselMetrics& m : result.metrics) {
     twist = std::max(twist, m.largest_twist_shear);
@@ -87,14 +104,17 @@ std::string facts(const Result& result) {
   }
   for (const ContactReport& c : result.contact) pressure = std::max(pressure, c.largest_pressure);
   std::string html = "<dl class=\"facts\">\n";
+  if (result.fit) html += fit_facts(*result.fit, result.length_unit);
   if (!result.metrics.empty()) {
-    html += fact("Largest twist shear", cell_text(twist), "");
-    html += fact("Smallest lumen over rest", cell_text(lumen), "");
-    html += fact("Largest contact pressure", cell_text(pressure), result.stress_unit);
+    html += fact("Largest twist shear", peak(twist), "");
+    if (result.fidelity != "rod") {  // without surfaces there is no lumen and no contact
+      html += fact("Smallest lumen over rest", peak(lumen), "");
+      html += fact("Largest contact pressure", peak(pressure), unit(result.stress_unit));
+    }
   }
   if (result.glenn)
-    html += fact("Largest gap in the seam", cell_text(result.glenn->join.largest_gap),
-                 result.length_unit);
+    html += fact("Largest gap in the seam", peak(result.glenn->join.largest_gap),
+                 unit(result.length_unit));
   if (const auto total = result.seconds.find("total"); total != result.seconds.end())
     html += fact("Computed in", cell_text(total->second), "s");
   return html + "</dl>\n";
@@ -124,8 +144,13 @@ std::string report_html(const Result& result, const std::vector<NamedPicture>& p
           "</h1>\n<p class=\"soft\">Predicted by " + html_text(result.program) +
           ". Research software, not for clinical use.</p>\n";
   html += badges(result) + validity_notice(result) + facts(result) + "</header>\n";
+  html += criteria_table(result);
+  html += "<h2 id=\"view-title\">";
+  html += result.fit                   ? "The vessel and its axis"
+          : is_solution(result.status) ? "The result"
+                                       : "The state in which the solve ended";
   html +=
-      "<h2 id=\"view-title\">The result</h2>\n<div id=\"view\"><div id=\"stage\"><canvas "
+      "</h2>\n<div id=\"view\"><div id=\"stage\"><canvas "
       "tabindex=\"0\" "
       "aria-label=\"The "
       "vessels in three dimensions\"></canvas><div id=\"legend\"></div></div><div "
@@ -134,16 +159,21 @@ std::string report_html(const Result& result, const std::vector<NamedPicture>& p
       "or two "
       "fingers to "
       "move, double click to start again.</p>\n";
-  html += "<h2>Stages</h2>\n" + figures(pictures, false);
-  html += "<h2>Twist, stretch and contact</h2>\n" + figures(pictures, true);
+  if (result.fit) {
+    html += figures(pictures, false);
+  } else {
+    html += "<h2>Stages</h2>\n" + figures(pictures, false);
+    html += "<h2>Twist, stretch and contact</h2>\n" + figures(pictures, true);
+  }
   html += report_tables(result);
-  html += "<footer>Lengths in " + html_text(result.length_unit) + ", stresses in " +
-          html_text(result.stress_unit) +
-          ". Twist shear is (u3 − u3 at rest) times the distance to the axis; the lumen is the "
-          "mid-wall "
-          "section moved in by "
-          "half the wall. Every number is in result.json. Research software, not for clinical "
-          "use.</footer>\n</main>\n";
+  html += "<footer>Lengths in " + html_text(result.length_unit);
+  if (!result.fit)
+    html += ", stresses in " + html_text(result.stress_unit) +
+            ". Twist shear is (u3 − u3 at rest) times the distance to the axis; the lumen is the "
+            "mid-wall section moved in by half the wall";
+  html +=
+      ". Every number is in result.json. Research software, not for clinical "
+      "use.</footer>\n</main>\n";
   html += "<script type=\"application/json\" id=\"scene\">" + view_scene(result) +
           "</script>\n<script>\n";
   html += view_js;

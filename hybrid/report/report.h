@@ -1,5 +1,5 @@
-// report.html: one file, no network. Status and validity first, then the view, the pictures and the
-// tables.
+// report.html: one file, no network. Status, validity and criteria first, then the view, the
+// pictures and the tables.
 #pragma once
 
 #include <string>

@@ -7,19 +7,22 @@
 
 namespace vasorod {
 
-/// Text with the characters HTML reserves replaced.
+/// Text with the reserved characters of HTML replaced.
 std::string html_text(const std::string& text);
 
-/// Four significant digits; a dash for what is not finite.
+/// Four significant digits; a dash if the value is not finite.
 std::string cell_text(double value);
 
-/// "N" where the scene's units make newtons (mN, kN, MN likewise), else "MPa cm²".
+/// "N" if the scene's units give newtons (also mN, kN, MN), else as "MPa cm²".
 std::string force_unit(const Result& result);
 
-/// Every table of the report, each under its heading; what a result has nothing of is left out.
+/// The criteria with their thresholds, coloured verdicts and sources; nothing where there are none.
+std::string criteria_table(const Result& result);
+
+/// Every table of the report under its heading. Empty tables are left out.
 std::string report_tables(const Result& result);
 
-/// The scene of the interactive view as JSON that may stand inside a script element.
+/// The scene of the interactive view, as JSON that is safe inside a script element.
 std::string view_scene(const Result& result);
 
 }  // namespace vasorod

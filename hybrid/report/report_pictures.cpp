@@ -19,6 +19,7 @@ namespace {
 
 constexpr int stage_width = 640, stage_height = 480, field_width = 760, field_height = 540;
 constexpr float glass = 0.35F, faint_glass = 0.22F;
+constexpr const char* no_solution = ", no solution";  // behind the captions of such a state
 
 std::string slug(const std::string& title) {
   std::string name;
@@ -28,8 +29,8 @@ std::string slug(const std::string& title) {
   return name;
 }
 
-// A tube about the centerline, twelve points around each node; a bare rod has a hundredth of its
-// length as radius.
+// A tube around the centerline, twelve points around each node. The radius of a bare rod is a
+// hundredth of its length.
 DrawnBody tube_about(const CenterlineResult& line) {
   constexpr int around = 12;
   const auto nodes = line.current.rows();
@@ -42,7 +43,7 @@ DrawnBody tube_about(const CenterlineResult& line) {
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double radius = line.radius.empty() ? thin : line.radius[k];
-    // The rest frame is not kept: a section across the rest line is enough for a picture.
+    // The frames at rest are not stored; a section across the rest line is enough for a picture.
     const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0),
                        after = std::min(i + 1, nodes - 1);
     const Vec3 along = line.rest.row(after) - line.rest.row(before);
@@ -70,8 +71,18 @@ DrawnBody tube_about(const CenterlineResult& line) {
   return shape;
 }
 
-// After an operation the kept end of the vena cava, the head's side, is up; else the longest axis
-// lies level.
+// The axis of a fitted vessel, as a thin dark tube inside its transparent wall.
+DrawnBody axis_of(const VesselResult& vessel, const FitReport& fit) {
+  CenterlineResult line = *vessel.centerline;
+  line.radius.assign(line.radius.size(), 0.08 * fit.whole.mean_radius);
+  DrawnBody body = tube_about(line);
+  body.name = vessel.name + " axis";
+  body.colour = {0.16F, 0.20F, 0.30F};
+  return body;
+}
+
+// After an operation, the kept end of the vena cava (the head's side) is up. Otherwise the longest
+// axis is horizontal.
 Vec3 up_of(const Result& result, const std::vector<Seen>& scene) {
   if (result.glenn)
     for (const VesselResult& vessel : result.vessels)
@@ -94,7 +105,8 @@ View view_of(const Result& result, const std::vector<DrawnBody>& bodies) {
   return {clearest_direction(scene, up), up};
 }
 
-// The stages of an operation are looked down upon: the incision lies on the recipient's upper side.
+// The stages of an operation are seen from above, because the incision lies on the recipient's
+// upper side.
 View stage_view(const Result& result, const View& common) {
   if (!result.glenn) return common;
   constexpr double lift = 0.8;  // of the level part
@@ -102,8 +114,8 @@ View stage_view(const Result& result, const View& common) {
   return {(level.normalized() + lift * common.up).normalized(), common.up};
 }
 
-// From where most of a solid body's contact pressure is seen: what lies beside is looked through.
-// As `common` where nothing presses.
+// The side from which most of the contact pressure on solid bodies is visible; transparent bodies
+// hide nothing. `common` where nothing presses.
 View view_of_pressure(const std::vector<DrawnBody>& bodies, const View& common) {
   std::vector<Seen> scene;
   std::vector<Spot> spots;
@@ -121,8 +133,8 @@ View view_of_pressure(const std::vector<DrawnBody>& bodies, const View& common) 
   return {facing_direction(scene, spots, common.up), common.up};
 }
 
-// The body that gives a stage's surface its colour: that whose name the surface's name begins with
-// (svc_stump: svc).
+// The body that gives a stage's surface its colour: the one whose name begins the surface's name
+// (svc for svc_stump).
 const DrawnBody* body_of(const std::vector<DrawnBody>& bodies, const std::string& name) {
   const DrawnBody* best = nullptr;
   for (const DrawnBody& body : bodies)
@@ -135,10 +147,10 @@ bool is_stump(const DrawnBody& body) {
   return body.vessel == nullptr;
 }
 
-// The stages as they were recorded, with what lies beside where a stage does not show it, and from
-// the cut on what it left behind; of a scene without an operation, rest and result.
+// The recorded stages. Transparent bodies are added where a stage lacks them, and stumps from the
+// cut on. Without recorded stages: rest and result. A fitted vessel has one stage, with its axis.
 std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>& bodies) {
-  if (!result.stages.empty()) {
+  if (!result.stages.empty() && !result.fit) {
     std::vector<Stage> stages = result.stages;
     for (Stage& stage : stages)
       for (const DrawnBody& body : bodies)
@@ -150,7 +162,8 @@ std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>&
         }
     return stages;
   }
-  std::vector<Stage> stages{{"rest", {}, {}}, {"result", {}, {}}};
+  std::vector<Stage> stages{{"rest", {}, {}}};
+  if (!result.fit) stages.push_back({"result", {}, {}});
   for (const DrawnBody& body : bodies)
     for (Stage& stage : stages) {
       stage.surfaces.push_back({stage.title == "rest" ? body.rest : body.current, body.triangles});
@@ -217,6 +230,7 @@ void draw_all(std::vector<Task>& tasks, int threads) {
 }  // namespace
 
 std::vector<DrawnField> drawn_fields(const Result& result) {
+  if (result.fit) return {};
   const auto fields_of = [&](const Eigen::VectorXd VesselResult::*values) {
     std::vector<const Eigen::VectorXd*> fields;
     for (const VesselResult& vessel : result.vessels) fields.push_back(&(vessel.*values));
@@ -225,13 +239,20 @@ std::vector<DrawnField> drawn_fields(const Result& result) {
   const auto shear = fields_of(&VesselResult::twist_shear),
              stretch = fields_of(&VesselResult::axial_stretch),
              pressure = fields_of(&VesselResult::contact_pressure);
-  return {{"twist_shear", scale_for(ColourMap::diverging, "twist shear", shear), 0,
-           &VesselResult::twist_shear},
-          {"axial_stretch", scale_for(ColourMap::diverging, "axial stretch", stretch, 1), 1,
-           &VesselResult::axial_stretch},
-          {"contact_pressure",
-           scale_for(ColourMap::sequential, "contact pressure, " + result.stress_unit, pressure), 0,
-           &VesselResult::contact_pressure}};
+  std::vector<DrawnField> drawn{
+      {"twist_shear", scale_for(ColourMap::diverging, "twist shear", shear), 0,
+       &VesselResult::twist_shear},
+      {"axial_stretch", scale_for(ColourMap::diverging, "axial stretch", stretch, 1), 1,
+       &VesselResult::axial_stretch},
+      {"contact_pressure",
+       scale_for(ColourMap::sequential, "contact pressure, " + result.stress_unit, pressure), 0,
+       &VesselResult::contact_pressure}};
+  if (!is_solution(result.status))
+    for (DrawnField& field : drawn) {
+      field.scale.map = ColourMap::grey;
+      field.scale.title += no_solution;
+    }
+  return drawn;
 }
 
 const Eigen::VectorXd* DrawnBody::values(const DrawnField& field) const {
@@ -268,7 +289,7 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
     body.name = vessel.name;
     body.vessel = &vessel;
     body.wanted = wanted(vessel) || !any_wanted;
-    body.glass = !body.wanted;
+    body.glass = !body.wanted || result.fit;
     if (!wanted(vessel))
       body.colour = arteries[beside++ % arteries.size()];
     else if (result.glenn)
@@ -276,6 +297,7 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
     else
       body.colour = veins[others++ % veins.size()];
     bodies.push_back(body);
+    if (result.fit && vessel.centerline) bodies.push_back(axis_of(vessel, *result.fit));
     if (!vessel.stump) continue;
     DrawnBody& stump = bodies.emplace_back();
     stump.name = vessel.name + " stump";
@@ -331,8 +353,11 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads) {
       fit_camera(everything, above.towards_eye, above.up, double(stage_width) / stage_height);
 
   std::vector<NamedPicture> pictures;
-  for (const Stage& stage : stages)
-    pictures.push_back({"picture_" + slug(stage.title) + ".png", stage.title, false, {}, 0, 0});
+  for (const Stage& stage : stages) {
+    const bool unsolved = stage.title == "result" && !is_solution(result.status);
+    const std::string caption = stage.title + (unsolved ? no_solution : "");
+    pictures.push_back({"picture_" + slug(stage.title) + ".png", caption, false, {}, 0, 0});
+  }
   for (const DrawnField& field : fields) {
     const std::string caption =
         field.scale.title + (turned && of_pressure(field) ? ", from where most of it is seen" : "");

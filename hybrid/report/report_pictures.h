@@ -1,6 +1,6 @@
-// The pictures of a result: each stage of the operation, then what came out, coloured by each
-// field; all from one side; an operation's stages from higher up, the contact pressure from where
-// most of it is seen.
+// The pictures of a result: each stage of the operation, then the result coloured by each field.
+// All look from one side, the stages of an operation from higher up. The contact pressure is shown
+// from the side where most of it is visible.
 #pragma once
 
 #include <string>
@@ -15,35 +15,35 @@ namespace vasorod {
 
 struct NamedPicture {
   std::string file;    ///< picture_rest.png, ..., picture_twist_shear.png
-  std::string title;   ///< what is seen
+  std::string title;   ///< caption
   bool field = false;  ///< coloured by a field, with its legend
   std::string png;     ///< bytes
   int width = 0, height = 0;
 };
 
-/// A field of a result with the scale that all its pictures and views share. The vectors are per
-/// vessel; empty: not modelled.
+/// A field of a result, with the scale that its picture and the view share.
 struct DrawnField {
   std::string file;  ///< twist_shear, axial_stretch, contact_pressure
   ColourScale scale;
   double at_rest = 0;
-  const Eigen::VectorXd VesselResult::*values = nullptr;
+  const Eigen::VectorXd VesselResult::*values = nullptr;  ///< per vessel; empty: not modelled
 };
 
+/// The fields to draw; none for `fit`. Fields of a state that is no solution are grey and say so.
 std::vector<DrawnField> drawn_fields(const Result& result);
 
-/// A body of the view and of the pictures: a vessel's surface, a tube about the centerline where
-/// only that was asked for, or a stump. Row i of `rest` and of `current` is the same point of the
-/// wall.
+/// A body of the view and of the pictures: a vessel's surface, a tube around the centerline where
+/// there is no surface, a stump, or the axis of a fitted vessel. Row i of `rest` and of `current`
+/// is the same point of the wall.
 struct DrawnBody {
   std::string name;
   Points rest, current;
   Triangles triangles;
-  Colour colour{};     ///< what is wanted as veins are drawn, the rest as arteries and heart are
-  bool glass = false;  ///< beside what is wanted: seen through
-  bool wanted =
-      true;  ///< what the pictures are about: an operation's two vessels, else what may move
-  const VesselResult* vessel = nullptr;  ///< whose fields it carries; a stump has none
+  Colour colour{};     ///< cool colours for the wanted bodies, warm ones for the others
+  bool glass = false;  ///< drawn transparent
+  /// What the pictures are about: the two vessels of an operation, else everything that may move.
+  bool wanted = true;
+  const VesselResult* vessel = nullptr;  ///< whose fields it carries; stumps and axes have none
 
   /// The field's values at the points, or null where it was not modelled.
   const Eigen::VectorXd* values(const DrawnField& field) const;
@@ -52,11 +52,11 @@ struct DrawnBody {
 /// Refers to `result`, which must outlive it.
 std::vector<DrawnBody> drawn_bodies(const Result& result);
 
-/// The camera of the pictures of the result and of the view: what may move fills it, at rest and in
-/// the result.
+/// The camera of the view and of the pictures of the result. The wanted bodies fill it, at rest and
+/// in the result.
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect);
 
-/// Up to `threads` are drawn at once; the bytes do not depend on it.
+/// Draws up to `threads` pictures at once. The bytes do not depend on `threads`.
 std::vector<NamedPicture> report_pictures(const Result& result, int threads = 1);
 
 }  // namespace vasorod

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "data/mmhg.h"
 #include "data/sentence.h"
 #include "report/report_parts.h"
 
@@ -8,7 +10,7 @@ namespace vasorod {
 
 namespace {
 
-// Rows of cells that are HTML already; the first `text_columns` are text, the rest numbers.
+// Rows of cells in HTML. The first `text_columns` columns are text, the others numbers.
 struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
@@ -43,7 +45,90 @@ std::string html_of(const std::string& title, const Table& table) {
 }
 
 std::string vector_text(const Vec3& v) {
-  return cell_text(v.x()) + ", " + cell_text(v.y()) + ", " + cell_text(v.z());
+  const double rounding = 1e-9 * v.norm();
+  const auto text = [&](double x) { return cell_text(std::abs(x) < rounding ? 0 : x); };
+  return text(v.x()) + ", " + text(v.y()) + ", " + text(v.z());
+}
+
+// Numbers of a state that is no solution are greyed, under a line that says so.
+std::string greyed_unless_solved(const Result& result, const std::string& tables) {
+  if (is_solution(result.status) || tables.empty()) return tables;
+  return "<div class=\"unsolved\">\n<p>The tables in grey are of a state that is no "
+         "solution.</p>\n" +
+         tables + "</div>\n";
+}
+
+std::string words_of(const Criterion& criterion) {
+  static const std::map<std::string, std::string> words{
+      {"lumen", "Smallest lumen over rest"},
+      {"mouth", "Lumen of the mouth over the cut vein's"},
+      {"twist", "Largest twist along a vessel"},
+      {"twist_shear", "Largest twist shear"},
+      {"stretch", "Stretch furthest from 1"},
+      {"contact_pressure", "Largest contact pressure"}};
+  const auto found = words.find(criterion.name);
+  return found == words.end() ? criterion.name : found->second;
+}
+
+std::string value_of(const Criterion& criterion, const Result& result) {
+  if (criterion.verdict == Verdict::unknown) return "unknown";
+  std::string text = cell_text(criterion.value);
+  if (!criterion.unit.empty()) text += " " + criterion.unit;
+  if (criterion.unit == "mmHg")
+    text += " (" + cell_text(criterion.value / mmhg_per(result.stress_unit)) + " " +
+            result.stress_unit + ")";
+  return text;
+}
+
+// Which side of a threshold warns follows from the two thresholds' order.
+std::string threshold_of(const Criterion& criterion) {
+  if (!criterion.threshold) return "–";
+  const bool rising =
+      !criterion.strong_threshold || *criterion.strong_threshold > *criterion.threshold;
+  const std::string side = rising ? "from " : "below ";
+  std::string text = side + cell_text(*criterion.threshold);
+  if (criterion.strong_threshold)
+    text += ", strong " + side + cell_text(*criterion.strong_threshold);
+  return criterion.unit.empty() ? text : text + " " + criterion.unit;
+}
+
+std::string verdict_badge(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::fine:
+      return "<span class=\"badge good\">fine</span>";
+    case Verdict::warning:
+      return "<span class=\"badge warn\">warning</span>";
+    case Verdict::strong_warning:
+      return "<span class=\"badge bad\">strong warning</span>";
+    case Verdict::not_judged:
+      return "not judged";
+    case Verdict::unknown:
+      return "unknown";
+  }
+  return {};
+}
+
+std::string radii_of(const FittedLength& part) {
+  return cell_text(part.smallest_radius) + " to " + cell_text(part.largest_radius) + ", mean " +
+         cell_text(part.mean_radius);
+}
+
+std::string fit_tables(const Result& result) {
+  if (!result.fit) return {};
+  const std::string& unit = result.length_unit;
+  Table ends;
+  ends.head = {"End in a scene", "ModelFaceID", "Centre, " + unit, "Normal", "Radius, " + unit};
+  ends.text_columns = 4;
+  for (const FittedEnd& end : result.fit->ends)
+    ends.rows.push_back({html_text(end.end), end.name.empty() ? "–" : html_text(end.name),
+                         vector_text(end.center), vector_text(end.normal), cell_text(end.radius)});
+  Table branches;
+  branches.head = {"Branch", "Radius, " + unit, "Length, " + unit};
+  branches.text_columns = 2;
+  for (const FittedLength& branch : result.fit->branches)
+    branches.rows.push_back(
+        {std::to_string(branches.rows.size() + 1), radii_of(branch), cell_text(branch.length)});
+  return html_of("Open ends", ends) + html_of("Branches between forks and ends", branches);
 }
 
 std::string metrics_table(const Result& result) {
@@ -56,13 +141,19 @@ std::string metrics_table(const Result& result) {
                 "Flattening",
                 "Smallest lumen over rest",
                 "Largest pressure, " + result.stress_unit,
+                "mmHg",
                 "Contact area, " + result.length_unit + "²"};
+  // Without surfaces there is no section and no contact.
+  const auto of_surface = [&](double value) {
+    return result.fidelity == "rod" ? std::string("–") : cell_text(value);
+  };
   for (const VesselMetrics& m : result.metrics)
     table.rows.push_back({html_text(m.vessel), cell_text(m.largest_twist_shear),
                           cell_text(m.stretch[0]), cell_text(m.stretch[1]),
-                          cell_text(m.largest_curvature), cell_text(m.flattening),
-                          cell_text(m.smallest_lumen_ratio), cell_text(m.largest_pressure),
-                          cell_text(m.contact_area)});
+                          cell_text(m.largest_curvature), of_surface(m.flattening),
+                          of_surface(m.smallest_lumen_ratio), of_surface(m.largest_pressure),
+                          of_surface(m.largest_pressure * mmhg_per(result.stress_unit)),
+                          of_surface(m.contact_area)});
   Table where;
   where.head = {"Vessel", "Extreme", "At, " + result.length_unit};
   where.text_columns = 3;
@@ -95,11 +186,25 @@ std::string glenn_table(const Result& result) {
   add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
   add("Incision, ends", vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]),
       length);
-  add("Incision, opened area", cell_text(g.incision.opened_area), length + "²");
   add("Seam, pairs of points", std::to_string(g.join.pairs), "");
   add("Seam, rotation", cell_text(g.join.rotation_deg), "degrees");
-  add("Seam, largest gap", cell_text(g.join.largest_gap), length);
-  add("Seam, root mean square gap", cell_text(g.join.rms_gap), length);
+  add("Seam, turn of the mouth's axis", cell_text(g.join.axis_turn_deg), "degrees");
+  const auto add_solved = [&](const std::string& what, double value, const std::string& unit) {
+    if (is_solution(result.status))
+      add(what, cell_text(value), unit);
+    else
+      add(what, "unknown", "");
+  };
+  add_solved("Incision, opened area", g.incision.opened_area, length + "²");
+  add_solved("Seam, largest gap", g.join.largest_gap, length);
+  add_solved("Seam, root mean square gap", g.join.rms_gap, length);
+  if (g.mouth) {
+    add_solved("Mouth, lumen", g.mouth->lumen, length + "²");
+    add_solved("Mouth, lumen over the cut vein's", g.mouth->area_ratio, "");
+    add_solved("Mouth, span", g.mouth->span, length);
+    add_solved("Mouth, width", g.mouth->width, length);
+    add_solved("Mouth, perimeter over the cut vein's", g.mouth->perimeter_ratio, "");
+  }
   return html_of("The operation", table);
 }
 
@@ -156,8 +261,11 @@ std::string time_table(const Result& result) {
   Table table;
   table.head = {"Stage", "Seconds"};
   const std::vector<std::string> order{"read", "fit", "factor", "solve", "write"};
+  // `fit` solves nothing: its zeros are no times.
+  const auto shown = [&](double value) { return !result.fit || value > 0; };
   const auto add = [&](const std::string& name) {
-    if (const auto found = result.seconds.find(name); found != result.seconds.end())
+    if (const auto found = result.seconds.find(name);
+        found != result.seconds.end() && shown(found->second))
       table.rows.push_back({html_text(name), cell_text(found->second)});
   };
   for (const std::string& name : order) add(name);
@@ -165,7 +273,8 @@ std::string time_table(const Result& result) {
     if (name != "total" && std::find(order.begin(), order.end(), name) == order.end()) add(name);
   add("total");
   for (const auto& [name, count] : result.iterations)
-    table.rows.push_back({"iterations of the " + html_text(name), std::to_string(count)});
+    if (shown(count))
+      table.rows.push_back({"iterations of the " + html_text(name), std::to_string(count)});
   return html_of("Time", table);
 }
 
@@ -177,8 +286,8 @@ std::string model_tables(const Result& result) {
   model.rows = {{"Fidelity", html_text(result.fidelity)},
                 {"Rod nodes", std::to_string(result.model.rod_nodes)},
                 {"Surface vertices", std::to_string(result.model.vertices)},
-                {"Surface triangles", std::to_string(result.model.triangles)},
-                {"Terms", html_text(terms)}};
+                {"Surface triangles", std::to_string(result.model.triangles)}};
+  if (!terms.empty()) model.rows.push_back({"Terms", html_text(terms)});
   for (const auto& [what, reason] : result.model.left_out)
     model.rows.push_back({"Left out: " + html_text(what), html_text(reason)});
   for (const auto& [vessel, what] : result.model.cleaning)
@@ -232,9 +341,22 @@ std::string force_unit(const Result& result) {
   return stress + " " + length + "²";
 }
 
+std::string criteria_table(const Result& result) {
+  Table table;
+  table.head = {"Criterion", "Vessel", "Value", "A warning", "Verdict", "Where this comes from"};
+  table.text_columns = 6;
+  for (const Criterion& criterion : result.criteria)
+    table.rows.push_back({html_text(words_of(criterion)), html_text(criterion.vessel),
+                          html_text(value_of(criterion, result)), threshold_of(criterion),
+                          verdict_badge(criterion.verdict), html_text(criterion.source)});
+  return html_of("Criteria", table);
+}
+
 std::string report_tables(const Result& result) {
-  return metrics_table(result) + glenn_table(result) + force_tables(result) +
-         "<div class=\"pair\"><div>" + energy_table(result) + "</div><div>" + time_table(result) +
+  if (result.fit) return fit_tables(result) + time_table(result) + model_tables(result);
+  return greyed_unless_solved(result, metrics_table(result)) + glenn_table(result) +
+         greyed_unless_solved(result, force_tables(result)) + "<div class=\"pair\"><div>" +
+         greyed_unless_solved(result, energy_table(result)) + "</div><div>" + time_table(result) +
          "</div></div>\n" + model_tables(result);
 }
 

@@ -17,10 +17,13 @@ using File = std::pair<std::string, std::string>;  // name, bytes
 std::vector<File> geometry_files(const Result& result) {
   std::vector<File> files;
   for (const VesselResult& vessel : result.vessels) {
-    if (vessel.rest.rows() > 0) files.emplace_back(vessel.name + ".vtp", vessel_vtp(vessel));
+    const FileStamp stamp = stamp_of(result, vessel);
+    if (vessel.rest.rows() > 0) files.emplace_back(vessel.name + ".vtp", vessel_vtp(vessel, stamp));
     if (vessel.centerline)
-      files.emplace_back(vessel.name + "_centerline.vtp", centerline_vtp(*vessel.centerline));
-    if (vessel.stump) files.emplace_back(vessel.name + "_stump.vtp", surface_vtp(*vessel.stump));
+      files.emplace_back(vessel.name + "_centerline.vtp",
+                         centerline_vtp(*vessel.centerline, stamp));
+    if (vessel.stump)
+      files.emplace_back(vessel.name + "_stump.vtp", surface_vtp(*vessel.stump, stamp));
   }
   files.emplace_back("scene.pvd", scene_pvd(result));
   std::set<std::string> names;
@@ -43,8 +46,9 @@ void write_result_folder(Result& result, const std::filesystem::path& folder) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.seconds["write"] = seconds;
   result.seconds["total"] += seconds;
-  replacement.write("report.html",
-                    report_html(result, pictures));  // with those seconds, so not counted itself
+  replacement.write(
+      "report.html",
+      report_html(result, pictures));  // shows the seconds, so its own are not in them
   replacement.write("result.json", to_json(result));
   replacement.commit();
 }

@@ -73,6 +73,7 @@ std::string view_scene(const Result& result) {
       {"half", camera.half_height}};
   scene["axes"] =
       Json::array({row(camera.axes.row(0)), row(camera.axes.row(1)), row(camera.axes.row(2))});
+  scene["still"] = result.fit.has_value();
   const std::vector<DrawnField> fields = drawn_fields(result);
   scene["fields"] = Json::array();
   for (const DrawnField& field : fields) {

@@ -1,6 +1,7 @@
 #include <vasorod/result.h>
 
 #include "result/json_text.h"
+#include "result/unknown_validity.h"
 
 namespace vasorod {
 
@@ -37,13 +38,13 @@ Json certificate(const Certificate& c) {
           {"notes", Json(c.notes)}};
 }
 
-Json validity(const Validity& v) {
-  return {{"in_range", v.in_range},
-          {"brazier_ratio", v.brazier_ratio},
-          {"wrinkling_ratio", v.wrinkling_ratio},
-          {"twist_ratio", v.twist_ratio},
-          {"largest_strain", v.largest_strain},
-          {"warnings", Json(v.warnings)}};
+Json validity(const Result& r) {
+  const Validity& v = r.validity;
+  std::vector<std::string> warnings = v.warnings;
+  if (!is_solution(r.status)) warnings.insert(warnings.begin(), why_unknown(r.status));
+  return {{"in_range", or_null(known_range(r))},  {"brazier_ratio", v.brazier_ratio},
+          {"wrinkling_ratio", v.wrinkling_ratio}, {"twist_ratio", v.twist_ratio},
+          {"largest_strain", v.largest_strain},   {"warnings", Json(warnings)}};
 }
 
 Json energies(const Energies& e) {
@@ -94,6 +95,37 @@ Json metrics(const VesselMetrics& m) {
           {"where", where}};
 }
 
+Json criterion(const Criterion& c) {
+  return {{"name", c.name},
+          {"vessel", c.vessel},
+          {"value", c.value},
+          {"unit", c.unit},
+          {"threshold", or_null(c.threshold)},
+          {"strong_threshold", or_null(c.strong_threshold)},
+          {"verdict", to_string(c.verdict)},
+          {"source", c.source}};
+}
+
+Json fitted_length(const FittedLength& l) {
+  return {{"length", l.length},
+          {"smallest_radius", l.smallest_radius},
+          {"mean_radius", l.mean_radius},
+          {"largest_radius", l.largest_radius}};
+}
+
+Json fit(const FitReport& f) {
+  Json value = fitted_length(f.whole);
+  value["branches"] = array(f.branches, fitted_length);
+  value["ends"] = array(f.ends, [](const FittedEnd& end) {
+    return Json{{"end", end.end},
+                {"name", end.name.empty() ? Json(nullptr) : Json(end.name)},
+                {"center", row(end.center)},
+                {"normal", row(end.normal)},
+                {"radius", end.radius}};
+  });
+  return value;
+}
+
 Json model(const ModelReport& m) {
   return {{"rod_nodes", m.rod_nodes},       {"vertices", m.vertices},
           {"triangles", m.triangles},       {"terms", Json(m.terms)},
@@ -125,6 +157,7 @@ Json glenn(const GlennReport& g) {
                 {"join",
                  {{"pairs", g.join.pairs},
                   {"rotation_deg", g.join.rotation_deg},
+                  {"axis_turn_deg", g.join.axis_turn_deg},
                   {"largest_gap", g.join.largest_gap},
                   {"rms_gap", g.join.rms_gap}}}};
   if (g.mouth) value["mouth"] = mouth(*g.mouth);
@@ -141,6 +174,22 @@ Json files_of(const VesselResult& v) {
 
 }  // namespace
 
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::fine:
+      return "fine";
+    case Verdict::warning:
+      return "warning";
+    case Verdict::strong_warning:
+      return "strong_warning";
+    case Verdict::not_judged:
+      return "not_judged";
+    case Verdict::unknown:
+      return "unknown";
+  }
+  return {};
+}
+
 std::string to_json(const Result& r) {
   Json value = {{"schema", 1},
                 {"scene", r.scene},
@@ -149,12 +198,14 @@ std::string to_json(const Result& r) {
                 {"status", to_string(r.status)},
                 {"units", {{"length", r.length_unit}, {"stress", r.stress_unit}}},
                 {"certificate", certificate(r.certificate)},
-                {"validity", validity(r.validity)},
+                {"validity", validity(r)},
                 {"energy", energies(r.energy)},
                 {"ends", array(r.ends, end_reaction)},
                 {"balance", array(r.balance, balance)},
                 {"contact", array(r.contact, contact)},
-                {"metrics", array(r.metrics, metrics)}};
+                {"metrics", array(r.metrics, metrics)},
+                {"criteria", array(r.criteria, criterion)}};
+  if (r.fit) value["fit"] = fit(*r.fit);
   if (r.glenn) value["glenn"] = glenn(*r.glenn);
   if (r.discretisation)
     value["discretisation"] = {{"dofs", r.discretisation->dofs},

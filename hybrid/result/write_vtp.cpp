@@ -9,10 +9,12 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -57,14 +59,14 @@ int vtk_type(const NamedArray& array) {
       {"Float64", VTK_TYPE_FLOAT64}};
   if (const auto known = types.find(array.type); known != types.end()) return known->second;
   if (!array.integer) return VTK_TYPE_FLOAT64;
-  // SimVascular looks for ModelFaceID as a 32-bit array, so the narrow type wherever it holds the
-  // values.
+  // SimVascular expects ModelFaceID as a 32-bit array, so the narrow type is used if it can hold
+  // the values.
   const bool narrow = array.values.size() == 0 ||
                       array.values.cwiseAbs().maxCoeff() <= std::numeric_limits<int>::max();
   return narrow ? VTK_TYPE_INT32 : VTK_TYPE_INT64;
 }
 
-// A name as an attribute of XML holds it: VTK writes it as it stands.
+// A name escaped for an XML attribute; VTK does not escape names.
 std::string escaped(const std::string& name) {
   std::string out;
   for (const char c : name) {
@@ -118,7 +120,18 @@ vtkSmartPointer<vtkPolyData> poly_data(const Points& points, const Triangles& tr
   return data;
 }
 
-std::string bytes(vtkPolyData* data) {
+std::string bytes(vtkPolyData* data, const FileStamp& stamp) {
+  const std::pair<const char*, const std::string&> texts[] = {{"Units", stamp.units},
+                                                              {"Program", stamp.program},
+                                                              {"SceneHash", stamp.scene_hash},
+                                                              {"SPACE", stamp.space}};
+  for (const auto& [name, text] : texts) {
+    if (text.empty()) continue;
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    array->InsertNextValue(text);
+    data->GetFieldData()->AddArray(array);
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   writer->WriteToOutputStringOn();
@@ -133,7 +146,12 @@ std::string bytes(vtkPolyData* data) {
 
 }  // namespace
 
-std::string vessel_vtp(const VesselResult& vessel) {
+FileStamp stamp_of(const Result& result, const VesselResult& vessel) {
+  return {"length " + result.length_unit + ", stress " + result.stress_unit, result.program,
+          result.environment.scene_hash, vessel.space};
+}
+
+std::string vessel_vtp(const VesselResult& vessel, const FileStamp& stamp) {
   const Eigen::Index n = vessel.rest.rows();
   if (vessel.current.rows() != n)
     throw std::logic_error("vessel " + vessel.name + " has " + std::to_string(n) +
@@ -151,10 +169,10 @@ std::string vessel_vtp(const VesselResult& vessel) {
   for (const NamedArray& own : vessel.point_arrays) at_points->AddArray(own_array(own, n, taken));
   for (const NamedArray& own : vessel.cell_arrays)
     data->GetCellData()->AddArray(own_array(own, vessel.triangles.rows(), {}));
-  return bytes(data);
+  return bytes(data, stamp);
 }
 
-std::string centerline_vtp(const CenterlineResult& centerline) {
+std::string centerline_vtp(const CenterlineResult& centerline, const FileStamp& stamp) {
   auto data = poly_data(centerline.current);
   vtkNew<vtkCellArray> lines;
   for (const std::vector<int>& line : centerline.lines) {
@@ -190,11 +208,11 @@ std::string centerline_vtp(const CenterlineResult& centerline) {
       throw std::logic_error(std::string("centerline: ") + at_nodes->GetArrayName(k) + " has " +
                              std::to_string(at_nodes->GetArray(k)->GetNumberOfTuples()) +
                              " rows for " + std::to_string(centerline.current.rows()) + " nodes");
-  return bytes(data);
+  return bytes(data, stamp);
 }
 
-std::string surface_vtp(const TriangleSurface& surface) {
-  return bytes(poly_data(surface.points, surface.triangles));
+std::string surface_vtp(const TriangleSurface& surface, const FileStamp& stamp) {
+  return bytes(poly_data(surface.points, surface.triangles), stamp);
 }
 
 std::string scene_pvd(const Result& result) {

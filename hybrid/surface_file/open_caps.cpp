@@ -7,6 +7,7 @@
 #include <functional>
 #include <string_view>
 
+#include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "surface_file/read_polydata.h"
 
@@ -126,6 +127,18 @@ std::vector<std::vector<int>> lids_of(const TriangleSurface& surface, const Face
   return apart;
 }
 
+Lid lid_of(const LoadedSurface& loaded, const std::vector<int>& triangles) {
+  Lid lid;
+  for (const int t : triangles)
+    for (int k = 0; k < 3; ++k)
+      lid.center += loaded.surface.points.row(loaded.surface.triangles(t, k)).transpose() /
+                    (3.0 * static_cast<double>(triangles.size()));
+  for (const NamedArray& array : loaded.cell_arrays)
+    if (array.name == "ModelFaceID" && array.values.cols() == 1)
+      lid.name = number_text(array.values(triangles.front(), 0), 15);
+  return lid;
+}
+
 }  // namespace
 
 void open_caps(LoadedSurface& loaded) {
@@ -142,6 +155,7 @@ void open_caps(LoadedSurface& loaded) {
                      return faces.cosine(t, u) > flat && faces.cosine(seed, u) > flat;
                    }));
   if (lids.empty()) return;
+  for (const auto& lid : lids) loaded.lids.push_back(lid_of(loaded, lid));
   std::vector<char> gone(faces.normal.size(), 0);
   for (const auto& lid : lids)
     for (const int t : lid) gone[Faces::at(t)] = 1;

@@ -10,7 +10,7 @@ namespace vasorod {
 /// (an ellipse of axes 1 : 4.5; a facet of a coarse tube is a longer strip), and more than 30
 /// degrees to the triangle across every border edge. Where the file names faces (cell array
 /// ModelFaceID, CapID or CellEntityIds), it separates the faces instead of creases. Lids that
-/// share a point are kept. Counts go into the report.
+/// share a point are kept. The lids taken off are listed; their number goes into the report.
 void open_caps(LoadedSurface& loaded);
 
 }  // namespace vasorod

@@ -12,6 +12,7 @@
 
 #include "data/limits.h"
 #include "data/sentence.h"
+#include "surface_file/space.h"
 #include "surface_file/surface_file.h"
 
 namespace vasorod {
@@ -203,6 +204,7 @@ LoadedSurface read_polydata(const std::filesystem::path& file) {
   for (size_t t = 0; t < faces.triangles.size(); ++t)
     loaded.surface.triangles.row(static_cast<Eigen::Index>(t)) << faces.triangles[t][0],
         faces.triangles[t][1], faces.triangles[t][2];
+  loaded.space = format == SurfaceFormat::vtp ? read.space : space_in_head(file);
   loaded.point_arrays = std::move(read.point_arrays);
   loaded.cell_arrays = std::move(read.cell_arrays);
   keep_rows(loaded.cell_arrays, faces.cell);

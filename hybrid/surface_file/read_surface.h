@@ -29,6 +29,12 @@ struct SurfaceReport {
   std::string text() const;  ///< the lines as one sentence, "unchanged" when there are none
 };
 
+/// A lid that was taken off an end.
+struct Lid {
+  std::string name;            ///< its ModelFaceID; empty: the file has none
+  Vec3 center = Vec3::Zero();  ///< mean of its triangles' centres, length
+};
+
 /// A surface as the solvers expect it: manifold, oriented outwards, one component; a deformable
 /// vessel has two or more open ends. Points are in the input's order unless remeshed; then each
 /// end's points come first, ends in input order.
@@ -36,6 +42,8 @@ struct LoadedSurface {
   TriangleSurface surface;
   std::vector<NamedArray> point_arrays, cell_arrays;  ///< the input's own; empty after remeshing
   std::optional<Eigen::VectorXd> thickness;  ///< per vertex, where a generated tube's wall tapers
+  std::string space;                         ///< LPS or RAS where the file says so
+  std::vector<Lid> lids;                     ///< those that were taken off
   SurfaceReport report;
 };
 

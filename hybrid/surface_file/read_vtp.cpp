@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <vtkCallbackCommand.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
@@ -16,6 +17,7 @@
 #include "data/index.h"
 #include "data/sentence.h"
 #include "data/whole_file.h"
+#include "surface_file/space.h"
 #include "surface_file/surface_file.h"
 #include "surface_file/vtp_xml.h"
 
@@ -118,6 +120,7 @@ class Reader {
     for (const VtpTag& tag : data->children)
       if (tag.name == "Piece") pieces.push_back(read_piece(tag));
     if (pieces.empty()) damaged(*data, "no Piece in it");
+    pieces.front().space = read_space(*data);
     return pieces;
   }
 
@@ -183,27 +186,77 @@ class Reader {
   // Reads the `items` numbers of an array in any encoding.
   std::vector<double> numbers(const VtpTag& array, const Type& type, std::size_t items) {
     if (items == 0) return {};
+    const std::string format = format_of(array);
+    if (format == "ascii") return ascii_numbers(array, items);
+    std::string inline_data;
+    const bool base64 = format == "binary" || head_.appended_base64;
+    const std::string bytes =
+        unpacked(array, encoded(array, format, inline_data), base64, items * type.size);
+    std::vector<double> values(items);
+    type.to_doubles(bytes.data(), items, swap_, values.data());
+    return values;
+  }
+
+  // ascii, binary (inline) or appended.
+  std::string format_of(const VtpTag& array) const {
     std::string format = array.value("format");
     if (format.empty()) format = array.attributes.contains("offset") ? "appended" : "ascii";
-    if (format == "ascii") return ascii_numbers(array, items);
-    if (format != "binary" && format != "appended")
+    if (format != "ascii" && format != "binary" && format != "appended")
       damaged(array, "the format " + in_quotes(format));
-    std::string bytes;
+    return format;
+  }
+
+  // Where the data of an array that is not ascii begin, header first. `inline_data` holds those of
+  // an inline array, without its white space.
+  std::string_view encoded(const VtpTag& array, const std::string& format,
+                           std::string& inline_data) const {
     if (format == "appended") {
       const std::size_t offset =
           count(array, "offset", std::numeric_limits<std::size_t>::max(), std::nullopt);
       if (offset >= head_.appended.size())
         damaged(array, called(array) + " with an offset behind the file's end");
-      bytes =
-          unpacked(array, head_.appended.substr(offset), head_.appended_base64, items * type.size);
-    } else {
-      std::string packed(array.text);
-      std::erase_if(packed, [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; });
-      bytes = unpacked(array, packed, true, items * type.size);
+      return head_.appended.substr(offset);
     }
-    std::vector<double> values(items);
-    type.to_doubles(bytes.data(), items, swap_, values.data());
-    return values;
+    inline_data = array.text;
+    std::erase_if(inline_data,
+                  [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; });
+    return inline_data;
+  }
+
+  // The first text of an array of texts, which VTK stores as bytes that end with a zero; nothing
+  // where the texts are longer than the name of a space can be.
+  std::string first_text(const VtpTag& array) {
+    constexpr std::size_t longest = 4096;
+    const std::string format = format_of(array);
+    std::string bytes;
+    if (format == "ascii") {
+      std::istringstream codes{std::string(array.text)};
+      for (int code = 0; codes >> code && code > 0 && code < 128 && bytes.size() < longest;)
+        bytes += static_cast<char>(code);
+      return bytes;
+    }
+    std::string inline_data;
+    const bool base64 = format == "binary" || head_.appended_base64;
+    const std::string_view from = encoded(array, format, inline_data);
+    const std::string sizes = front(array, from, base64, (compressor_ ? 3 : 1) * word_);
+    std::uint64_t length = word(sizes, 0);
+    if (compressor_) {
+      if (length != 1) return {};  // so short a text is one block
+      length = word(sizes, 2) > 0 ? word(sizes, 2) : word(sizes, 1);
+    }
+    if (length > longest) return {};
+    bytes = unpacked(array, from, base64, length);
+    return bytes.substr(0, bytes.find('\0'));
+  }
+
+  // What 3D Slicer says in the field data of the coordinates' space.
+  std::string read_space(const VtpTag& data) {
+    const VtpTag* fields = data.child("FieldData");
+    if (fields == nullptr) return {};
+    for (const VtpTag& tag : fields->children)
+      if (tag.value("Name") == "SPACE" && tag.value("type") == "String")
+        return known_space(first_text(tag));
+    return {};
   }
 
   std::vector<double> ascii_numbers(const VtpTag& array, std::size_t items) const {
@@ -442,6 +495,7 @@ std::vector<NamedArray> joined_arrays(const std::vector<SurfaceFile>& pieces, Ar
 // Joins several pieces: points piece by piece, cells kind by kind.
 SurfaceFile joined(const std::vector<SurfaceFile>& pieces) {
   SurfaceFile all;
+  all.space = pieces.front().space;
   std::vector<std::array<Eigen::Index, 3>> point_rows, skipped_rows, polygon_rows, strip_rows;
   Eigen::Index points = 0;
   for (const SurfaceFile& piece : pieces) points += piece.points.rows();

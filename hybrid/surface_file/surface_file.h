@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <vasorod/named_array.h>
@@ -17,6 +18,7 @@ struct SurfaceFile {
   std::vector<std::vector<int>> polygons, strips,
       lines;  ///< point numbers as in the file; -1 if not representable
   std::vector<NamedArray> point_arrays, cell_arrays;
+  std::string space;  ///< LPS or RAS where the file says so (space.h)
 };
 
 /// VTP in every encoding, uncompressed or packed with zlib, LZ4 or LZMA; several pieces become one.

@@ -155,6 +155,8 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0,
                           operation.mouth_is_branch_end);
   const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];
+  operation.report.join.axis_turn_deg =
+      std::acos(std::clamp(at_rest.director(3).dot(mouth.director(3)), -1.0, 1.0)) * (180 / M_PI);
   mouth.rotation = Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3))
                        .toRotationMatrix() *
                    at_rest.rotation;

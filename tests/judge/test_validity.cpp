@@ -165,6 +165,43 @@ TEST(Validity, AModulusThatNoVesselHasIsAskedAbout) {
   EXPECT_TRUE(warnings(1, pascals).empty());
 }
 
+TEST(Validity, ARadiusThatSpeaksOfAnotherUnitIsAskedAbout) {
+  const Units mm, cm{"cm", "MPa", 1e-2, 1e6}, m{"m", "MPa", 1, 1e6};
+  const auto warning = [](double radius, const Units& units) {
+    Validity validity;
+    warn_of_radius("svc", radius, units, validity);
+    EXPECT_TRUE(validity.in_range);
+    return validity.warnings.empty() ? "" : validity.warnings.at(0);
+  };
+  EXPECT_EQ(warning(0.99, mm),
+            "vessel svc: a mean radius of 0.99 mm is small for a great vessel: is it in cm?");
+  EXPECT_EQ(warning(3.3, cm),
+            "vessel svc: a mean radius of 3.3 cm is large for a great vessel: is it in mm?");
+  EXPECT_NE(warning(1.4e-3, m).find("is the unit right?"), std::string::npos);
+  EXPECT_NE(warning(30, mm).find("is the unit right?"), std::string::npos);
+  EXPECT_NE(warning(0.033, m).find("is it in cm?"), std::string::npos);
+  for (const double millimetres : {1.5, 2.9, 9.9, 15.6, 20.0}) {
+    EXPECT_EQ(warning(millimetres, mm), "");
+    EXPECT_EQ(warning(0.1 * millimetres, cm), "");
+    EXPECT_EQ(warning(0.001 * millimetres, m), "");
+  }
+}
+
+TEST(Validity, AMouthThatHasToTurnRoundAsksWhichPartIsKept) {
+  GlennReport glenn;
+  glenn.svc = "svc";
+  glenn.rpa = "rpa";
+  for (const auto& [degrees, warnings] :
+       {std::pair{0.0, 0U}, {89.9, 0U}, {90.1, 1U}, {180.0, 1U}}) {
+    glenn.join.axis_turn_deg = degrees;
+    Validity validity;
+    warn_of_keep(glenn, validity);
+    ASSERT_EQ(validity.warnings.size(), warnings) << degrees;
+    for (const std::string& warning : validity.warnings)
+      EXPECT_NE(warning.find("keep"), std::string::npos);
+  }
+}
+
 TEST(Validity, NothingCountsBesideARigidEnd) {
   const PreparedVessel tube = judged_tube(300);
   const RodTree& rod = tube.vessel.rod;

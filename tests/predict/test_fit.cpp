@@ -8,6 +8,7 @@
 
 #include "predict/small_scenes.h"
 #include "scratch_folder.h"
+#include "surface_file/sample_surfaces.h"
 #include "vessel/shapes.h"
 
 namespace vasorod {
@@ -55,6 +56,89 @@ TEST_F(Fit, AStraightTubeGivesItsLengthAndRadius) {
   EXPECT_EQ(result.environment.inputs.count("aorta.obj"), 1u);
   ASSERT_EQ(result.stages.size(), 1u);
   EXPECT_EQ(result.stages[0].title, "rest");
+  EXPECT_EQ(result.environment.scene_hash, result.environment.inputs.at("aorta.obj"));
+  EXPECT_TRUE(result.validity.warnings.empty());
+  EXPECT_TRUE(result.metrics.empty());
+  EXPECT_TRUE(result.criteria.empty());
+  ASSERT_TRUE(result.fit);
+  EXPECT_NEAR(result.fit->whole.length, 100, 1e-8);
+  EXPECT_NEAR(result.fit->whole.mean_radius, 10, 1e-8);
+  ASSERT_EQ(result.fit->branches.size(), 1u);
+  ASSERT_EQ(result.fit->ends.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    const FittedEnd& end = result.fit->ends[static_cast<size_t>(k)];
+    EXPECT_EQ(end.end, k == 0 ? "start" : "end");
+    EXPECT_EQ(end.name, "");
+    EXPECT_LT((end.center - Vec3(0, 0, 100 * k)).norm(), 1e-8);
+    EXPECT_LT((end.normal - Vec3(0, 0, 2 * k - 1)).norm(), 1e-8) << "out of the vessel";
+    EXPECT_NEAR(end.radius, 10, 1e-8);
+  }
+}
+
+TEST_F(Fit, ATaperedTubeHasItsRadiiFromEndToEnd) {
+  shapes::Tube tube;
+  tube.end_radius = 7;
+  const Result result = fit({write("taper.obj", as_obj(tube.surface())), "mm", {}});
+  EXPECT_NEAR(result.fit->whole.smallest_radius, 7, 0.05);
+  EXPECT_NEAR(result.fit->whole.largest_radius, 10, 0.05);
+  EXPECT_NEAR(result.fit->whole.mean_radius, 8.5, 0.02) << "linear along the axis";
+  EXPECT_NEAR(result.fit->ends[0].radius, 10, 0.05);
+  EXPECT_NEAR(result.fit->ends[1].radius, 7, 0.05);
+}
+
+// Shapes of /meshes: one fork, three ends.
+TEST_F(Fit, AForkHasThreeBranchesAndThreeNamedEnds) {
+  const Result result = fit(
+      {std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes/infant/pulmonary_artery.vtp", "mm", {}});
+  ASSERT_EQ(result.fit->ends.size(), 3u);
+  double sum = 0, least = 1e300, most = 0;
+  for (const FittedLength& branch : result.fit->branches) {
+    sum += branch.length;
+    least = std::min(least, branch.smallest_radius);
+    most = std::max(most, branch.largest_radius);
+  }
+  EXPECT_NEAR(result.fit->whole.length, sum, 1e-9 * sum);
+  EXPECT_EQ(result.fit->whole.smallest_radius, least);
+  EXPECT_EQ(result.fit->whole.largest_radius, most);
+  EXPECT_EQ(result.fit->ends[0].end, "start");
+  for (size_t k = 1; k < 3; ++k) EXPECT_EQ(result.fit->ends[k].end.substr(0, 5), "near(");
+}
+
+TEST_F(Fit, EndsHaveTheNamesOfTheirLids) {
+  TriangleSurface closed = closed_tube({0, 1}, 0);
+  const Eigen::Index wall = sample_tube().triangles.rows();
+  NamedArray face{"ModelFaceID", {}, true, "Int32"};
+  face.values.resize(closed.triangles.rows(), 1);
+  face.values.topRows(wall).setConstant(1);
+  face.values.middleRows(wall, 24).setConstant(7);
+  face.values.bottomRows(24).setConstant(12);
+  write_vtp(folder / "model.vtp", closed, Encoding::zlib, {}, {face});
+  for (const std::optional<double>& remesh : {std::optional<double>(), std::optional(2.0)}) {
+    const Result result = fit({folder / "model.vtp", "mm", remesh});
+    ASSERT_EQ(result.fit->ends.size(), 2u);
+    for (const FittedEnd& end : result.fit->ends)
+      EXPECT_EQ(end.name, end.center.z() < 20 ? "7" : "12");
+  }
+}
+
+// The bundled infant in mm passes. The vessels of an adult have mean radii of 0.88 to 1.0 where cm
+// is read as mm; that is asked about.
+TEST_F(Fit, ARadiusOfAnotherUnitIsAskedAbout) {
+  for (const char* name : {"svc", "pulmonary_artery", "aorta"}) {
+    const Result result = fit(
+        {std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes/infant" / (name + std::string(".vtp")),
+         "mm",
+         {}});
+    EXPECT_TRUE(result.validity.warnings.empty()) << name;
+  }
+  for (const double radius : {0.88, 0.99, 1.0}) {
+    shapes::Tube tube;
+    tube.radius = tube.end_radius = radius;
+    tube.length = 10 * radius;
+    const Result result = fit({write("adult.obj", as_obj(tube.surface())), "mm", {}});
+    ASSERT_EQ(result.validity.warnings.size(), 1u) << radius;
+    EXPECT_NE(result.validity.warnings[0].find("is it in cm?"), std::string::npos);
+  }
 }
 
 TEST_F(Fit, ABentTaperedTubeGivesItsArcAndItsRadii) {

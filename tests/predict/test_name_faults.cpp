@@ -88,5 +88,18 @@ TEST(NameFaults, AnIterationLimitHasAReason) {
   EXPECT_NE(result.certificate.notes[0].find("residual is 0.25"), std::string::npos);
 }
 
+TEST(NameFaults, ANoteAboutSomethingElseIsNoReason) {
+  Result result = good_result();
+  result.status = Status::iteration_limit;
+  result.certificate.relative_residual = 0.25;
+  result.certificate.notes = {"accuracy 0.02 of R: coupled: the dearest, without a promise"};
+  name_faults(result);
+  ASSERT_EQ(result.certificate.notes.size(), 2U);
+  EXPECT_NE(result.certificate.notes[1].find("residual is 0.25"), std::string::npos);
+  result.certificate.notes = {"ended after 30 multiplier updates without an equilibrium"};
+  name_faults(result);
+  EXPECT_EQ(result.certificate.notes.size(), 1U) << "it has its reason";
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -1,10 +1,13 @@
 // predict() called from C++ on scenes that were never files.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 #include "predict/small_scenes.h"
+#include "scratch_folder.h"
 
 namespace vasorod {
 namespace {
@@ -205,6 +208,44 @@ TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
   scene.fidelity = "paper";
   EXPECT_EQ(refusal([&] { predict(scene); }),
             "vessel beam: found a bare rod at fidelity paper, expected fidelity rod");
+}
+
+class Spaces : public ScratchFolder {
+ protected:
+  // Two tubes side by side as OBJ, with the comment that 3D Slicer writes.
+  Scene scene(const std::vector<std::string>& comments) const {
+    Scene scene = stretched_tube(0, "skin");
+    scene.vessels.clear();
+    for (std::size_t k = 0; k < comments.size(); ++k) {
+      VesselSpec vessel = tube("v" + std::to_string(k));
+      TriangleSurface surface = tube_surface(*vessel.tube);
+      std::ostringstream text;
+      text << "# 3D Slicer output. " << comments[k] << '\n' << std::setprecision(17);
+      for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
+        text << "v " << surface.points(i, 0) + 40.0 * static_cast<double>(k) << ' '
+             << surface.points(i, 1) << ' ' << surface.points(i, 2) << '\n';
+      for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
+        text << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
+             << surface.triangles(t, 2) + 1 << '\n';
+      vessel.tube.reset();
+      vessel.surface = write(vessel.name + ".obj", text.str());
+      scene.vessels.push_back(vessel);
+    }
+    scene.ends = {held("v0", EndSelector::Kind::start)};
+    return scene;
+  }
+};
+
+TEST_F(Spaces, StayWithTheirVessels) {
+  const Result result = predict(scene({"SPACE=LPS", ""}));
+  EXPECT_EQ(result.vessels.at(0).space, "LPS");
+  EXPECT_EQ(result.vessels.at(1).space, "");
+}
+
+TEST_F(Spaces, ThatDisagreeAreRefused) {
+  const std::string said = refusal([&] { predict(scene({"SPACE=LPS", "SPACE=RAS"})); });
+  EXPECT_NE(said.find("vessel v1: found a surface in the space RAS"), std::string::npos) << said;
+  EXPECT_NE(said.find("v0 is in LPS, expected"), std::string::npos) << said;
 }
 
 TEST(Predict, NoVesselIsDroppedBesideABareRod) {

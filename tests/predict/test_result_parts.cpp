@@ -56,6 +56,22 @@ TEST(ResultParts, RodsAddUpAndTheWorstOneCounts) {
   EXPECT_EQ(result.iterations.at("surface"), 0);
 }
 
+TEST(ResultParts, ARodWithoutAnEquilibriumSaysWhy) {
+  for (const int iterations : {0, 40}) {
+    Result result = begin_result("s", "paper", {}, 1);
+    add_rod("svc", summary_of(Status::iteration_limit, 0.125, 0, iterations), false, result);
+    ASSERT_EQ(result.certificate.notes.size(), 1U);
+    EXPECT_EQ(result.certificate.notes[0],
+              "rod of svc: no equilibrium was found: residual 0.125 after " +
+                  std::to_string(iterations) + " linear solves");
+  }
+  Result result = begin_result("s", "paper", {}, 1);
+  RodSummary stuck = summary_of(Status::iteration_limit, 0.125, 0, 7);
+  stuck.message = "the path could be followed only to 40 % of the load";
+  add_rod("svc", stuck, false, result);
+  EXPECT_NE(result.certificate.notes.at(0).find("; the path could be followed"), std::string::npos);
+}
+
 TEST(ResultParts, NoCertificateIsGivenUnaskedOrWithoutAnEquilibrium) {
   Result unasked = begin_result("s", "paper", {}, 1);
   add_rod("a", summary_of(Status::converged, 0, 0, 1), false, unasked);

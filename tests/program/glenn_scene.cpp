@@ -90,7 +90,7 @@ nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options
     if (end["end"].IsMap()) end["end"]["near"] = list_of(moved(vec3_of(end["end"]["near"])));
   YAML::Node glenn = yaml["surgery"]["glenn"];
   for (const char* pick : {"cut", "incision"}) glenn[pick] = list_of(moved(vec3_of(glenn[pick])));
-  glenn["keep"]["near"] = list_of(moved(vec3_of(glenn["keep"]["near"])));
+  glenn["keep"]["near"] = list_of(moved(changed.keep.value_or(vec3_of(glenn["keep"]["near"]))));
   if (changed.rotation_deg) glenn["rotation_deg"] = *changed.rotation_deg;
   const auto file = scratch / "scene.yaml";
   std::ofstream(file) << YAML::Dump(yaml);

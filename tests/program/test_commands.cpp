@@ -159,6 +159,16 @@ TEST(Commands, FitWritesTheCenterlineOfABranchedVessel) {
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta_centerline.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "aorta.vtp"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "out" / "report.html"));
+  // Five ends, each with its centre, radius and normal; nothing about twist or contact.
+  std::size_t ends = 0;
+  for (std::size_t at = run.out.find("\n  end "); at != std::string::npos;
+       at = run.out.find("\n  end ", at + 1))
+    ++ends;
+  EXPECT_EQ(ends, 5U) << run.out;
+  EXPECT_NE(run.out.find("aorta: length "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("radius "), std::string::npos);
+  for (const char* nothing : {"twist", "contact", "converged"})
+    EXPECT_EQ(run.out.find(nothing), std::string::npos) << run.out;
 }
 
 // A vessel's name becomes the names of its files, in XML too.

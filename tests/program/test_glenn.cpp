@@ -90,6 +90,25 @@ TEST(Glenn, AJoinOfTubesHasTheEnergyOfAFiniteElementSolid) {
   EXPECT_NEAR(result.at("energy").at("total").get<double>(), 0.0415, 0.08 * 0.0415);
 }
 
+// The kept part turns by less than a right angle to meet the incision, the other one by more.
+TEST(Glenn, TheHeartsSideAsTheKeptOneIsAskedAbout) {
+  const auto warnings = [](const json& result) {
+    int count = 0;
+    for (const auto& warning : result.at("validity").at("warnings"))
+      count += warning.get<std::string>().find("check that keep") != std::string::npos;
+    return count;
+  };
+  GlennScene wrong = infant();
+  wrong.keep = Vec3(-8.9, 1.9, -8);
+  const json kept = solve_glenn(infant(), "--fidelity rod"),
+             other = solve_glenn(wrong, "--fidelity rod");
+  EXPECT_EQ(warnings(kept), 0);
+  EXPECT_EQ(warnings(other), 1);
+  EXPECT_NEAR(kept.at("glenn").at("join").at("axis_turn_deg").get<double>() +
+                  other.at("glenn").at("join").at("axis_turn_deg").get<double>(),
+              180, 1e-6);
+}
+
 void expect_same(const json& a, const json& b, const std::string& where) {
   if (a.is_number()) {
     EXPECT_NEAR(a.get<double>(), b.get<double>(), 1e-6 * std::max(1.0, std::abs(a.get<double>())))

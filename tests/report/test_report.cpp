@@ -62,12 +62,149 @@ TEST(Report, SaysStatusValidityAndWhatItIsNot) {
   EXPECT_TRUE(has(page, "Status: converged"));
   EXPECT_TRUE(has(page, "outside the model's range"));
   EXPECT_TRUE(has(page, "svc bends to 0.95 of the curvature where a tube kinks."));
-  result.status = Status::unstable;
+  result.status = Status::buckled;
   result.validity = {};
   page = page_of(result);
-  EXPECT_TRUE(has(page, "Status: unstable"));
+  EXPECT_TRUE(has(page, "Status: buckled"));
   EXPECT_TRUE(has(page, "within the model's range"));
   EXPECT_FALSE(has(page, "class=\"notice"));
+}
+
+// Peaks of the example: twist shear 0.05, lumen 0.9, pressure 1e-3 MPa, seam gap 0.01.
+TEST(Report, PeaksOfAStateThatIsNoSolutionAreNotShownAsPeaks) {
+  const auto fact = [](const std::string& name, const std::string& value) {
+    return "<dt>" + name + "</dt><dd>" + value;
+  };
+  const std::string solved = page_of(test::example_result());
+  EXPECT_TRUE(has(solved, fact("Largest twist shear", "0.05")));
+  EXPECT_TRUE(has(solved, fact("Largest gap in the seam", "0.01")));
+  EXPECT_FALSE(has(solved, "class=\"unsolved\""));
+  for (const Status status : {Status::interrupted, Status::iteration_limit, Status::unstable}) {
+    Result result = test::example_result();
+    result.status = status;
+    result.criteria = {{"lumen", "svc", 0.9, "", 0.6, 0.4, Verdict::unknown, "a convention"}};
+    const std::string page = page_of(result);
+    for (const char* name : {"Largest twist shear", "Smallest lumen over rest",
+                             "Largest contact pressure", "Largest gap in the seam"})
+      EXPECT_TRUE(has(page, fact(name, "unknown</dd>"))) << name;
+    EXPECT_TRUE(has(page, "Validity: unknown")) << to_string(status);
+    EXPECT_TRUE(has(page, "validity is unknown, and the numbers"));
+    EXPECT_FALSE(has(page, "Brazier ratio"));
+    EXPECT_FALSE(has(page, "badge good"));
+    // The only tables outside the grey are those of the scene, the model and the times.
+    const std::size_t grey = page.find("class=\"unsolved\"");
+    EXPECT_LT(grey, page.find("What became of the vessels"));
+    EXPECT_TRUE(has(page, "<th>Seam, largest gap</th><td>unknown</td>"));
+  }
+}
+
+TEST(Report, FieldsOfAStateThatIsNoSolutionAreGrey) {
+  Result result = test::example_result();
+  const std::vector<NamedPicture> solved = report_pictures(result);
+  result.status = Status::interrupted;
+  for (const DrawnField& field : drawn_fields(result)) {
+    EXPECT_TRUE(field.scale.ticks().empty()) << "no numbers on its legend";
+    EXPECT_TRUE(has(field.scale.title, "no solution"));
+    for (const double part : {0.0, 0.3, 1.0}) {
+      const Colour colour =
+          field.scale(field.scale.low + part * (field.scale.high - field.scale.low));
+      EXPECT_EQ(colour[0], colour[1]);
+      EXPECT_EQ(colour[1], colour[2]);
+    }
+  }
+  const std::vector<NamedPicture> pictures = report_pictures(result);
+  ASSERT_EQ(pictures.size(), solved.size());
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    EXPECT_EQ(pictures[k].file, solved[k].file);
+    EXPECT_EQ(pictures[k].png != solved[k].png, pictures[k].field) << pictures[k].file;
+  }
+  EXPECT_EQ(pictures[3].title, "result, no solution");
+  for (const auto& field : scene_of(page_of(result)).at("fields"))
+    for (const auto& colour : field.at("colours")) {
+      const int rgb = colour.get<int>();
+      EXPECT_EQ(rgb >> 16, rgb & 255);
+    }
+}
+
+TEST(Report, CriteriaHaveTheirColoursOnlyWhereAThresholdIsKnown) {
+  Result result = test::example_result();
+  EXPECT_FALSE(has(page_of(result), "<h2>Criteria</h2>"));
+  result.criteria = {{"lumen", "svc", 0.7, "", 0.6, 0.4, Verdict::fine, "a <convention>"},
+                     {"twist", "svc", 100, "degrees", 90.0, 180.0, Verdict::warning, "rats"},
+                     {"lumen", "rpa", 0.3, "", 0.6, 0.4, Verdict::strong_warning, "a convention"},
+                     {"contact_pressure",
+                      "svc",
+                      7.500617,
+                      "mmHg",
+                      {},
+                      {},
+                      Verdict::not_judged,
+                      "no threshold is known"}};
+  const std::string page = page_of(result);
+  EXPECT_TRUE(has(page,
+                  "<th>Smallest lumen over rest</th><td>svc</td><td>0.7</td>"
+                  "<td>below 0.6, strong below 0.4</td>"
+                  "<td><span class=\"badge good\">fine</span></td><td>a &lt;convention&gt;"));
+  EXPECT_TRUE(has(page,
+                  "<td>100 degrees</td><td>from 90, strong from 180 degrees</td>"
+                  "<td><span class=\"badge warn\">warning</span></td><td>rats</td>"));
+  EXPECT_TRUE(has(page, "<td><span class=\"badge bad\">strong warning</span></td>"));
+  EXPECT_TRUE(has(page,
+                  "<td>7.501 mmHg (0.001 MPa)</td><td>–</td><td>not judged</td>"
+                  "<td>no threshold is known</td>"));
+}
+
+TEST(Report, WithoutSurfacesThereIsNoLumenAndNoContact) {
+  Result result = test::example_result();
+  EXPECT_TRUE(has(page_of(result), "<dt>Smallest lumen over rest</dt>"));
+  result.fidelity = "rod";
+  EXPECT_FALSE(has(page_of(result), "<dt>Smallest lumen over rest</dt>"));
+  EXPECT_FALSE(has(page_of(result), "<dt>Largest contact pressure</dt>"));
+}
+
+Result fitted() {
+  Result result = test::example_result();
+  const VesselResult svc = result.vessels[0];
+  result = Result{};
+  result.scene = "svc";
+  result.fidelity = "fit";
+  result.seconds = {{"fit", 0.5}, {"solve", 0}, {"total", 0.5}};
+  result.iterations = {{"rod", 0}};
+  result.vessels = {svc};
+  result.vessels[0].stump.reset();
+  result.stages = {{"rest", {{svc.rest, svc.triangles}}, {"svc"}}};
+  result.fit = FitReport{{60, 4, 5, 6},
+                         {{60, 4, 5, 6}},
+                         {{"start", "3", {1, 2, 3}, {0, 0, -1}, 4}, {"end", "", {}, {}, 6}}};
+  return result;
+}
+
+TEST(Report, AFitShowsItsAxisAndEndsAndNoTablesOfNothing) {
+  const Result result = fitted();
+  const std::vector<NamedPicture> pictures = report_pictures(result);
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].file, "picture_rest.png");
+  const std::string page = report_html(result, pictures);
+  EXPECT_FALSE(has(page, "<td class=\"number\">0</td>"));
+  EXPECT_TRUE(has(page, "<dt>Length</dt><dd>60"));
+  EXPECT_TRUE(has(page, "<h2>Open ends</h2>"));
+  EXPECT_TRUE(has(page, "<th>start</th><td>3</td><td>1, 2, 3</td><td>0, 0, -1</td>"));
+  for (const char* nothing :
+       {"Energy", "Twist", "twist", "ontact", "Balance", "Validity", "Status", "Criteria"})
+    EXPECT_FALSE(has(page.substr(0, page.find("<script")), nothing)) << nothing;
+  const nlohmann::json scene = scene_of(page);
+  EXPECT_TRUE(scene.at("fields").empty());
+  EXPECT_TRUE(scene.at("still").get<bool>());
+  ASSERT_EQ(scene.at("vessels").size(), 2U) << "the wall and the axis";
+  EXPECT_TRUE(scene.at("vessels").at(0).at("glass").get<bool>());
+  EXPECT_FALSE(scene.at("vessels").at(1).at("glass").get<bool>());
+}
+
+TEST(Report, TheAxisOfAFitIsSeenThroughItsWall) {
+  Result result = fitted();
+  const std::string with = report_pictures(result).at(0).png;
+  result.vessels[0].centerline.reset();
+  EXPECT_NE(report_pictures(result).at(0).png, with);
 }
 
 TEST(Report, AnUnfinishedSolveSaysHowFarItWasAndKnowsNoValidity) {

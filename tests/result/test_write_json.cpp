@@ -7,6 +7,7 @@
 #include <vasorod/result_folder.h>
 
 #include "result/example_result.h"
+#include "result/unknown_validity.h"
 
 namespace vasorod {
 namespace {
@@ -141,9 +142,58 @@ TEST(WriteJson, AnyTextSurvives) {
   EXPECT_EQ(value.at("environment").at("inputs").size(), 2u);
 }
 
+TEST(WriteJson, TheRangeOfAStateThatIsNoSolutionIsNullAndTheFirstWarningSaysWhy) {
+  for (const Status status : {Status::interrupted, Status::iteration_limit, Status::unstable}) {
+    Result result = test::example_result();
+    result.status = status;
+    result.validity.in_range = true;
+    const Json validity = Json::parse(to_json(result)).at("validity");
+    EXPECT_TRUE(validity.at("in_range").is_null()) << to_string(status);
+    ASSERT_EQ(validity.at("warnings").size(), 2U);
+    EXPECT_EQ(validity.at("warnings").at(0), why_unknown(status));
+  }
+}
+
+TEST(WriteJson, ACriterionHasItsThresholdsVerdictAndSource) {
+  Result result = test::example_result();
+  result.criteria = {{"lumen", "svc", 0.5, "", 0.6, 0.4, Verdict::warning, "a convention"},
+                     {"stretch", "svc", 1.2, "", {}, {}, Verdict::not_judged, "none"}};
+  const Json criteria = Json::parse(to_json(result)).at("criteria");
+  EXPECT_EQ(criteria.at(0), (Json{{"name", "lumen"},
+                                  {"vessel", "svc"},
+                                  {"value", 0.5},
+                                  {"unit", ""},
+                                  {"threshold", 0.6},
+                                  {"strong_threshold", 0.4},
+                                  {"verdict", "warning"},
+                                  {"source", "a convention"}}));
+  EXPECT_TRUE(criteria.at(1).at("threshold").is_null());
+  EXPECT_EQ(criteria.at(1).at("verdict"), "not_judged");
+}
+
+TEST(WriteJson, AFitHasItsEndsAndNoRange) {
+  Result result = test::example_result();
+  EXPECT_FALSE(Json::parse(to_json(result)).contains("fit"));
+  result.fit = FitReport{{60, 4, 5, 6},
+                         {{60, 4, 5, 6}},
+                         {{"start", "3", {1, 2, 3}, {0, 0, -1}, 4}, {"end", "", {}, {}, 6}}};
+  const Json value = Json::parse(to_json(result));
+  EXPECT_TRUE(value.at("validity").at("in_range").is_null());
+  const Json fit = value.at("fit");
+  EXPECT_EQ(fit.at("length"), 60);
+  EXPECT_EQ(fit.at("mean_radius"), 5);
+  EXPECT_EQ(fit.at("branches").size(), 1U);
+  EXPECT_EQ(fit.at("ends").at(0), (Json{{"end", "start"},
+                                        {"name", "3"},
+                                        {"center", {1, 2, 3}},
+                                        {"normal", {0, 0, -1}},
+                                        {"radius", 4}}));
+  EXPECT_TRUE(fit.at("ends").at(1).at("name").is_null());
+}
+
 TEST(WriteJson, AnEmptyResultIsComplete) {
   const Json value = Json::parse(to_json(Result{}));
-  for (const char* key : {"ends", "balance", "contact", "metrics"}) {
+  for (const char* key : {"ends", "balance", "contact", "metrics", "criteria"}) {
     EXPECT_TRUE(value.at(key).is_array()) << key;
     EXPECT_TRUE(value.at(key).empty()) << key;
   }

@@ -5,10 +5,12 @@
 #include <map>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include "result/example_result.h"
@@ -192,6 +194,35 @@ TEST(WriteVtp, ACenterlineReadsBack) {
   line.radius.clear();
   EXPECT_EQ(read(centerline_vtp(line))->GetPointData()->GetArray("MaximumInscribedSphereRadius"),
             nullptr);
+}
+
+// Read with VTK, as ParaView and 3D Slicer do, and without it.
+TEST(WriteVtp, EveryFileSaysItsUnitsProgramSceneAndSpace) {
+  Result result = test::example_result();
+  result.environment.scene_hash = std::string(64, 'a');
+  VesselResult& vessel = result.vessels[0];
+  vessel.space = "LPS";
+  const FileStamp stamp = stamp_of(result, vessel);
+  const test::TemporaryFolder folder;
+  for (const std::string& bytes :
+       {vessel_vtp(vessel, stamp), centerline_vtp(*vessel.centerline, stamp),
+        surface_vtp(*vessel.stump, stamp)}) {
+    const auto data = read(bytes);
+    for (const auto& [name, expected] : {std::pair{"Units", "length mm, stress MPa"},
+                                         {"Program", "vasorod 0.1.0"},
+                                         {"SceneHash", result.environment.scene_hash.c_str()},
+                                         {"SPACE", "LPS"}}) {
+      auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
+      ASSERT_NE(array, nullptr) << name;
+      ASSERT_EQ(array->GetNumberOfValues(), 1) << name;
+      EXPECT_EQ(array->GetValue(0), expected);
+    }
+    std::ofstream(folder.path / "file.vtp", std::ios::binary) << bytes;
+    EXPECT_EQ(read_vtp(folder.path / "file.vtp").space, "LPS");
+  }
+  vessel.space.clear();
+  const auto without = read(vessel_vtp(vessel, stamp_of(result, vessel)));
+  EXPECT_EQ(without->GetFieldData()->GetAbstractArray("SPACE"), nullptr);
 }
 
 TEST(WriteVtp, TheListNamesEveryFile) {

@@ -81,6 +81,19 @@ TEST(OpenCaps, UsesTheFacesASimVascularModelNames) {
   open_caps(loaded);
   EXPECT_EQ(loaded.report.removed_caps, 2);
   EXPECT_EQ(loaded.cell_arrays[0].values, face.values.topRows(wall));
+  // The tube stands on the origin along z and is 40 long.
+  ASSERT_EQ(loaded.lids.size(), 2U);
+  for (const Lid& lid : loaded.lids) {
+    EXPECT_EQ(lid.name, lid.center.z() < 20 ? "2" : "3");
+    EXPECT_NEAR(lid.center.z(), lid.center.z() < 20 ? 0 : 40, 1);
+    EXPECT_LT(lid.center.head<2>().norm(), 1e-9);
+  }
+}
+
+TEST(OpenCaps, LidsWithoutFacesHaveNoNames) {
+  const auto loaded = opened(closed_tube({0, 1}, 0));
+  ASSERT_EQ(loaded.lids.size(), 2U);
+  for (const Lid& lid : loaded.lids) EXPECT_EQ(lid.name, "");
 }
 
 class CappedFile : public ScratchFolder {};

@@ -23,7 +23,9 @@ struct Certificate {
 
 /// How close the vessels are to the limits of the model. The ratios are 1 at the limit.
 struct Validity {
-  bool in_range = true;      ///< false: a ratio is 0.9 or more, or the strain exceeds 0.2
+  /// False: a ratio is 0.9 or more, or the strain exceeds 0.2. It says nothing where the state is
+  /// no solution (is_solution), nor after `fit`; result.json then has null.
+  bool in_range = true;
   double brazier_ratio = 0,  ///< change of curvature over Brazier's critical one, long vessels only
       wrinkling_ratio = 0,   ///< bending strain over the strain of axial wrinkling
       twist_ratio = 0,       ///< shear stress of twist over the stress of wrinkling
@@ -107,6 +109,54 @@ struct MouthReport {
   Vec3 center = Vec3::Zero();  ///< centroid, length
 };
 
+/// What a criterion says of its value.
+enum class Verdict {
+  fine,            ///< on the safe side of the threshold
+  warning,         ///< past the threshold
+  strong_warning,  ///< past the strong threshold
+  not_judged,      ///< no threshold is known, or the model says nothing about the value
+  unknown          ///< the state is no solution (is_solution)
+};
+
+/// The verdict's name in result.json.
+std::string to_string(Verdict verdict);
+
+/// One value of a result beside what is known of its threshold: the worst value of all vessels.
+struct Criterion {
+  std::string name,                 ///< lumen, mouth, twist, twist_shear, stretch, contact_pressure
+      vessel;                       ///< name of the vessel with the worst value
+  double value = 0;                 ///< worst value, in `unit`
+  std::string unit;                 ///< degrees or mmHg; empty: a ratio
+  std::optional<double> threshold,  ///< where a warning begins; empty: none is known
+      strong_threshold;             ///< where a strong warning begins; empty: none is known
+  Verdict verdict = Verdict::not_judged;  ///< what the thresholds say of the value
+  std::string source;                     ///< where the thresholds come from, or that none is known
+};
+
+/// Radii along the axis of a vessel or of one of its branches.
+struct FittedLength {
+  double length = 0,        ///< along the axis, length; of a vessel: sum of its branches
+      smallest_radius = 0,  ///< length
+      mean_radius = 0,      ///< mean along the axis, length
+      largest_radius = 0;   ///< length
+};
+
+/// One open end of a fitted vessel.
+struct FittedEnd {
+  std::string end,             ///< as a scene names it: start, end or near(x, y, z)
+      name;                    ///< ModelFaceID of the lid that closed it; empty: there was none
+  Vec3 center = Vec3::Zero(),  ///< centroid of the end's edge, length
+      normal = Vec3::UnitZ();  ///< unit normal, out of the vessel
+  double radius = 0;           ///< of the vessel at its end, length
+};
+
+/// What `fit` found.
+struct FitReport {
+  FittedLength whole;                  ///< the whole vessel
+  std::vector<FittedLength> branches;  ///< the pieces between forks and ends
+  std::vector<FittedEnd> ends;         ///< in the order of the input: the first is `start`
+};
+
 /// What the model contained.
 struct ModelReport {
   int rod_nodes = 0,                            ///< rod nodes of all vessels
@@ -122,6 +172,8 @@ struct Environment {
   std::string blas;                           ///< name of the BLAS library
   int threads = 1;                            ///< number of threads
   std::map<std::string, std::string> inputs;  ///< file name -> "sha256..."
+  /// SHA-256 of the scene file, or of the surface that was fitted; empty: a scene made in C++.
+  std::string scene_hash;
 };
 
 /// The operation as it was performed.
@@ -145,6 +197,7 @@ struct GlennReport {
   struct {
     int pairs = 0;                   ///< number of vertex pairs
     double rotation_deg = 0,         ///< rotation of the vein's mouth about its axis, degrees
+        axis_turn_deg = 0,           ///< angle by which the axis of the vein's mouth turns, degrees
         largest_gap = 0,             ///< largest gap of a pair, length
         rms_gap = 0;                 ///< root mean square gap of the pairs, length
   } join;                            ///< the seam
@@ -184,6 +237,7 @@ struct CenterlineResult {
 struct VesselResult {
   std::string name;               ///< name of the vessel
   bool obstacle = false;          ///< an obstacle, not deformable
+  std::string space;              ///< LPS or RAS where the surface file says so, else empty
   Points rest,                    ///< vertex positions at rest, n x 3, length
       current;                    ///< current vertex positions, n x 3, length
   Triangles triangles;            ///< m x 3
@@ -218,11 +272,13 @@ struct Result {
   std::vector<Balance> balance;           ///< sums of forces, per deformable vessel
   std::vector<ContactReport> contact;     ///< pairs of vessels within reach
   std::vector<VesselMetrics> metrics;     ///< extremes, per deformable vessel
+  std::vector<Criterion> criteria;        ///< the worst values beside their thresholds
   ModelReport model;                      ///< what the model contained
   std::map<std::string, double> seconds;  ///< wall clock, s: read, fit, factor, solve, write, total
   std::map<std::string, int> iterations;  ///< of the solvers: rod, surface
   Environment environment;                ///< what is needed to repeat the run
   std::optional<GlennReport> glenn;       ///< the operation; empty: none
+  std::optional<FitReport> fit;           ///< of `fit` only
   std::optional<Discretisation> discretisation;  ///< finite-element reference only
   std::vector<VesselResult> vessels;             ///< in the scene's order
   std::vector<Stage> stages;  ///< stages of the operation, for the report's pictures

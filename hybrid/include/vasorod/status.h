@@ -29,6 +29,12 @@ inline bool is_unfinished(Status status) {
   return status == Status::iteration_limit || status == Status::interrupted;
 }
 
+/// Whether the vessels would stay in the state. They would not in the state of an unfinished solve,
+/// nor in an equilibrium that is unstable; peaks and fields of such a state say nothing.
+inline bool is_solution(Status status) {
+  return !is_unfinished(status) && status != Status::unstable;
+}
+
 /// The worse of two statuses. The status of a whole is the worst of its parts.
 inline Status worse(Status a, Status b) {
   return std::max(a, b);

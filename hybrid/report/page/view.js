@@ -1,5 +1,5 @@
-// The interactive view of report.html: one canvas, WebGL, no library. The scene is the page's own JSON; positions are 16-bit steps
-// of the scene's box, fields 16-bit steps of their scale.
+// The interactive view of report.html: one canvas, WebGL, no library. The scene is JSON in the page. Positions are 16-bit steps of
+// the scene's box, fields are 16-bit steps of their scale.
 "use strict";
 (() => {
   const scene = JSON.parse(document.getElementById("scene").textContent);
@@ -13,7 +13,7 @@
   const shorts = (text) => new Uint16Array(bytes(text).buffer);
   const step = scene.size / 65535;
 
-  // --- shaders: the same light as the pictures have ---
+  // --- shaders: the same light as in the pictures ---
   const vertexText = `#version 300 es
     in vec3 rest, current, restNormal, currentNormal; in float value;
     uniform mat4 view, projection; uniform float along, nearer; out vec3 normal; out float level;
@@ -68,7 +68,7 @@
     }
     return sum;
   };
-  // Edges of one triangle alone: the open ends, and a slit or a seam, as the pictures show them.
+  // Edges that belong to one triangle only: open ends, slits and seams, as in the pictures.
   const border = (triangles) => {
     const alone = new Map();
     for (let t = 0; t < triangles.length; t++) {
@@ -154,7 +154,7 @@
         gl.uniform1i(uniforms.coloured, coloured ? 1 : 0);
         gl.uniform3fv(uniforms.colour, field >= 0 ? [0.8, 0.8, 0.8] : vessel.colour);
         gl.uniform1f(uniforms.opacity, opacity(vessel));
-        if (glass) {  // first its depth, then its nearest wall alone
+        if (glass) {  // its depth first, then only its nearest wall
           gl.colorMask(false, false, false, false);
           gl.drawElements(gl.TRIANGLES, vessel.count, gl.UNSIGNED_INT, 0);
           gl.colorMask(true, true, true, true);
@@ -162,7 +162,7 @@
         }
         gl.drawElements(gl.TRIANGLES, vessel.count, gl.UNSIGNED_INT, 0);
         gl.depthFunc(gl.LESS);
-        if (vessel.edgeCount > 0) {  // borders stand a little before the walls that they lie on
+        if (vessel.edgeCount > 0) {  // borders are moved a little in front of their walls
           gl.disableVertexAttribArray(at);
           gl.uniform1i(uniforms.coloured, 0);
           gl.uniform3fv(uniforms.colour, [0.1, 0.1, 0.12]);
@@ -176,7 +176,7 @@
     }
   }
 
-  // --- moving about ---
+  // --- movement ---
   const turn = (dx, dy) => {
     const [right, up, eye] = camera.axes;
     const rotate = (a, b, angle) => {
@@ -269,7 +269,8 @@
     requestAnimationFrame(advance);
   } });
   const controls = document.getElementById("controls");
-  controls.append(element("label", {}, "Colour ", select), element("label", {}, "rest ", slider, " result"), play);
+  if (scene.fields.length > 0) controls.append(element("label", {}, "Colour ", select));
+  if (!scene.still) controls.append(element("label", {}, "rest ", slider, " result"), play);
   for (const vessel of vessels) {
     const dot = element("span", { className: "dot" });
     dot.style.background = css(vessel.colour);
@@ -278,6 +279,7 @@
   }
   controls.append(element("button", { type: "button", textContent: "Reset view", onclick: () => { camera = start(); redraw(); } }));
   new ResizeObserver(redraw).observe(canvas);
-  select.value = "0";
-  show(0);
+  const first = scene.fields.length > 0 ? 0 : -1;
+  select.value = String(first);
+  show(first);
 })();

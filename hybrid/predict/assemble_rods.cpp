@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_map>
 
 #include <vasorod/error.h>
 
@@ -19,18 +21,27 @@ Pose start_frame(const RodSpec& rod) {
   return pose;
 }
 
+// Fractions of a piece closer than this are one.
+constexpr double same_fraction = 1e-9;
+
 /// Fractions along one piece where elements begin and end. `inside`: further fractions that must be
-/// nodes.
+/// nodes, ascending.
 std::vector<double> stations(const RodPiece& piece, const std::vector<double>& inside, int refine) {
   std::vector<double> coarse;
+  coarse.reserve(static_cast<std::size_t>(piece.elements) + 1 + inside.size());
   for (int i = 0; i <= piece.elements; ++i)
     coarse.push_back(static_cast<double>(i) / piece.elements);
+  const auto regular = static_cast<std::ptrdiff_t>(coarse.size());
   for (const double f : inside) {
-    const auto near = [&](double x) { return std::abs(x - f) < 1e-9; };
-    if (std::none_of(coarse.begin(), coarse.end(), near)) coarse.push_back(f);
+    const double nearest = std::round(f * piece.elements) / piece.elements;
+    if (std::abs(nearest - f) >= same_fraction &&
+        (static_cast<std::ptrdiff_t>(coarse.size()) == regular ||
+         f - coarse.back() >= same_fraction))
+      coarse.push_back(f);
   }
-  std::sort(coarse.begin(), coarse.end());
+  std::inplace_merge(coarse.begin(), coarse.begin() + regular, coarse.end());
   std::vector<double> fine{0};
+  fine.reserve((coarse.size() - 1) * static_cast<std::size_t>(refine) + 1);
   for (std::size_t i = 0; i + 1 < coarse.size(); ++i)
     for (int j = 1; j <= refine; ++j)
       fine.push_back(coarse[i] + (coarse[i + 1] - coarse[i]) * j / refine);
@@ -40,11 +51,17 @@ std::vector<double> stations(const RodPiece& piece, const std::vector<double>& i
 class Assembler {
  public:
   Assembler(const Scene& scene, int refine)
-      : scene_(scene), refine_(refine), place_(scene.vessels.size()) {}
+      : scene_(scene), refine_(refine), place_(scene.vessels.size()) {
+    for (std::size_t v = 0; v < scene.vessels.size(); ++v)
+      index_of_.emplace(scene.vessels[v].name, v);
+    for (const EndCondition& end : scene.ends)
+      if (end.end.kind == EndSelector::Kind::at) nodes_at_[end.vessel].push_back(end.end.at);
+    for (auto& [vessel, fractions] : nodes_at_) std::sort(fractions.begin(), fractions.end());
+  }
 
   std::vector<RodAssembly> run() {
     for (std::size_t v = 0; v < scene_.vessels.size(); ++v)
-      if (scene_.vessels[v].rod) add(v);
+      if (scene_.vessels[v].rod) add_with_parents(v);
     for (const EndCondition& end : scene_.ends) add(end);
     return std::move(assemblies_);
   }
@@ -57,28 +74,38 @@ class Assembler {
   };
 
   std::size_t named(const std::string& name) const {
-    for (std::size_t v = 0; v < scene_.vessels.size(); ++v)
-      if (scene_.vessels[v].name == name) return v;
+    if (const auto known = index_of_.find(name); known != index_of_.end()) return known->second;
     throw InputError(scene_.file.string() + ": vessel '" + name + "' is not in the scene");
   }
 
+  // Adds a rod after its parents. A loop and not a recursion: chains may be thousands of rods long.
+  void add_with_parents(std::size_t v) {
+    std::vector<std::size_t> chain;
+    while (place_[v].branch < 0) {
+      const VesselSpec& vessel = scene_.vessels[v];
+      const std::string where = scene_.file.string() + ": vessel '" + vessel.name + "'";
+      if (place_[v].visiting)
+        throw InputError(where + ": rods are each other's parents, expected a tree with one root");
+      place_[v].visiting = true;
+      chain.push_back(v);
+      if (!vessel.rod->parent) break;
+      v = named(*vessel.rod->parent);
+      if (!scene_.vessels[v].rod)
+        throw InputError(where + ": parent '" + *vessel.rod->parent + "' is not a bare rod");
+    }
+    for (std::size_t i = chain.size(); i-- > 0;) add(chain[i]);
+  }
+
+  // Adds a rod whose parent is there.
   void add(std::size_t v) {
     Place& place = place_[v];
-    if (place.branch >= 0) return;
     const VesselSpec& vessel = scene_.vessels[v];
-    const std::string where = scene_.file.string() + ": vessel '" + vessel.name + "'";
-    if (place.visiting)
-      throw InputError(where + ": rods are each other's parents, expected a tree with one root");
-    place.visiting = true;
     const RodSpec& rod = *vessel.rod;
     RodBranch branch;
     branch.name = vessel.name;
     Pose start = start_frame(rod), pose = start;
     if (rod.parent) {
       const std::size_t p = named(*rod.parent);
-      if (!scene_.vessels[p].rod)
-        throw InputError(where + ": parent '" + *rod.parent + "' is not a bare rod");
-      add(p);
       place.assembly = place_[p].assembly;
       branch.parent = place_[p].branch;
       const RodTree& tree = assemblies_[index(place.assembly)].tree;
@@ -104,13 +131,15 @@ class Assembler {
     double total = 0, before = 0;
     for (const RodPiece& piece : vessel.rod->pieces) total += piece.length;
     abscissa.push_back(0);
+    const auto known = nodes_at_.find(vessel.name);
+    const std::vector<double> wanted =
+        known != nodes_at_.end() ? known->second : std::vector<double>{};
     for (const RodPiece& piece : vessel.rod->pieces) {
       std::vector<double> inside;
-      for (const EndCondition& end : scene_.ends)
-        if (end.vessel == vessel.name && end.end.kind == EndSelector::Kind::at) {
-          const double f = (end.end.at * total - before) / piece.length;
-          if (f > 1e-9 && f < 1 - 1e-9) inside.push_back(f);
-        }
+      for (const double at : wanted) {
+        const double f = (at * total - before) / piece.length;
+        if (f > same_fraction && f < 1 - same_fraction) inside.push_back(f);
+      }
       const std::vector<double> at = stations(piece, inside, refine_);
       for (std::size_t i = 0; i + 1 < at.size(); ++i) {
         RodElement e;
@@ -153,10 +182,11 @@ class Assembler {
         break;
     }
     const double s = end.end.at * place.abscissa.back();
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (std::abs(place.abscissa[i] - s) < std::abs(place.abscissa[best] - s)) best = i;
-    return nodes[best];
+    const auto after = std::lower_bound(place.abscissa.begin(), place.abscissa.end(), s);
+    const auto i = static_cast<std::size_t>(after - place.abscissa.begin());
+    if (i == 0) return nodes.front();
+    if (i == nodes.size()) return nodes.back();
+    return nodes[s - place.abscissa[i - 1] <= place.abscissa[i] - s ? i - 1 : i];
   }
 
   void add(const EndCondition& end) {
@@ -164,12 +194,10 @@ class Assembler {
     if (place.branch < 0) return;  // not a bare rod
     RodAssembly& assembly = assemblies_[index(place.assembly)];
     const int node = node_of(end, place);
-    auto found = std::find_if(assembly.ends.begin(), assembly.ends.end(),
-                              [&](const RodAssembly::End& e) { return e.node == node; });
-    if (found == assembly.ends.end()) {
-      assembly.ends.push_back({end.vessel, to_string(end.end), node, -1});
-      found = assembly.ends.end() - 1;
-    }
+    const auto [known, is_new] =
+        end_of_node_.try_emplace({place.assembly, node}, assembly.ends.size());
+    if (is_new) assembly.ends.push_back({end.vessel, to_string(end.end), node, -1});
+    RodAssembly::End* found = &assembly.ends[known->second];
     RodSupport support = clamp(node);
     if (!end.hold && !end.rotate_deg && !end.move) support.fixed = end.fix;
     support.motion.rotate = end.rotate_deg.value_or(Vec3::Zero()) * (M_PI / 180);
@@ -190,6 +218,9 @@ class Assembler {
   const Scene& scene_;
   int refine_;
   std::vector<Place> place_;
+  std::unordered_map<std::string, std::size_t> index_of_;          // of the vessels, by name
+  std::unordered_map<std::string, std::vector<double>> nodes_at_;  // fractions, ascending
+  std::map<std::pair<int, int>, std::size_t> end_of_node_;         // by assembly and node
   std::vector<RodAssembly> assemblies_;
 };
 

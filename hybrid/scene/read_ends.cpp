@@ -1,3 +1,5 @@
+#include <unordered_map>
+
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -63,22 +65,32 @@ bool same_place(const EndCondition& a, const EndCondition& b) {
 }
 
 // Two different names of one end are detected once the vessel is known (vessel/end_conditions.h).
-void check_shared(const Field& entry, const EndCondition& end,
-                  const std::vector<EndCondition>& before) {
-  for (const EndCondition& other : before) {
-    if (same_place(end, other) && exclude_each_other(end, other))
-      entry.refuse("a second condition for the end of line " + std::to_string(other.line),
+// `before`: the entries of the same vessel.
+void check_shared(const Field& entry, const EndCondition& end, const std::vector<EndCondition>& all,
+                  const std::vector<size_t>& before) {
+  for (const size_t i : before)
+    if (same_place(end, all[i]) && exclude_each_other(end, all[i]))
+      entry.refuse("a second condition for the end of line " + std::to_string(all[i].line),
                    "one motion, or one load and one fix, for each end");
-  }
 }
 
-EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels) {
+using Vessels = std::unordered_map<std::string, const VesselSpec*>;
+
+// named_vessel(), found by name first: scenes may have thousands of rods.
+const VesselSpec& vessel_of(const Field& name, const Vessels& by_name,
+                            const std::vector<VesselSpec>& vessels) {
+  const auto known = by_name.find(name.text("a vessel's name"));
+  return known != by_name.end() ? *known->second : named_vessel(name, vessels);
+}
+
+EndCondition read_end(const Field& entry, const Vessels& by_name,
+                      const std::vector<VesselSpec>& vessels) {
   entry.check_keys({"vessel", "end", "at", "hold", "rotate_deg", "move", "force", "moment",
                     "moment_frame", "fix", "section"});
   EndCondition end;
   end.line = entry.line();
   const Field name = entry.at("vessel", "a vessel's name");
-  const VesselSpec& vessel = named_vessel(name, vessels);
+  const VesselSpec& vessel = vessel_of(name, by_name, vessels);
   end.vessel = vessel.name;
   if (vessel.role == Role::obstacle)
     name.refuse("the obstacle " + in_quotes(vessel.name),
@@ -103,10 +115,15 @@ EndCondition read_end(const Field& entry, const std::vector<VesselSpec>& vessels
 }  // namespace
 
 std::vector<EndCondition> read_ends(const Field& field, const std::vector<VesselSpec>& vessels) {
+  Vessels by_name;
+  for (const VesselSpec& vessel : vessels) by_name.emplace(vessel.name, &vessel);
   std::vector<EndCondition> ends;
+  std::unordered_map<std::string, std::vector<size_t>> ends_of;
   for (const Field& entry : field.list("a list of ends")) {
-    EndCondition end = read_end(entry, vessels);
-    check_shared(entry, end, ends);
+    EndCondition end = read_end(entry, by_name, vessels);
+    std::vector<size_t>& before = ends_of[end.vessel];
+    check_shared(entry, end, ends, before);
+    before.push_back(ends.size());
     ends.push_back(std::move(end));
   }
   return ends;

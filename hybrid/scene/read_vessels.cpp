@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 #include <vasorod/read_scene.h>
 
@@ -143,23 +144,35 @@ void check_names(const std::vector<Field>& fields, const std::vector<VesselSpec>
   }
 }
 
+// Every parent is another rod of the scene, and no chain of parents closes to a ring. Chains that
+// share a part walk it once, so that thousands of rods cost no more than their number.
 void check_parents(const std::vector<Field>& fields, const std::vector<VesselSpec>& vessels) {
+  std::unordered_map<std::string, size_t> rods;
+  for (size_t i = 0; i < vessels.size(); ++i)
+    if (vessels[i].rod) rods.emplace(vessels[i].name, i);
+  const auto refuse = [&](size_t i, const std::string& found, const std::string& expected) {
+    fields[i]
+        .at("rod", "")
+        .at("parent", "")
+        .renamed("vessels." + vessels[i].name + ".rod.parent")
+        .refuse(found, expected);
+  };
+  enum class Chain : char { unknown, open, ends };
+  std::vector<Chain> chain(vessels.size(), Chain::unknown);
   for (size_t i = 0; i < vessels.size(); ++i) {
-    const VesselSpec* at = &vessels[i];
-    for (size_t steps = 0; at->rod && at->rod->parent; ++steps) {
-      const Field parent = fields[i]
-                               .at("rod", "")
-                               .at("parent", "")
-                               .renamed("vessels." + vessels[i].name + ".rod.parent");
-      const auto next = std::find_if(vessels.begin(), vessels.end(), [&](const VesselSpec& v) {
-        return v.name == *at->rod->parent;
-      });
-      if (next == vessels.end() || !next->rod)
-        parent.refuse(in_quotes(*at->rod->parent), "the name of another rod of this scene");
-      if (steps > vessels.size())
-        parent.refuse("a ring of parents", "a tree of rods, as closed loops are not modelled");
-      at = &*next;
+    std::vector<size_t> walked;
+    for (size_t at = i; chain[at] != Chain::ends;) {
+      if (chain[at] == Chain::open)
+        refuse(i, "a ring of parents", "a tree of rods, as closed loops are not modelled");
+      chain[at] = Chain::open;
+      walked.push_back(at);
+      if (!vessels[at].rod || !vessels[at].rod->parent) break;
+      const auto next = rods.find(*vessels[at].rod->parent);
+      if (next == rods.end())
+        refuse(at, in_quotes(*vessels[at].rod->parent), "the name of another rod of this scene");
+      at = next->second;
     }
+    for (const size_t at : walked) chain[at] = Chain::ends;
   }
 }
 

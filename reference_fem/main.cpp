@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 #include <iostream>
 #include <map>
+#include <new>
 #include <optional>
 #include <unistd.h>
 
@@ -49,8 +50,13 @@ int solve(Arguments& arguments) {
   const double start = fem::now();
   set_blas_threads(arguments.threads);
   const fem::Processes& processes = arguments.options.processes;
-  if (processes.first()) require_replaceable(arguments.output);
   const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
+  if (processes.first()) {
+    std::vector<std::filesystem::path> inputs = input_files(scene);
+    if (!arguments.options.mesh.empty()) inputs.push_back(arguments.options.mesh);
+    require_outside(arguments.output, inputs);
+    require_replaceable(arguments.output);
+  }
   const double read = fem::now() - start;
   fem::SolveOptions& options = arguments.options;
   if (!arguments.cells.empty()) {
@@ -166,6 +172,12 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const vasorod::FileError& error) {
     if (speaks) std::cerr << error.what() << std::endl;
+    return 3;
+  } catch (const std::bad_alloc&) {
+    if (speaks)
+      std::cerr << "found no memory left, expected a scene that fits into it: fewer cells or a "
+                   "lower degree"
+                << std::endl;
     return 3;
   }
 }

@@ -72,4 +72,12 @@ Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) 
   return scene;
 }
 
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  if (!scene.file.empty()) files.push_back(scene.file);
+  for (const VesselSpec& vessel : scene.vessels)
+    if (vessel.surface) files.push_back(*vessel.surface);
+  return files;
+}
+
 }  // namespace vasorod

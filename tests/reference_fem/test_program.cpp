@@ -74,6 +74,18 @@ TEST(FemProgram, AMissingMeshFileIsAFilesError) {
   EXPECT_NE(r.run.err.find("/nowhere/wall.msh"), std::string::npos) << r.run.err;
 }
 
+TEST(FemProgram, InputsInsideTheResultFolderAreKept) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << head + ends;
+  const ProgramRun run =
+      run_program("'" VASOROD_PROGRAM "' solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                  (scratch / "").string() + "' --quiet");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.err.find("holds the input"), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(contents_of(scratch / "scene.yaml"), head + ends);
+}
+
 TEST(FemProgram, WhereThePathEndsTheLargestLoadIsWrittenWithExitCode1) {
   // S = C : E loses its strength in compression below 1 / sqrt(3)
   std::string crush = ends;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include <vasorod/scene.h>
 
@@ -17,5 +18,8 @@ struct ReadOptions {
 /// Reads and checks a scene file. Throws InputError ("FILE:LINE: KEY: found ..., expected ..."), a
 /// missing file too; FileError if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// The files that a scene comes from: its own and those of its surfaces.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 }  // namespace vasorod

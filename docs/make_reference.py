@@ -105,9 +105,9 @@ EXIT_CODES = """
 | code | meaning |
 | --- | --- |
 | 0 | the status is `converged` |
-| 1 | any other status; the result is written all the same |
+| 1 | any other status; the result is written all the same. Stopped before there was a state: one sentence, no result |
 | 2 | wrong input or usage, said in one sentence |
-| 3 | the file system said no, or an unexpected error |
+| 3 | the file system said no, the memory does not suffice, or an unexpected error |
 """
 
 RESULT_JSON = """

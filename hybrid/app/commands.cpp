@@ -7,7 +7,10 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/result_folder.h>
 
+#include "app/ending.h"
+#include "app/watchdog.h"
 #include "data/sentence.h"
+#include "predict/kept_state.h"
 #include "result/folder_replacement.h"
 #include "result/unknown_validity.h"
 
@@ -80,21 +83,48 @@ void say(const Result& result, const CommandOptions& options) {
 }
 
 int finish(Result& result, const CommandOptions& options) {
-  write_result_folder(result, options.folder);
+  write_result_folder(result, options.folder, {options.solve.stop});
   say(result, options);
   return result.status == Status::converged ? 0 : 1;
+}
+
+// The watchdog's end: writes the last state, or says that there is none.
+int end_in_the_middle(const Watchdog::MakeResult& state, const std::string& stage,
+                      const CommandOptions& options) {
+  try {
+    if (!state) stop_early(stage);
+    Result result = state();
+    result.certificate.notes.push_back("stopped at " + in_quotes(stage) +
+                                       ", which could not be waited for; this is the last state "
+                                       "before it");
+    return finish(result, options);
+  } catch (...) {
+    return say_failure();
+  }
 }
 
 }  // namespace
 
 int solve_command(const CommandOptions& options) {
-  const Scene scene = read_scene(options.input);
-  std::vector<std::filesystem::path> inputs{scene.file};
-  for (const VesselSpec& vessel : scene.vessels)
-    if (vessel.surface) inputs.push_back(*vessel.surface);
-  require_outside(options.folder, inputs);
+  Scene scene;  // outlives the watchdog, whose states refer to it
+  Watchdog watchdog(options.solve.stop,
+                    [&](const Watchdog::MakeResult& state, const std::string& stage) {
+                      return end_in_the_middle(state, stage, options);
+                    });
+  watchdog.begin("reading the scene");
+  scene = read_scene(options.input);
+  require_outside(options.folder, input_files(scene));
   require_replaceable(options.folder);  // now, not after an hour's solution
-  Result result = predict(scene, options.solve);
+  SolveOptions solve = options.solve;
+  solve.stop = [&] { return watchdog.stop(); };
+  solve.progress = [&](const std::string& stage) {
+    watchdog.begin(stage);
+    if (options.solve.progress) options.solve.progress(stage);
+  };
+  solve.keep = [&](Watchdog::MakeResult state) { watchdog.keep(std::move(state)); };
+  solve.solved = [&] { watchdog.stand_down(); };
+  Result result = predict(scene, solve);
+  watchdog.stand_down();
   return finish(result, options);
 }
 

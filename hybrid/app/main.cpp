@@ -2,8 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <unistd.h>
 
@@ -11,6 +9,7 @@
 #include <vasorod/version.h>
 
 #include "app/commands.h"
+#include "app/ending.h"
 #include "app/stop.h"
 #include "app/streams.h"
 #include "data/sentence.h"
@@ -126,26 +125,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr const char* out_of_memory =
-      "vasorod: found no memory left, expected a scene that fits into it: fewer triangles or "
-      "elements\n";
   vasorod::keep_streams_apart();
   try {
     return run(argc, argv);
-  } catch (const vasorod::InputError& error) {
-    std::cerr << "vasorod: " << error.what() << '\n';
-    return 2;
-  } catch (const vasorod::FileError& error) {
-    std::cerr << "vasorod: " << error.what() << '\n';
-    return 3;
-  } catch (const std::bad_alloc&) {
-    std::cerr << out_of_memory;
-    return 3;
-  } catch (const std::length_error&) {  // what a container says of a size that no memory has
-    std::cerr << out_of_memory;
-    return 3;
-  } catch (const std::exception& error) {
-    std::cerr << "vasorod: unexpected: " << error.what() << '\n';
-    return 3;
+  } catch (...) {
+    const int exit_code = vasorod::say_failure();
+    std::cout.flush();
+    // Not exit(): without memory OpenBLAS's own threads look for some for ever, and exit() waits
+    // for them.
+    _exit(exit_code);
   }
 }

@@ -150,13 +150,13 @@ int BodyContacts::swallowed(int pair) const {
   return contact ? contact->swallowed() : 0;
 }
 
-double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled) {
+double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled, bool search) {
   Pair& mine = pairs_[static_cast<size_t>(pair)];
   double smallest = std::numeric_limits<double>::infinity();
   if (!mine.contact) return smallest;
   const Points &slave = scaled.bodies[static_cast<size_t>(mine.slave)].now,
                &master = scaled.bodies[static_cast<size_t>(mine.master)].now;
-  if (mine.contact->contacts().empty()) mine.contact->refresh(slave, master, smallest);
+  if (search && mine.contact->contacts().empty()) mine.contact->refresh(slave, master, smallest);
   for (const ContactPoint& c : mine.contact->contacts())
     smallest = std::min(smallest, mine.contact->gap(c, slave, master));
   return smallest;

@@ -66,8 +66,9 @@ class BodyContacts {
   double held_depth(int pair) const { return pairs_[static_cast<size_t>(pair)].held_depth; }
 
   /// Smallest gap of a pair at the bodies' current positions, scaled length; infinite when no walls
-  /// face each other.
-  double smallest_gap(int pair, const ScaledBodies& scaled);
+  /// face each other. `search`: look for the closest features where none are known, which changes
+  /// the contacts.
+  double smallest_gap(int pair, const ScaledBodies& scaled, bool search = true);
 
  private:
   struct Pair {

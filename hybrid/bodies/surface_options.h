@@ -2,7 +2,9 @@
 // reasons.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <string>
 
 #include "numerics/solver_options.h"
@@ -32,6 +34,9 @@ struct SurfaceOptions : SolverOptions {
   int max_iterations = 3000;
   /// Of the true Hessian, per minimisation; 0: never.
   int max_factorisations = 40;
+  /// Called before each ordering and factorisation, which cannot be stopped inside, with its name.
+  /// May be empty.
+  std::function<void(const std::string& step)> step;
   /// Determine the sign of the smallest curvature of the Hessian at the end.
   bool certify = false;
 

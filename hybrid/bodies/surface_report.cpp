@@ -10,7 +10,7 @@ namespace vasorod {
 void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
                      const std::vector<ContactPoint>& points, const Points& positions,
                      const StackedContacts& stacked, BodyContacts& contacts,
-                     SurfaceSolution& solution) {
+                     SurfaceSolution& solution, bool final) {
   for (size_t p = 0; p < problem.contacts.size(); ++p) {
     ContactSolution& mine = solution.contacts.emplace_back();
     mine.a = problem.contacts[p].first;
@@ -54,7 +54,7 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
     mine.within_reach = contacts.within_reach(static_cast<int>(p));
     mine.swallowed = contacts.swallowed(static_cast<int>(p));
     mine.held_depth = contacts.held_depth(static_cast<int>(p)) * scaled.length;
-    mine.smallest_gap = contacts.smallest_gap(static_cast<int>(p), scaled) * scaled.length;
+    mine.smallest_gap = contacts.smallest_gap(static_cast<int>(p), scaled, final) * scaled.length;
   }
 }
 

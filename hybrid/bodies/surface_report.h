@@ -9,11 +9,12 @@ namespace vasorod {
 
 /// Appends one entry per pair to solution.contacts and adds the pressures to solution.bodies. The
 /// pressure at a slave vertex comes from its own contact; the pressure at a master vertex is the
-/// force transferred to the vertex over its area. `stacked` is the source of `points`.
+/// force transferred to the vertex over its area. `stacked` is the source of `points`. With
+/// `final` false the contacts stay as they are, for a report on the way.
 void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
                      const std::vector<ContactPoint>& points, const Points& positions,
                      const StackedContacts& stacked, BodyContacts& contacts,
-                     SurfaceSolution& solution);
+                     SurfaceSolution& solution, bool final = true);
 
 /// Stores the largest and the RMS seam gap in `solution`, in the problem's length unit.
 void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins,

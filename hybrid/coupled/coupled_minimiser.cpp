@@ -24,6 +24,9 @@ constexpr double neutral_curvature = 1e-6;
 // exceed `share_of_load` times the load.
 constexpr double rounding = 1e-14, share_of_load = 1e-2;
 
+// Thrown where CoupledMinimiserOptions::before says to stop.
+struct Interruption {};
+
 }  // namespace
 
 CoupledMinimiser::CoupledMinimiser(CoupledSystem& system) : system_(system) {
@@ -52,18 +55,20 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
 
 // The pattern changes with the contacts. An elimination order is reused until its fill becomes too
 // large.
-void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix) {
+void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Before& before) {
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
+  if (before) before("ordering");
   order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection);
   factor.analyse(matrix, order_);
   order_nonzeros_ = factor.factor_nonzeros();
 }
 
-void CoupledMinimiser::factorise_rest() {
-  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_);
+void CoupledMinimiser::factorise_rest(const Before& before) {
+  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_, before);
+  if (before) before("factorisation at rest");
   Matrix shifted = rest_;
   double shift = 0;
   // Mechanisms that only a motion or a load would excite make K0 singular to rounding.
@@ -111,18 +116,21 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
 
 // Factorises H or, if Cholesky fails, H + shift D K0 D^T with the smallest shift of a geometric
 // sequence for which it succeeds.
-bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most) {
+bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most,
+                                 const Before& before) {
+  before("Hessian");
   hessian_ = system_.hessian(z);
   const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
       inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
   if (!std::equal(outer.begin(), outer.end(), analysed_outer_.begin(), analysed_outer_.end()) ||
       !std::equal(inner.begin(), inner.end(), analysed_inner_.begin(), analysed_inner_.end())) {
-    analyse(factor_, hessian_);
+    analyse(factor_, hessian_, before);
     analysed_outer_.assign(outer.begin(), outer.end());
     analysed_inner_.assign(inner.begin(), inner.end());
   }
   metric_.resize(0, 0);
   for (;;) {
+    before("factorisation");
     ++factorisations;
     if (shift == 0) {
       if (factor_.factorise(hessian_)) return true;
@@ -176,6 +184,20 @@ CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
 CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
                                                    const CoupledMinimiserOptions& options) {
   CoupledMinimiserSummary summary;
+  try {
+    const Before before = [&](const std::string& step) {
+      if (options.before && options.before(step, z)) throw Interruption{};
+    };
+    run(z, options, before, summary);
+  } catch (const Interruption&) {
+    summary.status = LbfgsStatus::interrupted;
+    summary.residual = residual(z);
+  }
+  return summary;
+}
+
+void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
+                           const Before& before, CoupledMinimiserSummary& summary) {
   const Evaluation evaluation = [this](const VectorXd& at, VectorXd& g, double& r) {
     return evaluate(at, g, r);
   };
@@ -188,14 +210,13 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
   };
   const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
   if (options.use_rest) {
-    if (!rest_factor_.factorised()) factorise_rest();
+    if (!rest_factor_.factorised()) factorise_rest(before);
     inner.tolerance = std::max(options.rough, options.tolerance);
     inner.patience = options.rest_patience;
     inner.max_iterations = options.max_iterations;
     summary.add(lbfgs(evaluation, rest, z, inner));
     summary.rest_iterations = summary.iterations;
-    if (interrupted() || (!options.certify && summary.residual <= options.tolerance))
-      return summary;
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
   inner.patience = 0;
   inner.tolerance = options.tolerance;
@@ -205,13 +226,12 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
   if (options.reuse_hessian && factor_.factorised()) {
     inner.max_iterations = options.per_hessian;
     summary.add(lbfgs(evaluation, hessian, z, inner));
-    if (interrupted() || (!options.certify && summary.residual <= options.tolerance))
-      return summary;
+    if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
   while (summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
     factored_at = residual(z);
-    if (!factorise(z, shift, summary.factorisations, options.max_factorisations)) {
+    if (!factorise(z, shift, summary.factorisations, options.max_factorisations, before)) {
       summary.unfactorised = true;
       summary.residual = factored_at;
       break;
@@ -225,7 +245,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
       if (saddle != Saddle::left) {
         summary.neutral = saddle == Saddle::neutral;
         summary.residual = factored_at;
-        return summary;
+        return;
       }
       summary.left_saddle = true;
       stalls = 0;
@@ -234,22 +254,21 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
     inner.max_iterations =
         std::min(options.per_hessian, options.max_iterations - summary.iterations);
     summary.add(lbfgs(evaluation, hessian, z, inner));
-    if (interrupted()) return summary;
+    if (interrupted()) return;
     if (summary.status == LbfgsStatus::converged ||
         (summary.status == LbfgsStatus::stalled && at_rest)) {
       if (fresh && (factored_at <= near_enough || !options.certify)) {
         summary.positive = true;
-        return summary;
+        return;
       }
-      if (!options.certify) return summary;
+      if (!options.certify) return;
     }
     stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
-    if (stalls > 2) return summary;
+    if (stalls > 2) return;
     shift = shift <= first_shift ? 0 : shift / (shift_growth * shift_growth);
   }
   if (summary.status != LbfgsStatus::converged && summary.status != LbfgsStatus::stalled)
     summary.status = LbfgsStatus::iteration_limit;
-  return summary;
 }
 
 }  // namespace vasorod

@@ -37,6 +37,9 @@ struct CoupledMinimiserOptions {
   /// Determine the sign of the smallest curvature at the end, and leave saddles.
   bool certify = true;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
+  /// Called before each ordering and factorisation, which cannot be stopped inside, with the best
+  /// point so far; returning true interrupts. May be empty.
+  std::function<bool(const std::string& step, const Eigen::VectorXd& z)> before;
 };
 
 /// Iterations of all stages.
@@ -60,7 +63,7 @@ class CoupledMinimiser {
   /// To be called when the material of a wall changed: evaluates K0 again. The old factor remains
   /// the preconditioner until `factorise_rest`.
   void renew_rest();
-  void factorise_rest();
+  void factorise_rest() { factorise_rest({}); }
 
   /// Minimises from z; on return z is the best point found.
   CoupledMinimiserSummary minimise(Eigen::VectorXd& z, const CoupledMinimiserOptions& options);
@@ -76,8 +79,13 @@ class CoupledMinimiser {
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual) const;
   double rounding_of_forces(const Eigen::VectorXd& z) const;
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
-  void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix);
-  bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most);
+  using Before = std::function<void(const std::string& step)>;  // may throw Interruption
+  void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Before& before,
+           CoupledMinimiserSummary& summary);
+  void factorise_rest(const Before& before);
+  void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Before& before);
+  bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most,
+                 const Before& before);
   enum class Saddle { left, neutral, kept };
   Saddle leave_saddle(Eigen::VectorXd& z);
 

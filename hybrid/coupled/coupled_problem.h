@@ -41,6 +41,8 @@ struct CoupledProblem {
   std::function<std::vector<CarriedBody>(double t)> carried;
 };
 
+struct CoupledSolution;
+
 /// Options of the `coupled` solve. `tolerance`: CoupledMinimiserOptions::tolerance.
 /// `contact_stiffness` and `seam_stiffness` are larger than in `paper`, because the true Hessian
 /// tolerates them.
@@ -56,6 +58,9 @@ struct CoupledOptions : SurfaceOptions {
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
+  /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
+  /// most once a second. May be empty.
+  std::function<void(CoupledSolution&&)> keep;
 
   /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;

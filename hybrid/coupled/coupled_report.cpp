@@ -101,7 +101,7 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
                     const CoupledSystem* system, const std::vector<int>& first,
                     const std::vector<int>& first_wall, const VectorXd& z,
                     const StackedContacts& stacked, BodyContacts& contacts,
-                    CoupledSolution& solution) {
+                    CoupledSolution& solution, bool final) {
   SurfaceSolution& surface = solution.surface;
   surface.bodies.resize(scaled.bodies.size());
   solution.sections.resize(scaled.bodies.size());
@@ -159,7 +159,7 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
   surface.bending_energy = solution.bending_energy;
   const std::vector<ContactPoint> none;
   report_contacts(problem.surfaces, scaled, system ? system->contacts : none, s.positions, stacked,
-                  contacts, surface);
+                  contacts, surface, final);
   if (system) report_seam(scaled, system->joins, s.positions, surface);
 }
 

@@ -13,11 +13,11 @@ double worst_coupled_balance(const ScaledBodies& scaled, const CoupledSystem& sy
 
 /// Fills surface, sections and energies of `solution`. `system` is null if nothing was modelled.
 /// `first` and `first_wall` are each body's first vertex in the stack and its wall, -1 for a body
-/// that is not among the unknowns.
+/// that is not among the unknowns. `final`: as in report_contacts().
 void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
                     const CoupledSystem* system, const std::vector<int>& first,
                     const std::vector<int>& first_wall, const Eigen::VectorXd& z,
                     const StackedContacts& stacked, BodyContacts& contacts,
-                    CoupledSolution& solution);
+                    CoupledSolution& solution, bool final = true);
 
 }  // namespace vasorod

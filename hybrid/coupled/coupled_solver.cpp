@@ -39,6 +39,9 @@ constexpr double path_step = 0.02;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
+// Seconds between two calls of CoupledOptions::keep: the report that it needs costs a few
+// iterations.
+constexpr double between_kept = 1;
 
 }  // namespace
 
@@ -51,6 +54,7 @@ class CoupledSolver::Data {
 
   CoupledSolution solve() {
     stop_.emplace(stack_.options);
+    kept_at_ = -between_kept;
     solution_ = {};
     if (stack_.any_modelled()) {
       follow_path();
@@ -75,6 +79,23 @@ class CoupledSolver::Data {
   bool stop(int iteration, double residual) const {
     return (*stop_)(
         {solution_.surface.outer_iterations, solution_.surface.iterations + iteration, residual});
+  }
+
+  // Before a step at z that cannot be stopped inside: whether to stop; if not, the state is kept.
+  bool before(const std::string& step, const VectorXd& z) {
+    if ((*stop_)()) return true;
+    if (stack_.options.step) stack_.options.step(step);
+    if (!stack_.options.keep || stop_->seconds() < kept_at_ + between_kept) return false;
+    CoupledSolution state = solution_;
+    state.status = Status::interrupted;
+    state.surface.residual = stack_.minimiser->residual(z);
+    state.smallest_curvature_positive = false;
+    report_coupled(stack_.problem, stack_.scaled, stack_.system.get(), stack_.first,
+                   stack_.first_wall, z, stack_.stacked, *stack_.contacts, state, false);
+    state.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
+    stack_.options.keep(std::move(state));
+    kept_at_ = stop_->seconds();
+    return false;
   }
 
   Points positions() const { return stack_.system->state(stack_.z).positions; }
@@ -118,6 +139,7 @@ class CoupledSolver::Data {
     inner.stop = [this](int iteration, double, double residual) {
       return stop(iteration, residual);
     };
+    inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -256,7 +278,8 @@ class CoupledSolver::Data {
 
   CoupledStack stack_;
   CoupledPath path_;
-  std::optional<StopCheck> stop_;  // of the present solve
+  std::optional<StopCheck> stop_;   // of the present solve
+  double kept_at_ = -between_kept;  // when the state was last kept, seconds since the start
   bool left_saddle_ = false;
   CoupledSolution solution_;
 };

@@ -10,12 +10,14 @@ namespace vasorod {
 std::string blas_name();
 
 /// Sets the number of BLAS threads (at least 1). The default is one thread, because the supernodes
-/// of a tube are too small to share.
+/// of a tube are too small to share. Throws std::bad_alloc where the BLAS's buffers do not fit into
+/// the memory.
 void set_blas_threads(int threads);
 
 /// While an object of this class exists, CHOLMOD's own parallel regions run on the calling thread
 /// only. CHOLMOD 3.0 as built by Debian 12 opens four threads whatever OMP_NUM_THREADS says, which
-/// slows a vessel down by a factor of two to five.
+/// slows a vessel down by a factor of two to five. The constructor throws std::bad_alloc as
+/// set_blas_threads() does.
 class OneCholmodThread {
  public:
   OneCholmodThread();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <new>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "numerics/blas.h"
@@ -49,6 +51,14 @@ namespace {
 // Largest relative difference of a single-precision solve; far below the preconditioner's own
 // error.
 constexpr double largest_difference = 1e-3;
+
+// CHOLMOD counts with int here: a factor whose indices an int cannot count is too large as well.
+[[noreturn]] void fail(const cholmod_common& common, const std::string& what) {
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+    throw std::bad_alloc();
+  throw std::runtime_error("the sparse matrix could not be " + what + ": CHOLMOD's status " +
+                           std::to_string(common.status));
+}
 
 // A CHOLMOD view of an Eigen matrix. CHOLMOD does not write through it.
 cholmod_sparse view_of(const Matrix& m) {
@@ -108,7 +118,7 @@ std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>&
   const int good = ordering == Ordering::minimum_degree
                        ? cholmod_amd(&view, nullptr, 0, order.data(), &scratch.common)
                        : cholmod_metis(&view, nullptr, 0, 1, order.data(), &scratch.common);
-  if (!good) throw std::runtime_error("the sparse matrix could not be ordered (out of memory)");
+  if (!good) fail(scratch.common, "ordered");
   unknowns.reserve(static_cast<size_t>(matrix.cols()));
   for (const int g : order) {
     const auto next = static_cast<size_t>(g) + 1;
@@ -138,8 +148,7 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   d.factor = order.empty()
                  ? cholmod_analyze(&view, &d.common)
                  : cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &d.common);
-  if (!d.factor)
-    throw std::runtime_error("the sparse factorisation could not be analysed (out of memory)");
+  if (!d.factor) fail(d.common, "analysed");
 }
 
 bool Cholesky::factorise(const Matrix& matrix) {
@@ -150,8 +159,7 @@ bool Cholesky::factorise(const Matrix& matrix) {
   cholmod_sparse view = view_of(matrix);
   d.common.status = CHOLMOD_OK;
   cholmod_factorize(&view, d.factor, &d.common);
-  if (d.common.status < CHOLMOD_OK)
-    throw std::runtime_error("the sparse factorisation ran out of memory");
+  if (d.common.status < CHOLMOD_OK) fail(d.common, "factorised");
   d.factorised = d.common.status == CHOLMOD_OK && d.factor->minor == d.factor->n;
   return d.factorised;
 }
@@ -168,7 +176,7 @@ void Cholesky::solve(const double* b, double* x, int columns) {
   rhs.dtype = CHOLMOD_DOUBLE;
   if (!cholmod_solve2(CHOLMOD_A, d.factor, &rhs, nullptr, &d.solution, nullptr, &d.work, &d.work_e,
                       &d.common))
-    throw std::runtime_error("the sparse solve ran out of memory");
+    fail(d.common, "solved");
   std::copy_n(static_cast<const double*>(d.solution->x), rhs.nzmax, x);
 }
 

@@ -1,6 +1,7 @@
 // Sparse Cholesky factorisation of a symmetric positive definite matrix: a small wrapper around
 // CHOLMOD's supernodal L L^T. The symbolic analysis is kept while the pattern stays the same, and
-// workspaces are kept between solves.
+// workspaces are kept between solves. All of it throws std::bad_alloc where the memory does not
+// suffice.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -122,6 +122,10 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   int stalls = 0;
   while (unfinished() && stalls < 2 && summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
+    if (options.before && options.before(p)) {
+      summary.status = LbfgsStatus::interrupted;
+      break;
+    }
     if (!factorise_hessian(p, blend, summary.factorisations)) break;
     inner.max_iterations =
         std::min(iterations_per_hessian, options.max_iterations - summary.iterations);

@@ -21,6 +21,9 @@ struct PaperMinimiserOptions {
   /// Start with the last true Hessian that was factorised, if there is one.
   bool reuse_hessian = false;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
+  /// Called before each factorisation, which cannot be stopped inside, with the best positions so
+  /// far; returning true interrupts. May be empty.
+  std::function<bool(const Points& p)> before;
 };
 
 /// Iterations of both stages.

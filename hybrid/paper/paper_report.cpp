@@ -51,8 +51,8 @@ double worst_balance(const std::vector<BodySolution>& bodies) {
 
 void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const PaperSystem& system,
                   const std::vector<int>& first, const Points& positions,
-                  const StackedContacts& stacked, BodyContacts& contacts,
-                  SurfaceSolution& solution) {
+                  const StackedContacts& stacked, BodyContacts& contacts, SurfaceSolution& solution,
+                  bool final) {
   solution.bodies = sum_forces(scaled, system, first, positions);
   PaperGradient gradient;
   const PaperTerms terms = paper_energy_gradient(system, positions, gradient);
@@ -75,7 +75,7 @@ void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const 
     for (Vec3* force : {&mine.support, &mine.binding, &mine.joining, &mine.contact})
       *force *= scaled.force();
   }
-  report_contacts(problem, scaled, system.contacts, positions, stacked, contacts, solution);
+  report_contacts(problem, scaled, system.contacts, positions, stacked, contacts, solution, final);
   report_seam(scaled, system.joins, positions, solution);
 }
 

@@ -15,10 +15,10 @@ std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSyst
 double worst_balance(const std::vector<BodySolution>& bodies);
 
 /// Fills the bodies, contacts, energies and seam gaps of `solution` in the problem's units.
-/// `stacked` is the source of system.contacts.
+/// `stacked` is the source of system.contacts. `final`: as in report_contacts().
 void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const PaperSystem& system,
                   const std::vector<int>& first, const Points& positions,
-                  const StackedContacts& stacked, BodyContacts& contacts,
-                  SurfaceSolution& solution);
+                  const StackedContacts& stacked, BodyContacts& contacts, SurfaceSolution& solution,
+                  bool final = true);
 
 }  // namespace vasorod

@@ -24,6 +24,8 @@ constexpr double first_tolerance = 1e-4;
 constexpr double tolerance_step = 0.1;
 constexpr int settling_iterations = 15, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
+// Seconds between two calls of PaperOptions::keep: the report that it needs costs a few iterations.
+constexpr double between_kept = 1;
 
 class PaperRun {
  public:
@@ -93,8 +95,30 @@ class PaperRun {
     return stop_({solution_.outer_iterations, solution_.iterations + iteration, residual});
   }
 
+  // Before a factorisation, which cannot be stopped inside: whether to stop; if not, the state is
+  // kept.
+  bool before_factorisation() {
+    if (stop_()) {
+      solution_.status = Status::interrupted;
+      solution_.residual = minimiser_->residual(positions_);
+      return true;
+    }
+    if (options_.step) options_.step("factorisation");
+    if (!options_.keep || stop_.seconds() < kept_at_ + between_kept) return false;
+    unstack();
+    SurfaceSolution state = solution_;
+    state.status = Status::interrupted;
+    state.residual = minimiser_->residual(positions_);
+    report_paper(problem_, scaled_, system_, first_, positions_, stacked_, contacts_, state, false);
+    state.seam_radius = seam_radius_ * scaled_.length;
+    options_.keep(std::move(state));
+    kept_at_ = stop_.seconds();
+    return false;
+  }
+
   void iterate() {
     build();
+    if (before_factorisation()) return;
     minimiser_->factorise(positions_);
     PaperMinimiserOptions inner;
     inner.max_iterations = options_.max_iterations;
@@ -102,6 +126,7 @@ class PaperRun {
     inner.stop = [this](int iteration, double, double residual) {
       return stop(iteration, residual);
     };
+    inner.before = [this](const Points&) { return before_factorisation(); };
     const bool constrained = !problem_.seams.empty() || !problem_.contacts.empty();
     double tolerance =
         constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
@@ -168,10 +193,13 @@ class PaperRun {
       if (!contact.touched.empty()) {
         for (const int b : contact.touched) body(b).modelled = true;
         build();
+        if (before_factorisation()) return;
         minimiser_->factorise(positions_);
       } else {
         stack_contacts();
-        if (contact.pressed_changed) minimiser_->factorise(positions_);
+        if (!contact.pressed_changed) continue;
+        if (before_factorisation()) return;
+        minimiser_->factorise(positions_);
       }
     }
   }
@@ -184,6 +212,7 @@ class PaperRun {
   BodyContacts contacts_;
   std::vector<Vec3> seam_multipliers_;
   double seam_radius_ = 0;
+  double kept_at_ = -between_kept;  // when the state was last kept, seconds since the start
   PaperSystem system_;
   std::unique_ptr<PaperMinimiser> minimiser_;
   StackedContacts stacked_;

@@ -16,6 +16,9 @@ class KeptFactor;
 struct PaperOptions : SurfaceOptions {
   /// Number of iterations for a tenfold reduction of the residual before the true Hessian is tried.
   int patience = 100;
+  /// Called with the state so far (status interrupted) before a factorisation, at most once a
+  /// second. May be empty.
+  std::function<void(SurfaceSolution&&)> keep;
 
   /// Empty when the options are valid, else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;

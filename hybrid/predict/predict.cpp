@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 
 #include <vasorod/error.h>
 #include <vasorod/predict.h>
@@ -9,12 +10,11 @@
 #include "numerics/blas.h"
 #include "predict/fidelity.h"
 #include "predict/input_hashes.h"
+#include "predict/kept_state.h"
+#include "predict/memory_need.h"
 #include "predict/name_faults.h"
 #include "predict/prediction.h"
-#include "predict/result_of_prediction.h"
-#include "predict/result_parts.h"
 #include "predict/rod_scene.h"
-#include "predict/stopwatch.h"
 
 namespace vasorod {
 namespace {
@@ -116,6 +116,28 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
   return fidelity;
 }
 
+// Before the rods are solved there is no state to return. Once `stop` is true these stages have
+// SolveOptions::patience to come to the first one.
+class EarlyStages {
+ public:
+  explicit EarlyStages(const SolveOptions& options) : options_(options) {}
+
+  /// Call before each stage.
+  void begin(const std::string& stage) {
+    if (options_.stop()) {
+      const auto now = std::chrono::steady_clock::now();
+      if (!stopped_) stopped_ = now;
+      if (std::chrono::duration<double>(now - *stopped_).count() >= options_.patience)
+        stop_early(stage);
+    }
+    options_.progress(stage);
+  }
+
+ private:
+  const SolveOptions& options_;
+  std::optional<std::chrono::steady_clock::time_point> stopped_;
+};
+
 void solve_rods(Prediction& prediction, const SolveOptions& options) {
   RodOptions rod_options;
   rod_options.stop = options.stop;
@@ -135,7 +157,7 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
   }
 }
 
-void read_vessels(const Fidelity& fidelity, const SolveOptions& options, InputHashes& inputs,
+void read_vessels(const Fidelity& fidelity, EarlyStages& stages, InputHashes& inputs,
                   Prediction& prediction) {
   for (const VesselSpec& spec : prediction.scene->vessels) {
     if (spec.role == Role::obstacle && !fidelity.surfaces) {
@@ -144,7 +166,7 @@ void read_vessels(const Fidelity& fidelity, const SolveOptions& options, InputHa
           "fidelity " + fidelity.name + ": no surface, nothing to touch";
       continue;
     }
-    options.progress("vessel " + spec.name);
+    stages.begin("reading vessel " + spec.name);
     PredictedVessel vessel;
     inputs.while_reading(spec, [&] { vessel.prepared = read_vessel(spec, *prediction.scene); });
     prediction.vessels.push_back(std::move(vessel));
@@ -177,13 +199,13 @@ void require_one_space(const Prediction& prediction) {
 }
 
 // Cuts, incises and places; solves the vein's rod.
-void operate_on(Prediction& prediction, const SolveOptions& options) {
+void operate_on(Prediction& prediction, const SolveOptions& options, EarlyStages& stages) {
   const Scene& scene = *prediction.scene;
   PredictedVessel& svc = prediction.vessels[vessel_named(prediction, scene.glenn->svc)];
   PredictedVessel& rpa = prediction.vessels[vessel_named(prediction, scene.glenn->rpa)];
   GlennOptions glenn;
   glenn.rod.stop = options.stop;
-  glenn.progress = options.progress;
+  glenn.progress = [&](const std::string& step) { stages.begin("surgery: " + step); };
   prediction.glenn =
       operate(scene, *scene.glenn, svc.prepared, rpa.prepared, svc.conditions, glenn);
   svc.rod = prediction.glenn->vein;
@@ -205,6 +227,8 @@ FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
 
 std::optional<std::string> SolveOptions::is_invalid() const {
   if (threads < 1) return "threads: found " + std::to_string(threads) + ", expected at least 1";
+  if (!(patience >= 0))
+    return "patience: found " + number_text(patience) + ", expected seconds of at least 0";
   return std::nullopt;
 }
 
@@ -213,8 +237,11 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   SolveOptions options = given;
   if (!options.stop) options.stop = [] { return false; };
   if (!options.progress) options.progress = [](const std::string&) {};
+  if (!options.solved) options.solved = [] {};
   const Fidelity* fidelity = &checked_fidelity(scene, options);
   require_a_condition(scene);
+  std::vector<double> sizes = stated_sizes(scene);
+  require_memory(scene, fidelity->name, sizes);
   InputHashes inputs(scene);
   set_blas_threads(options.threads);
   if (has_bare_rods(scene)) {
@@ -226,21 +253,29 @@ Result predict(const Scene& scene, const SolveOptions& given) {
     return result;
   }
 
-  Stopwatch watch;
   Prediction prediction;
   prediction.scene = &scene;
-  read_vessels(*fidelity, options, inputs, prediction);
+  EarlyStages stages(options);
+  read_vessels(*fidelity, stages, inputs, prediction);
   require_one_space(prediction);
-  watch.lap("read");
+  prediction.inputs = inputs.hashes();
+  prediction.scene_hash = inputs.scene();
+  for (const PredictedVessel& vessel : prediction.vessels)
+    for (std::size_t v = 0; v < sizes.size(); ++v)
+      if (scene.vessels[v].name == vessel.prepared.spec.name)
+        sizes[v] = static_cast<double>(vessel.prepared.vessel.surface.points.rows());
+  require_memory(scene, fidelity->name, sizes);
+  prediction.watch.lap("read");
   for (PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
+    stages.begin("fitting vessel " + vessel.prepared.spec.name);
     placed(line_of(scene, vessel.prepared.spec), [&] { fit(vessel.prepared); });
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
-  watch.lap("fit");
+  prediction.watch.lap("fit");
   prediction.stages.push_back(rest_stage(prediction));
-  if (scene.glenn) operate_on(prediction, options);
-  watch.lap("surgery");
+  if (scene.glenn) operate_on(prediction, options, stages);
+  prediction.watch.lap("surgery");
 
   solve_rods(prediction, options);
   if (!options.fidelity && !scene.fidelity) {
@@ -249,19 +284,14 @@ Result predict(const Scene& scene, const SolveOptions& given) {
     prediction.notes.push_back(choice.sentence());
   }
   prediction.fidelity = fidelity->name;
-  watch.lap("rod");
+  prediction.watch.lap("rod");
+  if (fidelity->surfaces) keep_rods(prediction, options);
+  options.progress("fidelity " + fidelity->name);
   placed(place_in(scene, 0), [&] { fidelity->solve(prediction, options); });
   if (prediction.surfaces) options.progress(prediction.surfaces->solution.brief_report());
-  watch.lap("solve");
-
-  Result result = result_of(prediction, options.threads);
-  watch.lap("collect");
-  result.seconds = watch.seconds();
-  result.environment.inputs = inputs.hashes();
-  result.environment.scene_hash = inputs.scene();
-  name_faults(result);
-  result.criteria = criteria_of(result);
-  return result;
+  prediction.watch.lap("solve");
+  options.solved();
+  return whole_result(std::move(prediction), options.threads);
 }
 
 }  // namespace vasorod

@@ -9,6 +9,7 @@
 #include <vasorod/predict.h>
 
 #include "bodies/surface_solution.h"
+#include "predict/stopwatch.h"
 #include "rod/newton.h"
 #include "surgery/glenn.h"
 #include "vessel/end_conditions.h"
@@ -51,6 +52,10 @@ struct Prediction {
   std::vector<std::string> notes;               ///< sentences for the certificate
   std::vector<Stage> stages;                    ///< for the report's pictures
   std::map<std::string, std::string> left_out;  ///< what was left out, and why
+  std::map<std::string, std::string> inputs;    ///< InputHashes::hashes()
+  std::string scene_hash;                       ///< InputHashes::scene()
+  Status status = Status::converged;            ///< the best that its result may claim
+  Stopwatch watch;                              ///< seconds of the stages so far
 };
 
 /// Index of the vessel with that name in `vessels`.

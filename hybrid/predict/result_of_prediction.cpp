@@ -179,6 +179,7 @@ void describe_model(const Prediction& prediction, Result& result) {
 Result result_of(const Prediction& prediction, int threads) {
   Result result =
       begin_result(prediction.scene->name, prediction.fidelity, prediction.scene->units, threads);
+  result.status = prediction.status;
   add_rods(prediction, result);
   if (prediction.surfaces) {
     add_surfaces(*prediction.surfaces, result);

@@ -193,6 +193,7 @@ Result solve_rod_scene(const Scene& scene, const SolveOptions& options) {
       scene.extrapolate ? assemble_rods(scene, 2) : std::vector<RodAssembly>{};
   for (std::size_t r = 0; r < rods.size(); ++r) {
     const std::string where = scene.file.string() + ": rod '" + rods[r].vessels.front() + "'";
+    if (options.progress) options.progress("rod of " + rods[r].vessels.front());
     check_tree(rods[r].tree, where);
     check_conditions(rods[r].tree, rods[r].conditions, where);
     RodSolution solution = solve_rod(rods[r].tree, rods[r].conditions, rod_options);
@@ -209,6 +210,7 @@ Result solve_rod_scene(const Scene& scene, const SolveOptions& options) {
     add(rods[r], solution, balance, result);
   }
   watch.lap("solve");
+  if (options.solved) options.solved();
   result.seconds = watch.seconds();
   return result;
 }

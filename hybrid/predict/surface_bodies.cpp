@@ -92,4 +92,10 @@ std::function<void(const SolverProgress&)> iteration_progress(const std::string&
   };
 }
 
+std::function<void(const std::string&)> step_progress(const std::string& what,
+                                                      const SolveOptions& options) {
+  if (!options.progress) return {};
+  return [what, tell = options.progress](const std::string& step) { tell(what + ": " + step); };
+}
+
 }  // namespace vasorod

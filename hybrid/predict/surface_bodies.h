@@ -19,4 +19,8 @@ void take_surfaces(SolvedSurfaces&& surfaces, const std::string& what, Predictio
 std::function<void(const SolverProgress&)> iteration_progress(const std::string& what, int every,
                                                               const SolveOptions& options);
 
+/// The same before each step that cannot be stopped inside (SurfaceOptions::step).
+std::function<void(const std::string&)> step_progress(const std::string& what,
+                                                      const SolveOptions& options);
+
 }  // namespace vasorod

@@ -29,9 +29,34 @@ std::string slug(const std::string& title) {
   return name;
 }
 
+// The centerline with at most `most_drawn` nodes: more cannot be told apart in a picture, and a rod
+// may have a million.
+CenterlineResult thinned(const CenterlineResult& line) {
+  constexpr std::size_t most_drawn = 2000;
+  const std::size_t nodes = line.abscissa.size();
+  if (line.lines.size() != 1 || line.lines[0].size() != nodes || nodes <= most_drawn) return line;
+  CenterlineResult thin;
+  const std::size_t step = (nodes + most_drawn - 1) / most_drawn;
+  std::vector<Eigen::Index> kept;
+  for (std::size_t i = 0; i < nodes; i += step) kept.push_back(line.lines[0][i]);
+  if (kept.back() != line.lines[0].back()) kept.push_back(line.lines[0].back());
+  thin.rest = line.rest(kept, Eigen::all);
+  thin.current = line.current(kept, Eigen::all);
+  thin.lines.emplace_back();
+  for (const Eigen::Index k : kept) {
+    const auto i = static_cast<std::size_t>(k);
+    thin.lines[0].push_back(static_cast<int>(thin.abscissa.size()));
+    thin.abscissa.push_back(line.abscissa[i]);
+    thin.directors.push_back(line.directors[i]);
+    if (!line.radius.empty()) thin.radius.push_back(line.radius[i]);
+  }
+  return thin;
+}
+
 // A tube around the centerline, twelve points around each node. The radius of a bare rod is a
 // hundredth of its length.
-DrawnBody tube_about(const CenterlineResult& line) {
+DrawnBody tube_about(const CenterlineResult& whole) {
+  const CenterlineResult line = thinned(whole);
   constexpr int around = 12;
   const auto nodes = line.current.rows();
   DrawnBody shape;
@@ -208,11 +233,16 @@ struct Task {
   std::function<Picture()> draw;
 };
 
-void draw_all(std::vector<Task>& tasks, int threads) {
+void draw_all(std::vector<Task>& tasks, int threads, const std::function<bool()>& stop) {
   std::atomic<std::size_t> next{0};
   std::mutex encoding;  // VTK's object factories are not made for several threads
+  std::mutex asking;
+  const auto stopped = [&] {
+    const std::lock_guard<std::mutex> lock(asking);
+    return stop && stop();
+  };
   const auto work = [&] {
-    for (std::size_t k = next++; k < tasks.size(); k = next++) {
+    for (std::size_t k = next++; k < tasks.size() && !stopped(); k = next++) {
       const Picture picture = tasks[k].draw();
       const std::lock_guard<std::mutex> lock(encoding);
       tasks[k].picture->png = png_bytes(picture);
@@ -327,7 +357,8 @@ Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies,
   return camera_from(view_of(result, bodies), bodies, aspect, 0);
 }
 
-std::vector<NamedPicture> report_pictures(const Result& result, int threads) {
+std::vector<NamedPicture> report_pictures(const Result& result, int threads,
+                                          const std::function<bool()>& stop) {
   const std::vector<DrawnBody> bodies = drawn_bodies(result);
   const std::vector<Stage> stages = stages_of(result, bodies);
   const std::vector<DrawnField> fields = drawn_fields(result);
@@ -373,7 +404,7 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads) {
                            fields[k], bodies,
                            of_pressure(fields[k]) ? pressure_camera : common_camera);
                      }});
-  draw_all(tasks, threads);
+  draw_all(tasks, threads, stop);
   return pictures;
 }
 

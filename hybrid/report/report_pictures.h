@@ -3,6 +3,7 @@
 // from the side where most of it is visible.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,9 @@ std::vector<DrawnBody> drawn_bodies(const Result& result);
 /// in the result.
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect);
 
-/// Draws up to `threads` pictures at once. The bytes do not depend on `threads`.
-std::vector<NamedPicture> report_pictures(const Result& result, int threads = 1);
+/// Draws up to `threads` pictures at once. The bytes do not depend on `threads`. `stop` is asked
+/// before each, never by two threads at once; from then on pictures have no bytes.
+std::vector<NamedPicture> report_pictures(const Result& result, int threads = 1,
+                                          const std::function<bool()>& stop = {});
 
 }  // namespace vasorod

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 
 #include <vasorod/error.h>
@@ -34,13 +36,39 @@ std::vector<File> geometry_files(const Result& result) {
   return files;
 }
 
+// Whether there is no time left for pictures.
+class Haste {
+ public:
+  explicit Haste(const WriteOptions& options) : options_(options) {}
+  bool operator()() {
+    if (!options_.stop || !options_.stop()) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (!since_) since_ = now;
+    return std::chrono::duration<double>(now - *since_).count() >= options_.patience;
+  }
+
+ private:
+  const WriteOptions& options_;
+  std::optional<std::chrono::steady_clock::time_point> since_;
+};
+
+bool is_left_out(const NamedPicture& picture) {
+  return picture.png.empty();
+}
+
 }  // namespace
 
-void write_result_folder(Result& result, const std::filesystem::path& folder) {
+void write_result_folder(Result& result, const std::filesystem::path& folder,
+                         const WriteOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   FolderReplacement replacement(folder);
   for (const auto& [name, content] : geometry_files(result)) replacement.write(name, content);
-  const std::vector<NamedPicture> pictures = report_pictures(result, result.environment.threads);
+  std::vector<NamedPicture> pictures =
+      report_pictures(result, result.environment.threads, Haste(options));
+  if (std::any_of(pictures.begin(), pictures.end(), is_left_out)) {
+    std::erase_if(pictures, is_left_out);
+    result.model.left_out["pictures"] = "stopped by the time limit or a signal";
+  }
   for (const NamedPicture& picture : pictures) replacement.write(picture.file, picture.png);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

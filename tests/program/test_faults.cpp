@@ -143,7 +143,7 @@ TEST_F(Faults, AForeignFileInAFormerResultIsKept) {
 TEST_F(Faults, TheFirstSignalWritesTheBestStateSoFar) {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
     const std::string out = (scratch / "out").string();
-    RunningProgram program({"solve", source + "/benchmarks/cases/glenn/infant.yaml", "-o", out});
+    RunningProgram program({"solve", write("scene.yaml", small_glenn("coupled")), "-o", out});
     program.send(signal);
     EXPECT_EQ(program.wait(), 1);
     EXPECT_EQ(result().at("status"), "interrupted");

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include <vasorod/scene.h>
 
 namespace vasorod {
+
+/// The caller stopped a prediction that had no state yet to return. The message is one sentence
+/// with what was being done. The programs write nothing and exit with code 1.
+struct StoppedEarly : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// How a scene is solved.
 struct SolveOptions {
@@ -19,10 +26,22 @@ struct SolveOptions {
   bool certify = false;
   /// Number of threads. With 1, two runs on one machine agree in everything but their times.
   int threads = 1;
-  /// Called often; returning true ends the solve with the best state so far. May be empty.
+  /// Called often; returning true ends the solve with the best state so far. Asked between vessels,
+  /// stages, iterations and factorisations, not inside them. May be empty.
   std::function<bool()> stop;
-  /// Called with one line of text at each stage. May be empty.
+  /// Seconds for which reading, fitting and surgery go on to reach a first state after `stop` was
+  /// first true; then StoppedEarly is thrown.
+  double patience = 1.5;
+  /// Called with one line of text at each stage and before each ordering and factorisation. May be
+  /// empty.
   std::function<void(const std::string&)> progress;
+  /// Called with the state so far whenever a new one is worth keeping, as a function that makes a
+  /// result (status interrupted) of it. That function may be called later and from another thread,
+  /// as long as the scene lives: a program that must end while a long step goes on has something to
+  /// write. May be empty.
+  std::function<void(std::function<Result()>)> keep;
+  /// Called when solving has ended and only the result remains to be put together. May be empty.
+  std::function<void()> solved;
 
   /// Empty if the options are valid; else one sentence that names the invalid option.
   std::optional<std::string> is_invalid() const;
@@ -34,7 +53,9 @@ std::vector<std::string> fidelity_names();
 /// Solves a scene with the hybrid model: reads and fits the vessels, performs the operation, solves
 /// the rods, then the fidelity's own surface problem. Lengths and stresses are in the scene's
 /// units. A numerical outcome is the result's status. Throws InputError (one sentence) if the scene
-/// cannot be solved as requested, a missing surface too; FileError if one may not be read.
+/// cannot be solved as requested, a missing surface too; FileError if one may not be read;
+/// StoppedEarly if it was stopped before there was a state; std::bad_alloc if the memory does not
+/// suffice.
 Result predict(const Scene& scene, const SolveOptions& options = {});
 
 }  // namespace vasorod

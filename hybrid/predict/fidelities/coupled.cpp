@@ -4,6 +4,7 @@
 #include "data/index.h"
 #include "paper/joined_skin.h"
 #include "predict/fidelities/fidelities.h"
+#include "predict/kept_state.h"
 #include "predict/path_rule.h"
 #include "predict/surface_bodies.h"
 #include "predict/vessel_wall.h"
@@ -90,17 +91,8 @@ void give_rods_the_walls_means(Prediction& prediction, const std::vector<VesselS
   }
 }
 
-}  // namespace
-
-void solve_coupled(Prediction& prediction, const SolveOptions& options) {
-  std::vector<VesselSections> sections;
-  CoupledOptions coupled;
-  coupled.times = path_times(prediction);
-  coupled.stop = options.stop;
-  coupled.progress = iteration_progress("walls", 10, options);
-  CoupledSolver solver(problem_of(prediction, sections), coupled);
-  CoupledSolution solution = solver.solve();
-
+void take(CoupledSolution&& solution, const std::vector<VesselSections>& sections,
+          Prediction& prediction) {
   SolvedSurfaces surfaces;
   surfaces.solution = std::move(solution.surface);
   surfaces.solution.status = solution.status;
@@ -122,6 +114,25 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   prediction.left_out["energy of the rods"] =
       "fidelity coupled: the walls carry all of it; the rods are start, frames and report";
   give_rods_the_walls_means(prediction, sections, solution.sections);
+}
+
+}  // namespace
+
+void solve_coupled(Prediction& prediction, const SolveOptions& options) {
+  std::vector<VesselSections> sections;
+  CoupledOptions coupled;
+  coupled.times = path_times(prediction);
+  coupled.stop = options.stop;
+  coupled.step = step_progress("walls", options);
+  coupled.progress = iteration_progress("walls", 10, options);
+  if (options.keep)
+    coupled.keep = [&](CoupledSolution&& so_far) {
+      Prediction state = prediction;
+      take(std::move(so_far), sections, state);
+      keep_state(std::move(state), options);
+    };
+  CoupledSolver solver(problem_of(prediction, sections), coupled);
+  take(solver.solve(), sections, prediction);
 }
 
 }  // namespace vasorod

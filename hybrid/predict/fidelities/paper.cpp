@@ -1,21 +1,36 @@
 #include "paper/paper_solver.h"
 #include "predict/fidelities/fidelities.h"
+#include "predict/kept_state.h"
 #include "predict/surface_bodies.h"
 
 namespace vasorod {
+namespace {
 
-void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
-  PaperOptions paper;
-  paper.certify = options.certify;
-  paper.stop = options.stop;
-  paper.progress = iteration_progress("surfaces", 50, options);
+void take(SurfaceSolution&& solution, const SolveOptions& options, Prediction& prediction) {
   SolvedSurfaces surfaces;
-  surfaces.solution = solve_paper(body_problem(prediction), paper);
+  surfaces.solution = std::move(solution);
   if (options.certify)
     surfaces.smallest_curvature_positive = surfaces.solution.smallest_curvature_positive;
   surfaces.notes = surfaces.solution.notes;
   surfaces.terms = {"binding", "bending", "stretching"};
   take_surfaces(std::move(surfaces), "surface", prediction);
+}
+
+}  // namespace
+
+void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
+  PaperOptions paper;
+  paper.certify = options.certify;
+  paper.stop = options.stop;
+  paper.step = step_progress("surfaces", options);
+  paper.progress = iteration_progress("surfaces", 50, options);
+  if (options.keep)
+    paper.keep = [&](SurfaceSolution&& so_far) {
+      Prediction state = prediction;
+      take(std::move(so_far), options, state);
+      keep_state(std::move(state), options);
+    };
+  take(solve_paper(body_problem(prediction), paper), options, prediction);
 }
 
 }  // namespace vasorod

@@ -88,7 +88,7 @@ int finish(Result& result, const CommandOptions& options) {
   return result.status == Status::converged ? 0 : 1;
 }
 
-// The watchdog's end: writes the last state, or says that there is none.
+// Called by the watchdog: writes the last state, or reports that there is none.
 int end_in_the_middle(const Watchdog::MakeResult& state, const std::string& stage,
                       const CommandOptions& options) {
   try {
@@ -114,7 +114,7 @@ int solve_command(const CommandOptions& options) {
   watchdog.begin("reading the scene");
   scene = read_scene(options.input);
   require_outside(options.folder, input_files(scene));
-  require_replaceable(options.folder);  // now, not after an hour's solution
+  require_replaceable(options.folder);  // before the solve, which may take an hour
   SolveOptions solve = options.solve;
   solve.stop = [&] { return watchdog.stop(); };
   solve.progress = [&](const std::string& stage) {

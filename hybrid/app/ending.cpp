@@ -38,10 +38,10 @@ int say_failure() {
     return say(error.what(), 3);
   } catch (const std::bad_alloc&) {
     return say_no_memory();
-  } catch (const std::length_error&) {  // a container was asked for a size that no memory has
+  } catch (const std::length_error&) {  // thrown by containers for sizes beyond any memory
     return say_no_memory();
   } catch (const std::system_error& error) {
-    // A thread that cannot be started for want of memory for its stack.
+    // A thread could not be started because there is no memory for its stack.
     if (error.code() == std::errc::resource_unavailable_try_again) return say_no_memory();
     return say((std::string("unexpected: ") + error.what()).c_str(), 3);
   } catch (const std::exception& error) {

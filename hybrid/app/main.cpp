@@ -1,4 +1,4 @@
-// The program `vasorod`: its commands, and what each way of ending means to a shell.
+// The program `vasorod`: command-line options and exit codes.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -18,14 +18,14 @@ namespace {
 
 using namespace vasorod;
 
-// The options every command has.
+// Options of all commands.
 struct Common {
   CommandOptions command;
   double time_limit = 0;
   bool quiet = false;
 };
 
-// CLI11's own checks of ranges let not-a-number pass and spell out the largest double.
+// CLI11's range checks accept not-a-number and print the largest double in full.
 CLI::Validator number(const std::string& expected, bool (*good)(double)) {
   return {[=](std::string& text) {
             double value = 0;
@@ -131,8 +131,7 @@ int main(int argc, char** argv) {
   } catch (...) {
     const int exit_code = vasorod::say_failure();
     std::cout.flush();
-    // Not exit(): without memory OpenBLAS's own threads look for some for ever, and exit() waits
-    // for them.
+    // Not exit(): it waits for OpenBLAS's threads, which never end if they find no memory.
     _exit(exit_code);
   }
 }

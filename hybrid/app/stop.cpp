@@ -15,7 +15,7 @@ static_assert(std::atomic<bool>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 extern "C" void end_now(int signal) {
-  // Where a result is just being put in its place the process ends by itself in a moment.
+  // While a result is being put in place, the process is about to end by itself.
   if (remove_unfinished_folder()) _exit(128 + signal);
 }
 

@@ -1,17 +1,17 @@
-// Signals and the time limit as one question a solver can ask.
+// Signals and the time limit, combined in one stop function for the solvers.
 #pragma once
 
 #include <functional>
 
 namespace vasorod {
 
-/// From now on the first SIGINT, SIGTERM or SIGHUP only raises a flag; the second ends the process
-/// at once, with exit code 128 + signal and without a half-written result. A SIGHUP that was
-/// ignored (nohup) stays so. Returns a function that is true once the flag is up or `seconds` (0:
-/// no limit) have passed since this call.
+/// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal sets a flag; the second ends
+/// the process at once with exit code 128 + signal and leaves no half-written result. SIGHUP stays
+/// ignored if it was (nohup). Returns a function that is true once the flag is set or `seconds`
+/// (0: no limit) have passed since this call.
 std::function<bool()> stop_on_signal_or_after(double seconds);
 
-/// From now on the first of them ends the process so.
+/// Installs handlers with which the first of these signals ends the process in that way.
 void end_on_signal();
 
 }  // namespace vasorod

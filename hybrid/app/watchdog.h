@@ -1,5 +1,5 @@
-// Ends the program where the solver does not answer to a signal or to the time limit: the ordering
-// and the factorisation of a large matrix cannot be stopped inside.
+// Ends the program if the solver does not react to a signal or the time limit: the ordering and the
+// factorisation of a large matrix cannot be interrupted.
 #pragma once
 
 #include <atomic>
@@ -14,9 +14,9 @@
 
 namespace vasorod {
 
-/// A thread that waits for `stop` to be true and then for the solver to answer. Once `patience` has
-/// passed since the last time the solver asked or told something, and at the latest after three
-/// times that, it ends the process itself, in the middle of whatever the solver does.
+/// A thread that waits until `stop` is true and then for the solver to react. It ends the process
+/// `patience` after the solver's last call of stop(), begin() or keep(), and at the latest three
+/// times `patience` after `stop` was true, whatever the solver is doing.
 class Watchdog {
  public:
   using MakeResult = std::function<Result()>;
@@ -55,7 +55,7 @@ class Watchdog {
   bool down_ = false, ending_ = false;
   MakeResult state_;
   std::string stage_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // declared last, because it uses the others
 };
 
 }  // namespace vasorod

@@ -21,13 +21,14 @@ namespace {
 std::once_flag threads_chosen, buffer_made;
 
 // OpenBLAS maps one buffer for the calling thread and one for each thread of its own, at the first
-// call that needs one, and keeps it. Where the mapping fails it tries again for ever. So it is made
-// here, after a look whether it fits. 128 MB each on x86-64 (32 << 22 bytes), and some slack.
+// call that needs one, and keeps it. If the mapping fails it retries without end. So it is made
+// here, after a test whether it fits. 128 MB each on x86-64 (32 << 22 bytes), and some slack.
 constexpr std::size_t buffer_bytes = std::size_t{136} << 20;
 
 void require_buffers(int count) {
   const std::size_t bytes = buffer_bytes * static_cast<std::size_t>(count);
-  void* trial = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* trial = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (trial == MAP_FAILED) throw std::bad_alloc();
   munmap(trial, bytes);
 }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string>
 
 #include "numerics/solver_options.h"
 

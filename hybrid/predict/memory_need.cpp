@@ -8,10 +8,10 @@
 namespace vasorod {
 namespace {
 
-// Bytes per vertex, and per element of a bare rod: half to four fifths of measured peaks.
+// Bytes per vertex, and per element of a bare rod: a third to four fifths of measured peaks.
 // `coupled`: 48 kB with 4,300 vertices, 61 kB with 17,000; entries of the factor per vertex grow
 // with the logarithm of the size. `paper`: 4.2 kB with a million vertices, `skin`: 0.85 kB with
-// 120,000. Rods: 1.3 kB.
+// 120,000. Rods: 3.1 kB per element between 100,000 and 300,000.
 constexpr double coupled_vertex = 30e3, paper_vertex = 2e3, other_vertex = 500, rod_element = 1e3;
 
 // Nothing moves the others unless they are touched, and obstacles never.

@@ -108,7 +108,7 @@ EXIT_CODES = """
 | 1 | any other status; the result is written all the same. Stopped before there was a state: one sentence, no result |
 | 2 | wrong input or usage, said in one sentence |
 | 3 | the file system said no, the memory does not suffice, or an unexpected error |
-"""
+"""  # noqa: E501
 
 RESULT_JSON = """
 ## result.json

@@ -7,6 +7,7 @@
 #include <vasorod/compare.h>
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
 #include "result/read_json.h"
@@ -35,7 +36,8 @@ void require_one_scene(const fs::path& folder_a, const Result& a, const fs::path
   const auto same = [&](const std::string& what, const std::string& in_a, const std::string& in_b) {
     if (in_a != in_b)
       refuse(folder_a, folder_b,
-             what + " is " + in_a + " in the first and " + in_b + " in the second");
+             what + " is " + shortened(in_a) + " in the first and " + shortened(in_b) +
+                 " in the second");
   };
   same("the scene", a.scene, b.scene);
   same("the length unit", a.length_unit, b.length_unit);
@@ -54,7 +56,7 @@ void require_one_scene(const fs::path& folder_a, const Result& a, const fs::path
     if (const auto other = b.environment.inputs.find(file);
         other != b.environment.inputs.end() && !is_scene_file(file))
       if (other->second != sum)
-        refuse(folder_a, folder_b, "the input " + file + " has another content");
+        refuse(folder_a, folder_b, "the input " + shortened(file) + " has another content");
 }
 
 std::optional<ReadVessel> vessel_in(const fs::path& folder, const std::string& name) {
@@ -231,7 +233,8 @@ std::vector<ReactionComparison> compare_reactions(const Result& a, const Result&
           return candidate.vessel == end.vessel && candidate.end == end.end;
         });
     if (other == b.ends.end())
-      refuse(folder_a, folder_b, "only the first has the end " + end.end + " of " + end.vessel);
+      refuse(folder_a, folder_b,
+             "only the first has the end " + shortened(end.end) + " of " + shortened(end.vessel));
     ReactionComparison reaction{end.vessel, end.end,       end.force, other->force,
                                 end.moment, other->moment, 0,         0};
     reaction.moment_b += (other->center - end.center).cross(other->force);

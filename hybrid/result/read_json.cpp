@@ -1,10 +1,13 @@
 #include "result/read_json.h"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include <vasorod/error.h>
+
+#include "data/sentence.h"
 
 namespace vasorod {
 
@@ -27,6 +30,14 @@ bool ours(const Json& value) {
          value.at("program").get_ref<const std::string&>().rfind("vasorod", 0) == 0;
 }
 
+// Names become files of the folder, which a name with a slash could leave.
+bool is_file_name(const std::string& name) {
+  return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
 Result result_of(const Json& value, const fs::path& folder) {
   Result result;
   result.scene = value.at("scene").get<std::string>();
@@ -35,7 +46,8 @@ Result result_of(const Json& value, const fs::path& folder) {
   const auto status = value.at("status").get<std::string>();
   const auto known = status_named(status);
   if (!known)
-    throw InputError("found the status \"" + status + "\", expected one that this version knows");
+    throw InputError("found the status " + in_quotes(status) +
+                     ", expected one that this version knows");
   result.status = *known;
   if (const auto units = value.find("units"); units != value.end()) {
     result.length_unit = units->at("length").get<std::string>();
@@ -52,11 +64,14 @@ Result result_of(const Json& value, const fs::path& folder) {
   for (const Json& vessel : value.at("vessels")) {
     VesselResult& added = result.vessels.emplace_back();
     added.name = vessel.at("name").get<std::string>();
+    if (!is_file_name(added.name))
+      throw InputError("found the vessel " + in_quotes(added.name) +
+                       ", expected a name of letters, digits, _ and -");
     added.obstacle = vessel.at("obstacle").get<bool>();
     for (const char* kind : {"surface", "centerline"})
       if (const auto name = vessel.find(kind);
           name != vessel.end() && !fs::exists(folder / name->get<std::string>()))
-        throw InputError("found no " + name->get<std::string>() +
+        throw InputError("found no " + shortened(name->get<std::string>()) +
                          " beside it, expected the files that it lists");
   }
   return result;
@@ -75,7 +90,7 @@ Result read_json(const std::filesystem::path& file) {
   try {
     return result_of(value, file.parent_path());
   } catch (const Json::exception& error) {
-    throw InputError(file.string() + ": found another layout (" + error.what() +
+    throw InputError(file.string() + ": found another layout (" + shortened(error.what(), 200) +
                      "), expected that of this version");
   } catch (const InputError& error) {
     throw InputError(file.string() + ": " + error.what());

@@ -1,6 +1,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
+#include <tuple>
 
 #include <vasorod/error.h>
 #include <vasorod/result_folder.h>
@@ -48,6 +50,33 @@ TEST(ReadJson, WhatIsNotOursIsRefusedInASentence) {
         "{\"schema\": 1, \"program\": \"vasorod 0.1.0\"}"}) {
     write(file, text);
     EXPECT_THROW(read_json(file), InputError) << text;
+  }
+}
+
+// Names become names of files and parts of messages.
+TEST(ReadJson, NamesThatAreNoFilesOrSpanLinesAreRefusedOnOneLine) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path / "result.json";
+  const auto refusal = [&](const std::string& before, const std::string& after) -> std::string {
+    std::string text = to_json(test::example_result());
+    const auto at = text.find(before);
+    if (at == std::string::npos) return "nothing to replace";
+    write(file, text.replace(at, before.size(), after));
+    try {
+      read_json(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const auto& [before, after, word] :
+       {std::tuple("\"name\": \"svc\"", "\"name\": \"../svc\"", "../svc"),
+        std::tuple("\"name\": \"svc\"", "\"name\": \"a\\nb\"", "a\\nb"),
+        std::tuple("\"status\": \"", "\"status\": \"\\n", "the status"),
+        std::tuple("\"surface\": \"", "\"surface\": \"\\n", "found no \\n")}) {
+    const std::string found = refusal(before, after);
+    EXPECT_NE(found.find(word), std::string::npos) << found;
+    EXPECT_EQ(found.find('\n'), std::string::npos) << found;
   }
 }
 

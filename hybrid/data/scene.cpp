@@ -1,6 +1,7 @@
 #include <vasorod/error.h>
 #include <vasorod/scene.h>
 
+#include "data/scene_place.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -60,8 +61,8 @@ std::string contradiction(const EndCondition& end) {
 const VesselSpec& Scene::vessel(const std::string& vessel_name) const {
   for (const VesselSpec& candidate : vessels)
     if (candidate.name == vessel_name) return candidate;
-  throw InputError((file.empty() ? "" : file.string() + ": ") + "found no vessel " +
-                   in_quotes(vessel_name) + ", expected one of the scene's");
+  throw InputError(place_in(*this) + ": found no vessel " + in_quotes(vessel_name) +
+                   ", expected one of the scene's");
 }
 
 }  // namespace vasorod

@@ -21,7 +21,15 @@ class Walker {
     IsolinePath result;
     std::vector<int> forward{start}, backward{start};
     result.forward = walk(forward, +1);
-    if (end_ == IsolineEnd::reached) result.backward = walk(backward, -1);
+    const IsolineEnd forward_end = end_;
+    const Vec3 forward_stop = stopped_at_;
+    end_ = IsolineEnd::reached;
+    result.backward = walk(backward, -1);
+    if (forward_end != IsolineEnd::reached) {
+      end_ = forward_end;
+      stopped_at_ = forward_stop;
+    }
+    result.fits = 2 * std::min(result.forward, result.backward);
     result.vertices.assign(backward.rbegin(), backward.rend());
     result.start = static_cast<int>(backward.size()) - 1;
     result.vertices.insert(result.vertices.end(), forward.begin() + 1, forward.end());

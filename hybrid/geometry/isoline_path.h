@@ -38,6 +38,8 @@ struct IsolinePath {
   /// Anything but `reached`: the path is too short.
   IsolineEnd end = IsolineEnd::reached;
   Vec3 stopped_at = Vec3::Zero();  ///< where a path that is too short stops, length unit
+  /// The longest path from that start that would be complete, length unit; if too short.
+  double fits = 0;
 };
 
 /// Walks from triangle to triangle along the isoline. Where the isoline crosses an edge within the

@@ -5,6 +5,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/scene_place.h"
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "judge/validity.h"
@@ -134,7 +135,7 @@ FidelityChoice choose_fidelity(const Scene& scene, const std::vector<RodOfVessel
       best = std::min(best.value_or(INFINITY), *error);
     }
     if (best)
-      throw InputError(scene.file.string() + ": accuracy: found " + digits(choice.wanted) +
+      throw InputError(place_in(scene) + ": accuracy: found " + digits(choice.wanted) +
                        ", expected " + digits(*best) +
                        " or more: nothing is promised to be nearer to finite elements at " + load);
     reason = "the table does not reach to " + load;

@@ -6,6 +6,7 @@
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/scene_place.h"
 #include "geometry/rigid_motion.h"
 #include "predict/rod_scene.h"
 
@@ -75,7 +76,7 @@ class Assembler {
 
   std::size_t named(const std::string& name) const {
     if (const auto known = index_of_.find(name); known != index_of_.end()) return known->second;
-    throw InputError(scene_.file.string() + ": vessel '" + name + "' is not in the scene");
+    throw InputError(place_in(scene_) + ": vessel '" + name + "' is not in the scene");
   }
 
   // Adds a rod after its parents. A loop and not a recursion: chains may be thousands of rods long.
@@ -83,7 +84,7 @@ class Assembler {
     std::vector<std::size_t> chain;
     while (place_[v].branch < 0) {
       const VesselSpec& vessel = scene_.vessels[v];
-      const std::string where = scene_.file.string() + ": vessel '" + vessel.name + "'";
+      const std::string where = place_in(scene_) + ": vessel '" + vessel.name + "'";
       if (place_[v].visiting)
         throw InputError(where + ": rods are each other's parents, expected a tree with one root");
       place_[v].visiting = true;
@@ -204,8 +205,8 @@ class Assembler {
     support.motion.move = end.move.value_or(Vec3::Zero());
     if (std::any_of(support.fixed.begin(), support.fixed.end(), [](bool f) { return f; })) {
       if (found->support >= 0)
-        throw InputError(scene_.file.string() + ":" + std::to_string(end.line) + ": " +
-                         to_string(end.end) + " of '" + end.vessel +
+        throw InputError(place_in(scene_, end.line) + ": " + to_string(end.end) + " of '" +
+                         end.vessel +
                          "' is supported a second time, expected one support per place");
       found->support = static_cast<int>(assembly.conditions.supports.size());
       assembly.conditions.supports.push_back(support);

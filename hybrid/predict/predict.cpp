@@ -4,6 +4,7 @@
 #include <vasorod/error.h>
 #include <vasorod/predict.h>
 
+#include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/choose_fidelity.h"
 #include "judge/criteria.h"
@@ -19,14 +20,8 @@
 namespace vasorod {
 namespace {
 
-// "FILE:LINE: ", as far as the scene has them: one made in C++ has neither.
-std::string place_in(const Scene& scene, int line) {
-  if (scene.file.empty()) return {};
-  return scene.file.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
-}
-
 std::string line_of(const Scene& scene, const VesselSpec& vessel) {
-  return place_in(scene, vessel.line);
+  return place_in(scene, vessel.line) + ": ";
 }
 
 std::string place(const Scene& scene, const VesselSpec& vessel) {
@@ -58,7 +53,7 @@ void require_a_condition(const Scene& scene) {
                            [](const RodPiece& piece) { return piece.natural.has_value(); });
       });
   if (!scene.ends.empty() || scene.glenn || relaxes) return;
-  throw InputError((scene.file.empty() ? "scene " + in_quotes(scene.name) : scene.file.string()) +
+  throw InputError(place_in(scene) +
                    ": found no condition in ends and no surgery, so that nothing would happen, "
                    "expected at least one end that is held, moved or loaded (vasorod fit shows a "
                    "vessel as it is)");
@@ -98,7 +93,7 @@ void check_vessels(const Scene& scene) {
 // The requested fidelity. With `accuracy:` alone: the most expensive one that the vessels allow,
 // until the rods are solved and the choice is known.
 const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options) {
-  const std::string line = place_in(scene, scene.fidelity_line);
+  const std::string line = place_in(scene, scene.fidelity_line) + ": ";
   const Fidelity& fidelity = options.fidelity       ? named(*options.fidelity, "")
                              : scene.fidelity       ? named(*scene.fidelity, line)
                              : has_bare_rods(scene) ? named("rod", "")
@@ -287,7 +282,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   prediction.watch.lap("rod");
   if (fidelity->surfaces) keep_rods(prediction, options);
   options.progress("fidelity " + fidelity->name);
-  placed(place_in(scene, 0), [&] { fidelity->solve(prediction, options); });
+  placed(place_in(scene) + ": ", [&] { fidelity->solve(prediction, options); });
   if (prediction.surfaces) options.progress(prediction.surfaces->solution.brief_report());
   prediction.watch.lap("solve");
   options.solved();

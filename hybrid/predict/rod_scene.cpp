@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "data/index.h"
+#include "data/scene_place.h"
 #include "geometry/rigid_motion.h"
 #include "predict/result_parts.h"
 #include "predict/stopwatch.h"
@@ -192,7 +193,7 @@ Result solve_rod_scene(const Scene& scene, const SolveOptions& options) {
   const std::vector<RodAssembly> halves =
       scene.extrapolate ? assemble_rods(scene, 2) : std::vector<RodAssembly>{};
   for (std::size_t r = 0; r < rods.size(); ++r) {
-    const std::string where = scene.file.string() + ": rod '" + rods[r].vessels.front() + "'";
+    const std::string where = place_in(scene) + ": rod '" + rods[r].vessels.front() + "'";
     if (options.progress) options.progress("rod of " + rods[r].vessels.front());
     check_tree(rods[r].tree, where);
     check_conditions(rods[r].tree, rods[r].conditions, where);

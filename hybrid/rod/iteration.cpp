@@ -136,7 +136,7 @@ bool RodIteration::kick() {
   const double energy = problem_.potential(state, state), size = mode.size();
   for (double amplitude = 0.3; amplitude > 1e-6; amplitude /= 3) {
     RodState sides[2];
-    double change[2];
+    double change[2] = {};
     for (const int side : {0, 1}) {
       problem_.take(state, mode, (side == 0 ? amplitude : -amplitude) / size, sides[side]);
       change[side] = problem_.potential(sides[side], state) - energy;

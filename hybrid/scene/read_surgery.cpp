@@ -16,7 +16,7 @@ std::string read_operated(const Field& field, const std::vector<VesselSpec>& ves
 }  // namespace
 
 GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels) {
-  field.check_keys({"svc", "rpa", "cut", "incision", "rotation_deg", "keep"});
+  field.check_keys({"svc", "rpa", "cut", "incision", "incision_length", "rotation_deg", "keep"});
   GlennSpec glenn;
   glenn.line = field.line();
   glenn.svc =
@@ -27,6 +27,8 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
     rpa.refuse(in_quotes(glenn.rpa) + ", which is the svc", "another vessel");
   glenn.cut = field.at("cut", "a point picked on the svc").vec3();
   glenn.incision = field.at("incision", "a point picked on the rpa").vec3();
+  if (const auto length = field.find("incision_length"))
+    glenn.incision_length = length->number_in(0.25, 4);
   if (const auto rotation = field.find("rotation_deg"); rotation && rotation->found() != "\"auto\"")
     glenn.rotation_deg = rotation->number_up_to(largest_length, "auto or a number");
   const Field keep = field.at("keep", "{near: [x, y, z]}, the end of the cut svc that goes on");

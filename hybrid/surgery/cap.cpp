@@ -40,7 +40,8 @@ bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
 double distance_to(const std::vector<Vec2>& polygon, const Vec2& p) {
   double best = std::numeric_limits<double>::infinity();
   for (size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 a = polygon[k], e = polygon[(k + 1) % polygon.size()] - a;
+    const Vec2& a = polygon[k];
+    const Vec2 e = polygon[(k + 1) % polygon.size()] - a;
     const double t = std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0);
     best = std::min(best, (p - a - t * e).norm());
   }

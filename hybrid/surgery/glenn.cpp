@@ -8,6 +8,7 @@
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/scene_place.h"
 #include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
@@ -125,7 +126,7 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
 GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc,
                        PreparedVessel& rpa, VesselConditions& svc_conditions,
                        const GlennOptions& options) {
-  const std::string where = scene.file.string() + ":" + std::to_string(spec.line);
+  const std::string where = place_in(scene, spec.line);
   GlennOperation operation;
   operation.report.svc = svc.spec.name;
   operation.report.rpa = rpa.spec.name;
@@ -135,13 +136,15 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   cut(where, spec, svc, svc_conditions, operation);
   operation.stages.push_back(stage("cut", svc, rpa));
 
-  // Step 2: a slit of half the mouth's perimeter, along the recipient's rod.
+  // Step 2: a slit of half the mouth's perimeter, times the scene's factor, along the recipient's
+  // rod.
   options.progress("incision");
   const double mouth_radius = operation.report.cut.perimeter / (2 * M_PI);
   const Vec3 outward = outward_normal(rpa.vessel.surface, spec.incision, mouth_radius);
   IncisionOutcome incision =
       open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of,
-                    spec.incision, operation.report.cut.perimeter / 2, pick.radius);
+                    spec.incision, spec.incision_length * operation.report.cut.perimeter / 2,
+                    pick.radius, operation.report.cut.perimeter / 2);
   operation.report.incision.length = incision.length;
   operation.report.incision.ends = {
       incision.surface.points.row(incision.rim.front()),

@@ -45,11 +45,21 @@ Eigen::VectorXd half_plane_distance(const TriangleSurface& surface, const Bindin
   return across;
 }
 
+// Rounded down, so that the stated number fits.
+std::string length_that_fits(double fits, double unit) {
+  const auto rounded_down = [](double x) {
+    const double digit = std::pow(10.0, std::floor(std::log10(std::max(x, 1e-300))) - 2);
+    return number_text(std::floor(x / digit) * digit, 3);
+  };
+  if (!(unit > 0)) return rounded_down(fits);
+  return rounded_down(fits) + ", `incision_length: " + rounded_down(fits / unit) + "`";
+}
+
 }  // namespace
 
 IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod,
                               const Binding& binding, const std::vector<int>& branch_of,
-                              const Vec3& pick, double length, double max_distance) {
+                              const Vec3& pick, double length, double max_distance, double unit) {
   const std::string where = "incision at " + place_text(pick);
   const auto hit = ClosestPoint(surface).query(pick);
   if (std::abs(hit.signed_distance) > max_distance)
@@ -82,14 +92,11 @@ IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod
       throw InputError(where +
                        ": the pick lies at a fork of the vessel, expected it on one branch");
   const auto path = embed_isoline(editor, request);
-  if (path.end == IsolineEnd::boundary)
-    throw InputError(where + ": an incision of length " + number_text(length, 4) +
-                     " runs into an open end of the vessel near " + place_text(path.stopped_at) +
-                     ", expected one that ends before");
-  if (path.end == IsolineEnd::forbidden)
-    throw InputError(where + ": an incision of length " + number_text(length, 4) +
-                     " runs into a fork of the vessel near " + place_text(path.stopped_at) +
-                     ", expected it to stay on one branch");
+  if (path.end == IsolineEnd::boundary || path.end == IsolineEnd::forbidden)
+    throw InputError(where + ": an incision of length " + number_text(length, 4) + " runs into " +
+                     (path.end == IsolineEnd::boundary ? "an open end" : "a fork") +
+                     " of the vessel near " + place_text(path.stopped_at) +
+                     ", expected one of at most " + length_that_fits(path.fits, unit));
   if (path.end == IsolineEnd::lost)
     throw InputError(where + ": the direction along the vessel is lost near " +
                      place_text(path.stopped_at) +

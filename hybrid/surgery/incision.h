@@ -31,10 +31,12 @@ struct IncisionOutcome {
 /// each side of the pick. `branch_of` (one label per vertex, or empty) keeps the slit on the pick's
 /// branch; if it is empty, the slit continues where `binding` continues one branch past a fork. The
 /// slit's rim has 2 n edges, the Euler number decreases by 1, and no new edge is shorter than 5 %
-/// of the mean edge. Throws InputError if the pick is more than `max_distance` off the surface, if
+/// of the mean edge. `unit`: the length of `incision_length: 1` in the scene, for messages; 0 if
+/// there is none. Throws InputError if the pick is more than `max_distance` off the surface, if
 /// the slit runs into an open end or a fork, or if it is too short for the surface's triangles.
 IncisionOutcome open_incision(const TriangleSurface& surface, const RodTree& rod,
                               const Binding& binding, const std::vector<int>& branch_of,
-                              const Vec3& pick, double length, double max_distance);
+                              const Vec3& pick, double length, double max_distance,
+                              double unit = 0);
 
 }  // namespace vasorod

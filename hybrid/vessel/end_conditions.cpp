@@ -5,6 +5,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/scene_place.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -70,14 +71,16 @@ VesselConditions end_conditions(const Scene& scene, const std::string& name, con
   std::vector<std::pair<int, const EndCondition*>> before;
   for (const EndCondition& entry : scene.ends) {
     if (entry.vessel != name) continue;
-    const std::string where = scene.file.string() + ":" + std::to_string(entry.line);
+    const std::string where = place_in(scene, entry.line);
     const int end = find_end(vessel, entry.end, where);
     const int node = vessel.ends[static_cast<size_t>(end)].node;
     for (const auto& [other_end, other] : before)
       if (other_end == end && exclude_each_other(entry, *other))
         throw InputError(where + ": end: found " + to_string(entry.end) + " of " + name +
-                         ", the end that line " + std::to_string(other->line) + " calls " +
-                         to_string(other->end) +
+                         ", the end that " +
+                         (other->line > 0 ? "line " + std::to_string(other->line)
+                                          : std::string("another condition")) +
+                         " calls " + to_string(other->end) +
                          ", expected one motion, or one load and one fix, for each end");
     before.emplace_back(end, &entry);
 

@@ -39,6 +39,7 @@ std::vector<int> shear_pairs(const TriangleSurface& surface) {
   std::vector<size_t> order(edges.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::vector<int> defects;
+  defects.reserve(edges.size());
   for (const Edge& e : edges) defects.push_back(defect(surface.points, e));
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t i, size_t j) { return defects[i] < defects[j]; });

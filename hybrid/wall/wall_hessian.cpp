@@ -187,7 +187,7 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
   const Mat3 scalar = rest.gradients.transpose() * tension * rest.gradients;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
-    const size_t si = static_cast<size_t>(i);
+    const auto si = static_cast<size_t>(i);
     adder.add_diagonal(node[si], place[static_cast<size_t>(pair(i, i))],
                        block.block<3, 3>(3 * i, 3 * i));
     for (int j = 0; j < i; ++j)
@@ -242,7 +242,9 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
 // Adds the second derivatives of the angles themselves. Each side's contribution stays within its
 // own triangle.
 void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
-                            const std::vector<double>& by_angle, double* values) const {
+                            const std::vector<double>& by_angle,
+                            // NOLINTNEXTLINE(readability-non-const-parameter) the adder writes
+                            double* values) const {
   Adder adder{values, node_stride_};
   for (size_t t = 0; t < sides_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -269,6 +271,7 @@ void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
 }
 
 // Adds the products of the shears of partners.
+// NOLINTNEXTLINE(readability-non-const-parameter) the adder writes to the values
 void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
   Adder adder{values, node_stride_};
   const auto by_vertices = [&](size_t t) -> Row9 {

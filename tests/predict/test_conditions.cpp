@@ -78,5 +78,61 @@ TEST(Conditions, APointBeyondTwoRadiiOfEveryEndIsRefused) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
 }
 
+// Every sentence about a scene without a file begins with the scene's name.
+TEST(Conditions, SentencesNameASceneThatHasNoFile) {
+  EndCondition start, near_start;
+  start.hold = near_start.hold = true;
+  near_start.end.kind = EndSelector::Kind::near;
+  Scene twice = tube_scene(), far = tube_scene(), exact = tube_scene(), misspelt = tube_scene(),
+        unknown = tube_scene();
+  start.vessel = near_start.vessel = "tube";
+  for (Scene* scene : {&twice, &far, &exact, &misspelt, &unknown}) scene->ends = {start};
+  twice.ends.push_back(near_start);
+  near_start.end.near = {0, 0, 90};
+  far.ends.push_back(near_start);
+  exact.fidelity.reset();
+  exact.accuracy = 1e-6;
+  exact.vessels[0].tube->around = 32;  // fine enough for the table of promises
+  exact.vessels[0].tube->along = 60;
+  EndCondition moved = start;
+  moved.hold = false;
+  moved.end.kind = EndSelector::Kind::end;
+  moved.move = Vec3(0, 0, 1);
+  exact.ends.push_back(moved);
+  misspelt.fidelity = "skim";
+  unknown.ends[0].vessel = "aorta";
+
+  Scene supported_twice = rod_scene(), ring = rod_scene();
+  start.vessel = "rod";
+  supported_twice.ends = {start, start};
+  ring.ends = {start};
+  ring.vessels[0].rod->parent = "rod";
+
+  Scene beside = tube_scene();
+  beside.vessels.push_back(beside.vessels[0]);
+  beside.vessels[1].name = "other";
+  beside.vessels[1].tube->position = {30, 0, 0};
+  start.vessel = "tube";
+  beside.ends = {start};
+  GlennSpec& glenn = beside.glenn.emplace();
+  glenn.svc = "tube";
+  glenn.rpa = "other";
+  glenn.incision = {300, 0, 30};
+
+  const std::pair<const Scene*, const char*> expected[] = {
+      {&twice, ": end: found near(0, 0, 0) of tube, the end that another condition calls start"},
+      {&far, ": near: found (0, 0, 90)"},
+      {&exact, ": accuracy: found 1e-06"},
+      {&misspelt, ": fidelity: found \"skim\""},
+      {&unknown, ": found no vessel \"aorta\""},
+      {&supported_twice, ": start of 'rod' is supported a second time"},
+      {&ring, ": vessel 'rod': rods are each other's parents"},
+      {&beside, ": incision: found a point (300, 0, 30)"}};
+  for (const auto& [scene, words] : expected) {
+    const std::string said = refusal(*scene);
+    EXPECT_EQ(said.find("scene \"" + scene->name + "\"" + words), 0U) << words << '\n' << said;
+  }
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -144,7 +144,7 @@ TEST_F(ToyFidelity, ItsEnergiesForcesAndStatusAreTheResults) {
 
 TEST_F(ToyFidelity, AMisspeltToyIsMeantToo) {
   EXPECT_EQ(refusal([] { predict(stretched_tube(0, "tyo_forces")); }),
-            "fidelity: found \"tyo_forces\", expected \"toy_forces\"");
+            "scene \"stretched\": fidelity: found \"tyo_forces\", expected \"toy_forces\"");
 }
 
 TEST_F(ToyFidelity, WhatCannotBeChosenIsNotWhatAccuracyFallsBackTo) {

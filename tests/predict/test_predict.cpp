@@ -164,7 +164,10 @@ TEST(Predict, AnUnknownFidelityIsRefusedWithTheNearestName) {
   EXPECT_EQ(refusal([&] { predict(stretched_tube(0, "skin"), options); }),
             "fidelity: found \"copled\", expected \"coupled\"");
   const std::string far = refusal([] { predict(stretched_tube(0, "finite-elements")); });
-  EXPECT_EQ(far.rfind("fidelity: found \"finite-elements\", expected rod, skin, paper", 0), 0u)
+  EXPECT_EQ(
+      far.rfind(
+          "scene \"stretched\": fidelity: found \"finite-elements\", expected rod, skin, paper", 0),
+      0u)
       << far;
   // With a file the sentence begins with its place.
   Scene scene = stretched_tube(0, "papre");
@@ -193,13 +196,15 @@ TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
 
   scene = stretched_tube(1e-3, "skin");
   scene.vessels[0].wall.reset();
-  EXPECT_EQ(refusal([&] { predict(scene); }),
-            "vessel aorta: found no wall, expected its thickness and material");
+  EXPECT_EQ(
+      refusal([&] { predict(scene); }),
+      "scene \"stretched\": vessel aorta: found no wall, expected its thickness and material");
 
   scene = stretched_tube(1e-3, "skin");
   scene.vessels[0].tube.reset();
   EXPECT_EQ(refusal([&] { predict(scene); }),
-            "vessel aorta: found no shape, expected a surface, a tube or a bare rod");
+            "scene \"stretched\": vessel aorta: found no shape, expected a surface, a tube or a "
+            "bare rod");
 
   scene = stretched_tube(1e-3, "skin");
   scene.ends[1].vessel = "vena";
@@ -208,7 +213,8 @@ TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
   scene = bent_cantilever(20, 1);
   scene.fidelity = "paper";
   EXPECT_EQ(refusal([&] { predict(scene); }),
-            "vessel beam: found a bare rod at fidelity paper, expected fidelity rod");
+            "scene \"cantilever\": vessel beam: found a bare rod at fidelity paper, expected "
+            "fidelity rod");
 }
 
 class Spaces : public ScratchFolder {
@@ -253,7 +259,8 @@ TEST(Predict, NoVesselIsDroppedBesideABareRod) {
   Scene scene = bent_cantilever(20, 1);
   scene.vessels.push_back(tube("aorta"));
   EXPECT_EQ(refusal([&] { predict(scene); }),
-            "vessel aorta: found a surface beside bare rods, expected bare rods alone");
+            "scene \"cantilever\": vessel aorta: found a surface beside bare rods, expected bare "
+            "rods alone");
 }
 
 TEST(Predict, FidelityNamesGoFromCheapToExpensive) {

@@ -92,6 +92,7 @@ nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options
   for (const char* pick : {"cut", "incision"}) glenn[pick] = list_of(moved(vec3_of(glenn[pick])));
   glenn["keep"]["near"] = list_of(moved(changed.keep.value_or(vec3_of(glenn["keep"]["near"]))));
   if (changed.rotation_deg) glenn["rotation_deg"] = *changed.rotation_deg;
+  if (changed.incision_length) glenn["incision_length"] = *changed.incision_length;
   const auto file = scratch / "scene.yaml";
   std::ofstream(file) << YAML::Dump(yaml);
   return run_scene(file, options);

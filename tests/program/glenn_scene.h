@@ -12,7 +12,7 @@ namespace vasorod::testing {
 
 struct GlennScene {
   std::string file = "infant.yaml";  ///< in benchmarks/cases/glenn
-  std::optional<double> rotation_deg;
+  std::optional<double> rotation_deg, incision_length;
   std::optional<Vec3> keep;                   ///< in mm, in place of the file's
   Pose motion;                                ///< applied first, in mm
   double length_scale = 1, stress_scale = 1;  ///< new number = scale * old number

@@ -47,6 +47,25 @@ TEST(Glenn, InfantConvergesAtSkin) {
   expect_joined(solve_case("infant.yaml", "--fidelity skin"));
 }
 
+// The seam stretches the vein's mouth to the longer rim: a wider mouth, as long as the incision.
+TEST(Glenn, ALongerIncisionOpensAWiderMouth) {
+  const auto usual = solve_case("infant.yaml", "--fidelity paper");
+  GlennScene scene = infant();
+  scene.incision_length = 1.25;
+  const auto longer = solve_glenn(scene, "--fidelity paper");
+  EXPECT_EQ(longer.at("status"), "converged") << longer.at("certificate").dump();
+  const auto length = [](const json& result) {
+    return result.at("glenn").at("incision").at("length").get<double>();
+  };
+  const auto mouth = [](const json& result, const char* key) {
+    return result.at("glenn").at("mouth").at(key).get<double>();
+  };
+  EXPECT_NEAR(length(longer) / length(usual), 1.25, 0.01);
+  EXPECT_GT(mouth(longer, "area"), 1.2 * mouth(usual, "area"));
+  EXPECT_GT(mouth(longer, "perimeter_ratio"), mouth(usual, "perimeter_ratio") + 0.05);
+  EXPECT_LT(mouth(longer, "perimeter_ratio"), 1.25);
+}
+
 TEST(Glenn, ShortVeinPressesOnTheAortaALongerOneLessALongOneNotAtAll) {
   const auto shorter = solve_case("infant_short.yaml", "--fidelity paper");
   const auto middle = solve_case("infant.yaml", "--fidelity paper");

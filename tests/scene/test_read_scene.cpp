@@ -39,6 +39,7 @@ surgery:
     cut: [1, 2, 3]
     incision: [4, 5, 6]
     rotation_deg: auto
+    incision_length: 1.25
     keep: {near: [7, 8, 9]}
 fidelity: coupled
 )";
@@ -130,6 +131,7 @@ TEST_F(ReadScene, ReadsEveryKeyOfTheContract) {
   EXPECT_EQ(scene.glenn->rpa, "plain");
   EXPECT_EQ(scene.glenn->cut, Vec3(1, 2, 3));
   EXPECT_FALSE(scene.glenn->rotation_deg);
+  EXPECT_EQ(scene.glenn->incision_length, 1.25);
   EXPECT_EQ(scene.glenn->keep_near, Vec3(7, 8, 9));
   EXPECT_EQ(*scene.fidelity, "coupled");
 }

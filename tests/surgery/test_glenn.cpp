@@ -19,9 +19,10 @@ struct Operated {
   GlennOperation operation;
 };
 
-Operated operated(const std::string& file) {
-  const Scene scene =
+Operated operated(const std::string& file, double incision_length = 1) {
+  Scene scene =
       read_scene(std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/glenn" / file);
+  scene.glenn->incision_length = incision_length;
   Operated all;
   for (const VesselSpec& spec : scene.vessels) {
     if (spec.name != scene.glenn->svc && spec.name != scene.glenn->rpa) continue;
@@ -38,9 +39,9 @@ double distance(const PreparedVessel& vessel, int a, int b) {
   return (vessel.vessel.surface.points.row(a) - vessel.vessel.surface.points.row(b)).norm();
 }
 
-void expect_equal_seam(const std::string& file) {
+void expect_equal_seam(const std::string& file, double incision_length = 1) {
   SCOPED_TRACE(file);
-  const Operated all = operated(file);
+  const Operated all = operated(file, incision_length);
   const auto& pairs = all.operation.pairs;
   const size_t n = pairs.size();
   std::vector<double> mouth, rim;
@@ -50,7 +51,7 @@ void expect_equal_seam(const std::string& file) {
   }
   const double of_mouth = std::accumulate(mouth.begin(), mouth.end(), 0.0),
                of_rim = std::accumulate(rim.begin(), rim.end(), 0.0);
-  EXPECT_NEAR(of_mouth / of_rim, 1, 2e-3);
+  EXPECT_NEAR(of_rim / of_mouth, incision_length, 2e-3 * incision_length);
   for (size_t k = 0; k < n; ++k)
     EXPECT_NEAR(mouth[k] / of_mouth * of_rim, rim[k], 1e-9 * of_rim / double(n)) << k;
   // Both tips of the incision are pairs.
@@ -85,6 +86,10 @@ void expect_equal_seam(const std::string& file) {
 TEST(GlennSeam, PairedSegmentsAreEqualOnTheBundledAnatomy) {
   for (const char* file : {"infant.yaml", "infant_short.yaml", "infant_long.yaml"})
     expect_equal_seam(file);
+}
+
+TEST(GlennSeam, ALongerOrShorterIncisionIsDividedInTheSameProportions) {
+  for (const double length : {0.75, 1.25, 1.6}) expect_equal_seam("infant.yaml", length);
 }
 
 TEST(GlennSeam, PairedSegmentsAreEqualOnRealAnatomy) {

@@ -139,6 +139,7 @@ TEST(Incision, BadIncisionsAreRefusedWithASentence) {
   };
   says({5, 0, 10}, 24, "runs into an open end");
   says({5, 0, 20}, 15, "runs into a fork");
+  says({5, 0, 20}, 15, "expected one of at most ");
   says({10.3, 0, 10}, 5, "off the vessel");
   says({5, 0, 41}, 5, "lies at an open end");
   says({5, 0, 10}, 0.2, "too short");
@@ -151,6 +152,34 @@ TEST(Incision, BadIncisionsAreRefusedWithASentence) {
        tube.points.row(tube.triangles(mixed, 2))) /
       3;
   says(middle, 5, "lies at a fork");
+}
+
+TEST(Incision, TheLengthThatFitsIsSaidAndFits) {
+  testing::TubeShape shape;
+  shape.jitter = 0.2;
+  const auto tube = testing::noisy_tube(shape);
+  const auto open = [&](const Vec3& pick, double length) {
+    return open_incision(tube, testing::tube_rod(shape), testing::tube_binding(shape, tube.points),
+                         {}, pick, length, 5, 8);
+  };
+  for (const double s : {6.0, 10.0, 31.0}) {  // the nearer end decides, whichever side it is on
+    const Vec3 pick(5, 0, s);
+    std::string sentence;
+    try {
+      open(pick, 30);
+    } catch (const InputError& error) {
+      sentence = error.what();
+    }
+    const std::string says = "expected one of at most ";
+    ASSERT_NE(sentence.find(says), std::string::npos) << sentence;
+    const double fits = std::stod(sentence.substr(sentence.find(says) + says.size()));
+    const double end = 2 * std::min(s, shape.length - s), edge = shape.length / shape.along;
+    EXPECT_LT(fits, end);
+    EXPECT_GT(fits, end - 4 * edge);
+    EXPECT_NEAR(open(pick, fits).length, fits, 1e-6);
+    const std::string factor = "`incision_length: ";
+    EXPECT_NEAR(std::stod(sentence.substr(sentence.find(factor) + factor.size())), fits / 8, 0.01);
+  }
 }
 
 }  // namespace

@@ -125,6 +125,8 @@ struct GlennSpec {
       rpa;                      ///< name of the vessel that is incised: the right pulmonary artery
   Vec3 cut = Vec3::Zero(),      ///< picked point of the cut on the SVC, length
       incision = Vec3::Zero();  ///< picked point of the incision on the RPA, length
+  /// Length of the incision over half the perimeter of the vein's mouth.
+  double incision_length = 1;
   /// Rotation of the vein, degrees, added to the automatic one; empty: automatic only.
   std::optional<double> rotation_deg;
   Vec3 keep_near = Vec3::Zero();  ///< a point (length) near the SVC's end that is kept

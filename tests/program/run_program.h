@@ -48,6 +48,13 @@ inline ProgramRun run_program(const std::string& command) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
 }
 
+/// Whether `ulimit -v` bounds the memory: the address sanitizer reserves terabytes of addresses.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool addresses_can_be_limited = false;
+#else
+inline constexpr bool addresses_can_be_limited = true;
+#endif
+
 /// The built `vasorod`, quoted; VASOROD_PROGRAM is set by tests/program/CMakeLists.txt.
 inline std::string vasorod(const std::string& arguments) {
   return "'" VASOROD_PROGRAM "' " + arguments;

@@ -1,7 +1,6 @@
-// A time limit reaches every stage of a solve, and scenes too large for the memory are refused. The
-// bounds on times only tell a stage that does not listen from one that does.
+// A time limit reaches every stage of a solve, and scenes too large for the memory are refused. A
+// program that does not listen is ended by `timeout`, with exit code 124.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,13 +17,12 @@ const std::string source = VASOROD_SOURCE_DIR;
 
 class TimeLimit : public ::testing::Test {
  protected:
-  ProgramRun solve(const std::string& scene, const std::string& options,
-                   const std::string& before = "") {
-    const auto begin = std::chrono::steady_clock::now();
-    ProgramRun run = run_program(before + vasorod("solve '" + scene + "' -o '" +
-                                                  (scratch / "out").string() + "' " + options));
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return run;
+  // Ended after `patience` seconds. `before`: what the shell does first.
+  ProgramRun solve(const std::string& scene, const std::string& options, int patience,
+                   const std::string& before = "") const {
+    return run_program(
+        before + "timeout -k 1 " + std::to_string(patience) + " " +
+        vasorod("solve '" + scene + "' -o '" + (scratch / "out").string() + "' " + options));
   }
   std::string write(const std::string& text) const {
     std::ofstream(scratch / "scene.yaml") << text;
@@ -43,14 +41,12 @@ class TimeLimit : public ::testing::Test {
     EXPECT_TRUE(fs::exists(scratch / "out" / "report.html"));
   }
   ScratchFolder scratch;
-  double seconds = 0;
 };
 
 TEST_F(TimeLimit, AHundredthOfASecondEndsAnOperationOnAnatomy) {
   for (const std::string fidelity : {"paper", "coupled"}) {
     expect_interrupted(solve(source + "/benchmarks/cases/glenn/infant.yaml",
-                             "--time-limit 0.01 --fidelity " + fidelity));
-    EXPECT_LT(seconds, 60) << fidelity;
+                             "--time-limit 0.01 --fidelity " + fidelity, 60));
     fs::remove_all(scratch / "out");
   }
 }
@@ -64,8 +60,7 @@ TEST_F(TimeLimit, AFactorisationIsCutAndTheStateBeforeItWritten) {
       "    wall: {thickness: 0.6, young: 1.0, poisson: 0.3}\n"
       "ends:\n  - {vessel: tube, end: start, hold: true}\n"
       "  - {vessel: tube, end: end, move: [0, 0, 1]}\nfidelity: paper\n");
-  expect_interrupted(solve(scene, "--time-limit 3"));
-  EXPECT_LT(seconds, 120);
+  expect_interrupted(solve(scene, "--time-limit 3", 120));
 }
 
 // Reading chained rods took time cubic in their number.
@@ -80,10 +75,8 @@ TEST_F(TimeLimit, ThousandsOfChainedRodsAreReadAndSolved) {
              "bending: [1e4, 1e4], torsion: 1e4}}}\n";
   scene += "ends: [{vessel: r0, end: start, hold: true}, {vessel: r" + std::to_string(rods - 1) +
            ", end: end, force: [0, 1e-9, 0]}]\nfidelity: rod\n";
-  const auto run = solve(write(scene), "--time-limit 30 --json");
-  EXPECT_LT(seconds, 200);
-  ASSERT_LE(run.exit_code, 1) << run.err;
-  if (run.exit_code == 1) return;  // a machine on which half a minute does not do
+  const auto run = solve(write(scene), "--json", 200);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
   // A cantilever's tip under a small load: F L^3 / (3 EI) + F L / GA.
   const double length = rods, tip = 1e-9 * (std::pow(length, 3) / 3 + length) / 1e4;
   const auto result = nlohmann::json::parse(run.out);
@@ -97,7 +90,8 @@ TEST_F(TimeLimit, ASceneThatTheMemoryCannotHoldIsRefusedBeforeItIsRead) {
       "    wall: {thickness: 0.6, young: 1.0, poisson: 0.3}\n"
       "ends:\n  - {vessel: tube, end: start, hold: true}\n"
       "  - {vessel: tube, end: end, move: [0, 0, 1]}\nfidelity: coupled\n");
-  const auto run = solve(scene, "", "ulimit -v 4000000; ");
+  if (!addresses_can_be_limited) GTEST_SKIP() << "the address sanitizer reserves terabytes";
+  const auto run = solve(scene, "", 60, "ulimit -v 4000000; ");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_NE(run.err.find("vessel tube: found 1000000 vertices"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("GB that this process may have"), std::string::npos) << run.err;
@@ -107,16 +101,16 @@ TEST_F(TimeLimit, ASceneThatTheMemoryCannotHoldIsRefusedBeforeItIsRead) {
 
 // With little memory the BLAS looked for its buffers for ever.
 TEST_F(TimeLimit, LittleMemoryEndsInAResultOrOneSentence) {
+  if (!addresses_can_be_limited) GTEST_SKIP() << "the address sanitizer reserves terabytes";
   const std::string scene = write(small_glenn("coupled"));
   for (const int kilobytes : {150'000, 250'000, 400'000}) {
-    const auto run = solve(scene, "--time-limit 60",
+    const auto run = solve(scene, "", 60,
                            "ulimit -v " + std::to_string(kilobytes) + "; OPENBLAS_NUM_THREADS=1 ");
     if (run.exit_code == 0) continue;
     EXPECT_EQ(run.exit_code, 3) << kilobytes << ": " << run.err;
     EXPECT_NE(run.err.find("memory"), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
-  EXPECT_LT(seconds, 60);
 }
 
 }  // namespace

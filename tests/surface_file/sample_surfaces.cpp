@@ -91,6 +91,29 @@ TriangleSurface joined(const TriangleSurface& a, const TriangleSurface& b) {
   return both;
 }
 
+void set_encoding(vtkXMLWriter& writer, Encoding encoding) {
+  switch (encoding) {
+    case Encoding::ascii:
+      writer.SetDataModeToAscii();
+      break;
+    case Encoding::inline_binary:
+      writer.SetDataModeToBinary();
+      break;
+    case Encoding::appended_raw:
+      writer.SetDataModeToAppended();
+      writer.EncodeAppendedDataOff();
+      break;
+    case Encoding::appended_base64:
+      writer.SetDataModeToAppended();
+      writer.EncodeAppendedDataOn();
+      break;
+    case Encoding::zlib:
+      writer.SetDataModeToBinary();
+      writer.SetCompressorTypeToZLib();
+      break;
+  }
+}
+
 void write_vtp(const std::filesystem::path& file, const TriangleSurface& surface, Encoding encoding,
                const std::vector<NamedArray>& point_arrays,
                const std::vector<NamedArray>& cell_arrays) {
@@ -101,26 +124,7 @@ void write_vtp(const std::filesystem::path& file, const TriangleSurface& surface
   writer->SetFileName(file.c_str());
   writer->SetInputData(data);
   writer->SetCompressorTypeToNone();
-  switch (encoding) {
-    case Encoding::ascii:
-      writer->SetDataModeToAscii();
-      break;
-    case Encoding::inline_binary:
-      writer->SetDataModeToBinary();
-      break;
-    case Encoding::appended_raw:
-      writer->SetDataModeToAppended();
-      writer->EncodeAppendedDataOff();
-      break;
-    case Encoding::appended_base64:
-      writer->SetDataModeToAppended();
-      writer->EncodeAppendedDataOn();
-      break;
-    case Encoding::zlib:
-      writer->SetDataModeToBinary();
-      writer->SetCompressorTypeToZLib();
-      break;
-  }
+  set_encoding(*writer, encoding);
   writer->Write();
 }
 

@@ -10,6 +10,8 @@
 #include <vasorod/tube.h>
 #include <vasorod/types.h>
 
+class vtkXMLWriter;
+
 namespace vasorod {
 
 TubeSpec small_tube();  ///< length 40, radius 10 mm, 24 around, 20 strips
@@ -20,6 +22,7 @@ TriangleSurface closed_tube(const std::vector<int>& ends, double height);
 TriangleSurface joined(const TriangleSurface& a, const TriangleSurface& b);
 
 enum class Encoding { ascii, inline_binary, appended_raw, appended_base64, zlib };
+void set_encoding(vtkXMLWriter& writer, Encoding encoding);
 void write_vtp(const std::filesystem::path& file, const TriangleSurface& surface,
                Encoding encoding = Encoding::zlib, const std::vector<NamedArray>& point_arrays = {},
                const std::vector<NamedArray>& cell_arrays = {});

@@ -76,7 +76,8 @@ TEST_F(ReadVtp, EveryCompressorHeaderOrderAndModeOfVtk) {
        {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA})
     for (const auto header : {vtkXMLWriter::UInt32, vtkXMLWriter::UInt64})
       for (const auto order : {vtkXMLWriter::BigEndian, vtkXMLWriter::LittleEndian})
-        for (const int mode : {0, 1, 2, 3}) {
+        for (const Encoding encoding : {Encoding::ascii, Encoding::inline_binary,
+                                        Encoding::appended_raw, Encoding::appended_base64}) {
           const auto writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
           writer->SetFileName((folder / "sheet.vtp").c_str());
           writer->SetInputData(data);
@@ -84,13 +85,10 @@ TEST_F(ReadVtp, EveryCompressorHeaderOrderAndModeOfVtk) {
           writer->SetBlockSize(4096);  // several blocks, the last one smaller
           writer->SetHeaderType(header);
           writer->SetByteOrder(order);
-          if (mode == 0) writer->SetDataModeToAscii();
-          if (mode == 1) writer->SetDataModeToBinary();
-          if (mode > 1) writer->SetDataModeToAppended();
-          mode == 2 ? writer->EncodeAppendedDataOn() : writer->EncodeAppendedDataOff();
+          set_encoding(*writer, encoding);
           writer->Write();
           SCOPED_TRACE(std::to_string(compressor) + " " + std::to_string(header) + " " +
-                       std::to_string(order) + " " + std::to_string(mode));
+                       std::to_string(order) + " " + std::to_string(static_cast<int>(encoding)));
           SurfaceFile read;
           ASSERT_NO_THROW(read = read_vtp(folder / "sheet.vtp"));
           ASSERT_EQ(read.points.rows(), data->GetNumberOfPoints());

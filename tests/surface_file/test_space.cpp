@@ -32,7 +32,8 @@ TEST_F(Space, IsReadFromTheFieldDataThatVtkWritesInEveryMode) {
   for (const std::string space : {"LPS", "RAS", "LAS"})
     for (const auto compressor : {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4})
       for (const auto order : {vtkXMLWriter::BigEndian, vtkXMLWriter::LittleEndian})
-        for (const int mode : {0, 1, 2, 3}) {
+        for (const Encoding encoding : {Encoding::ascii, Encoding::inline_binary,
+                                        Encoding::appended_raw, Encoding::appended_base64}) {
           vtkNew<vtkPolyData> data;
           data->ShallowCopy(reader->GetOutput());
           for (const std::string name : {"Other", "SPACE"}) {
@@ -46,14 +47,11 @@ TEST_F(Space, IsReadFromTheFieldDataThatVtkWritesInEveryMode) {
           writer->SetInputData(data);
           writer->SetCompressorType(compressor);
           writer->SetByteOrder(order);
-          if (mode == 0) writer->SetDataModeToAscii();
-          if (mode == 1) writer->SetDataModeToBinary();
-          if (mode > 1) writer->SetDataModeToAppended();
-          mode == 2 ? writer->EncodeAppendedDataOn() : writer->EncodeAppendedDataOff();
+          set_encoding(*writer, encoding);
           writer->Write();
           const LoadedSurface loaded = read_polydata(folder / "slicer.vtp");
           EXPECT_EQ(loaded.space, space == "LAS" ? "" : space)
-              << compressor << " " << order << " " << mode;
+              << compressor << " " << order << " " << static_cast<int>(encoding);
           EXPECT_EQ(loaded.surface.triangles, sample_tube().triangles);
         }
 }

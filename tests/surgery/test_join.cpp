@@ -83,6 +83,16 @@ void expect_slid(const TriangleSurface& before, const std::vector<int>& loop,
   }
 }
 
+// What the seam made of both surfaces, where it is worse than `worst`.
+void see(const Operation& op, const JoinOutcome& seam, testing::MadeBySurgery& worst) {
+  for (const auto& [before, after, sources] : {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
+                                               std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
+    const auto made = testing::made_by_surgery(*before, *after, *sources);
+    worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
+    worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
+  }
+}
+
 TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
   std::mt19937 random(3);
   testing::MadeBySurgery worst;
@@ -122,13 +132,7 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     EXPECT_EQ(seam.rpa.points.row(other), op.rpa.points.row(other));
     EXPECT_NEAR(total_area(seam.svc) / total_area(op.svc), 1, 2e-3);
     EXPECT_NEAR(total_area(seam.rpa) / total_area(op.rpa), 1, 2e-3);
-    for (const auto& [before, after, sources] :
-         {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
-          std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
-      const auto made = testing::made_by_surgery(*before, *after, *sources);
-      worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
-      worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
-    }
+    see(op, seam, worst);
 
     const auto welded = weld(seam.svc, seam.rpa, seam.pairs);
     ASSERT_TRUE(testing::oriented(welded.surface.triangles));
@@ -187,13 +191,7 @@ TEST(Join, PairedSegmentsHaveEqualSharesOnCoarseAndFineTubes) {
       for (const auto* lengths : {&a, &b})
         shortest = std::min(shortest, *std::min_element(lengths->begin(), lengths->end()) /
                                           sum(*lengths) * double(lengths->size()));
-      for (const auto& [before, after, sources] :
-           {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
-            std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
-        const auto made = testing::made_by_surgery(*before, *after, *sources);
-        worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
-        worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
-      }
+      see(op, seam, worst);
     }
   EXPECT_GT(worst.shortest_edge, 0.05);
   EXPECT_GT(worst.smallest_angle, 4);  // 120 vertices of one loop in a mesh of 24 around

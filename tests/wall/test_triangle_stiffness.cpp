@@ -7,15 +7,21 @@
 namespace vasorod {
 namespace {
 
+// A triangle with a corner at the origin.
+struct Corners {
+  Eigen::Matrix2d edges;
+  Eigen::Matrix<double, 2, 3> gradients;  // of the corners' linear functions
+  Corners(const Vec2& x1, const Vec2& x2) {
+    edges << x1, x2;
+    gradients.rightCols<2>() = edges.inverse().transpose();
+    gradients.col(0) = -gradients.col(1) - gradients.col(2);
+  }
+};
+
 TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
   WallSection section{-0.2, 0.3, Vec3::Zero(), plane_stress(Material::isotropic(2, 0.3)),
                       Vec2(1, 1)};
-  const Vec2 x1(2, 0.1), x2(0.5, 1.5);
-  Eigen::Matrix2d edges;
-  edges << x1, x2;
-  Eigen::Matrix<double, 2, 3> gradients;
-  gradients.rightCols<2>() = edges.inverse().transpose();
-  gradients.col(0) = -gradients.col(1) - gradients.col(2);
+  const auto [edges, gradients] = Corners({2, 0.1}, {0.5, 1.5});
   // A quadratic surface w = 1/2 x.c x (towards the inside): b_k is the sum of its slopes; b_k g_k
   // g_k^T gives c again.
   const Vec6 y = (Vec6() << 0.1, -0.2, 0.3, 0.05, 0.02, -0.04).finished();
@@ -34,12 +40,7 @@ TEST(TriangleStiffness, FlatWallIsItsSectionTimesTheArea) {
 // The piece of wall that a law for large strains starts from has the same stiffness, with all
 // corrections.
 TEST(TriangleStiffness, ThePieceOfWallHasTheSameStiffness) {
-  const Vec2 x1(0.8, 0.1), x2(0.2, 0.7);
-  Eigen::Matrix2d edges;
-  edges << x1, x2;
-  Eigen::Matrix<double, 2, 3> gradients;
-  gradients.rightCols<2>() = edges.inverse().transpose();
-  gradients.col(0) = -gradients.col(1) - gradients.col(2);
+  const auto [edges, gradients] = Corners({0.8, 0.1}, {0.2, 0.7});
   for (const Vec3& b : {Vec3(0, 0, 0), Vec3(0, 0.6, 0), Vec3(-0.2, 0.5, 0.1)})
     for (const double inner : {-0.2, -0.4}) {
       const WallSection section{inner, inner + 0.4, b, plane_stress(Material::isotropic(1, 0.45)),

@@ -125,12 +125,10 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   coupled.stop = options.stop;
   coupled.step = step_progress("walls", options);
   coupled.progress = iteration_progress("walls", 10, options);
-  if (options.keep)
-    coupled.keep = [&](CoupledSolution&& so_far) {
-      Prediction state = prediction;
-      take(std::move(so_far), sections, state);
-      keep_state(std::move(state), options);
-    };
+  coupled.keep = keep_for<CoupledSolution>(prediction, options,
+                                           [&](CoupledSolution&& so_far, Prediction& state) {
+                                             take(std::move(so_far), sections, state);
+                                           });
   CoupledSolver solver(problem_of(prediction, sections), coupled);
   take(solver.solve(), sections, prediction);
 }

@@ -24,12 +24,10 @@ void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options) {
   paper.stop = options.stop;
   paper.step = step_progress("surfaces", options);
   paper.progress = iteration_progress("surfaces", 50, options);
-  if (options.keep)
-    paper.keep = [&](SurfaceSolution&& so_far) {
-      Prediction state = prediction;
-      take(std::move(so_far), options, state);
-      keep_state(std::move(state), options);
-    };
+  paper.keep = keep_for<SurfaceSolution>(prediction, options,
+                                         [&](SurfaceSolution&& so_far, Prediction& state) {
+                                           take(std::move(so_far), options, state);
+                                         });
   take(solve_paper(body_problem(prediction), paper), options, prediction);
 }
 

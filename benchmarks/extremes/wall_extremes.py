@@ -25,6 +25,7 @@ STATUSES = {
     "unstable",
     "buckled",
     "not_unique",
+    "self_intersecting",
     "iteration_limit",
     "interrupted",
 }

@@ -6,12 +6,13 @@
 namespace vasorod {
 namespace {
 
-constexpr std::array<std::pair<Status, const char*>, 7> names{{
+constexpr std::array<std::pair<Status, const char*>, 8> names{{
     {Status::converged, "converged"},
     {Status::equilibrium_only, "equilibrium_only"},
     {Status::unstable, "unstable"},
     {Status::buckled, "buckled"},
     {Status::not_unique, "not_unique"},
+    {Status::self_intersecting, "self_intersecting"},
     {Status::iteration_limit, "iteration_limit"},
     {Status::interrupted, "interrupted"},
 }};

@@ -138,9 +138,10 @@ class LevelSetSplit {
   }
 
   bool neighbours_stay_simple(int v) const {
-    for (const int w : editor_.ring(v))
-      if (on_curve_.contains(w) && !simple_round(editor_.ring(w), v)) return false;
-    return true;
+    const auto& ring = editor_.ring(v);
+    return std::none_of(ring.begin(), ring.end(), [&](int w) {
+      return on_curve_.contains(w) && !simple_round(editor_.ring(w), v);
+    });
   }
 
   // Short edges on the curve are worse than elsewhere: the seam copies them to the other vessel.

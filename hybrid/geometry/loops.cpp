@@ -44,6 +44,7 @@ double opposite_distance(const LoopCurve& a, const LoopCurve& b, double offset) 
   // Both points move along straight edges between the corners of either loop, so the squared
   // distance is a parabola there and Simpson's rule is exact.
   std::vector<double> corners;
+  corners.reserve(static_cast<std::size_t>(a.count() + b.count()) + 1);
   for (int k = 0; k < a.count(); ++k) corners.push_back(a.position(k) / a.length());
   for (int k = 0; k < b.count(); ++k)
     corners.push_back(modulo_one(offset - b.position(k) / b.length()));

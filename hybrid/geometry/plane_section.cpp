@@ -149,7 +149,7 @@ double section_area(const SectionLoop& loop) {
 
 Vec3 section_centroid(const SectionLoop& loop) {
   const Points& p = loop.points;
-  const Vec3 mean = p.colwise().mean();
+  Vec3 mean = p.colwise().mean();
   const Vec3 total = polygon_area_vector(p);
   const double area = total.norm();
   if (!(area > 0)) return mean;

@@ -7,6 +7,7 @@
 
 #include "data/sentence.h"
 #include "judge/criteria.h"
+#include "predict/name_crossings.h"
 #include "predict/name_faults.h"
 #include "predict/result_of_prediction.h"
 #include "rod/binding.h"
@@ -15,6 +16,7 @@ namespace vasorod {
 
 Result whole_result(Prediction&& prediction, int threads) {
   Result result = result_of(prediction, threads);
+  name_crossings(prediction, result);
   prediction.watch.lap("collect");
   result.seconds = prediction.watch.seconds();
   result.environment.inputs = std::move(prediction.inputs);

@@ -15,10 +15,11 @@ std::vector<std::string> wrapped(const std::string& text, double width, double s
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     std::string& line = lines.back();
-    if (!line.empty() && text_width(line + " " + word, size) > width)
+    const std::string longer = line.empty() ? word : line + ' ' + word;
+    if (!line.empty() && text_width(longer, size) > width)
       lines.push_back(word);
     else
-      line += (line.empty() ? "" : " ") + word;
+      line = longer;
   }
   return lines;
 }

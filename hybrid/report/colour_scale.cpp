@@ -46,7 +46,7 @@ Colour ColourScale::operator()(double value) const {
   const double at =
       std::clamp((value - low) / (high - low), 0.0, 1.0) * static_cast<double>(colours.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(at), colours.size() - 2);
-  const float t = static_cast<float>(at - static_cast<double>(first));
+  const auto t = static_cast<float>(at - static_cast<double>(first));
   const Colour a = colour_of(colours[first]), b = colour_of(colours[first + 1]);
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }

@@ -12,10 +12,14 @@ namespace {
 constexpr double units = 64;  // per em
 constexpr int space_advance = 20;
 
-const Glyph* glyph_of(char32_t character) {
-  const auto found = std::find_if(glyphs.begin(), glyphs.end(),
-                                  [&](const Glyph& glyph) { return glyph.character == character; });
-  return found == glyphs.end() ? nullptr : &*found;
+// The glyph of a character, or that of ? where there is none.
+const Glyph& glyph_of(char32_t character) {
+  const auto find = [](char32_t wanted) {
+    return std::find_if(glyphs.begin(), glyphs.end(),
+                        [&](const Glyph& glyph) { return glyph.character == wanted; });
+  };
+  const auto* const found = find(character);
+  return found == glyphs.end() ? *find(U'?') : *found;
 }
 
 // Characters of UTF-8 text; a byte that is not UTF-8 becomes ?.
@@ -110,8 +114,7 @@ void fill(Picture& picture, const std::vector<Contour>& contours, const Colour& 
 double text_width(const std::string& text, double size) {
   int advance = 0;
   for (const char32_t character : characters(text)) {
-    const Glyph* glyph = glyph_of(character);
-    advance += character == U' ' ? space_advance : (glyph ? glyph : glyph_of(U'?'))->advance;
+    advance += character == U' ' ? space_advance : glyph_of(character).advance;
   }
   return advance * size / units;
 }
@@ -123,8 +126,7 @@ void draw_text(Picture& picture, double x, double y, const std::string& text, do
       x += space_advance * size / units;
       continue;
     }
-    const Glyph* known = glyph_of(character);
-    const Glyph& glyph = known ? *known : *glyph_of(U'?');
+    const Glyph& glyph = glyph_of(character);
     fill(picture, contours_of(glyph, x, y, size), colour);
     x += glyph.advance * size / units;
   }

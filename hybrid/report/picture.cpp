@@ -357,7 +357,7 @@ Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, 
       for (int k = 0; k < 3; ++k)
         pixel[k] = static_cast<std::uint8_t>(
             std::clamp(255 * sum.colour[k] / sum.cover + 0.5F, 0.0F, 255.0F));
-      pixel[3] = static_cast<std::uint8_t>(255 * sum.cover / (samples * samples) + 0.5F);
+      pixel[3] = static_cast<std::uint8_t>(std::lround(255 * sum.cover / (samples * samples)));
     }
   }
   return picture;

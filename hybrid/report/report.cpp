@@ -23,6 +23,8 @@ std::string status_sentence(Status status) {
       return "buckled";
     case Status::not_unique:
       return "the minimum is not unique";
+    case Status::self_intersecting:
+      return "walls pass through themselves or each other";
     case Status::iteration_limit:
       return "stopped at the iteration limit";
     case Status::interrupted:
@@ -174,7 +176,7 @@ std::string report_html(const Result& result, const std::vector<NamedPicture>& p
   html +=
       ". Every number is in result.json. Research software, not for clinical "
       "use.</footer>\n</main>\n";
-  html += "<script type=\"application/json\" id=\"scene\">" + view_scene(result) +
+  html += R"(<script type="application/json" id="scene">)" + view_scene(result) +
           "</script>\n<script>\n";
   html += view_js;
   return html + "</script>\n</body></html>\n";

@@ -125,6 +125,7 @@ struct View {
 
 View view_of(const Result& result, const std::vector<DrawnBody>& bodies) {
   std::vector<Seen> scene;
+  scene.reserve(bodies.size());
   for (const DrawnBody& body : bodies) scene.push_back({&body.current, body.wanted});
   const Vec3 up = up_of(result, scene);
   return {clearest_direction(scene, up), up};
@@ -344,6 +345,7 @@ namespace {
 Camera camera_from(const View& view, const std::vector<DrawnBody>& bodies, double aspect,
                    double clear_right) {
   std::vector<Seen> scene;
+  scene.reserve(bodies.size());
   for (const DrawnBody& body : bodies) {
     scene.push_back({&body.current, body.wanted});
     scene.push_back({&body.rest, body.wanted});

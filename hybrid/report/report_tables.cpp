@@ -228,6 +228,13 @@ std::string force_tables(const Result& result) {
   for (const ContactReport& c : result.contact)
     contact.rows.push_back({html_text(c.a), html_text(c.b), vector_text(c.force), cell_text(c.area),
                             cell_text(c.largest_pressure), cell_text(c.smallest_gap)});
+  Table crossing;
+  crossing.head = {"Vessel", "passes through", "Pairs of triangles", "Depth, " + result.length_unit,
+                   "Deepest at, " + result.length_unit};
+  crossing.text_columns = 2;
+  for (const SelfIntersection& s : result.self_intersections)
+    crossing.rows.push_back({html_text(s.a), s.b == s.a ? "itself" : html_text(s.b),
+                             std::to_string(s.pairs), cell_text(s.depth), vector_text(s.where)});
   Table balance;
   balance.head = {"Vessel",          "Supports",
                   "Loads",           "Seam",
@@ -239,6 +246,7 @@ std::string force_tables(const Result& result) {
          vector_text(b.contact), b.binding ? vector_text(*b.binding) : "–",
          b.rod_unbalanced ? vector_text(*b.rod_unbalanced) : "–", cell_text(b.residual)});
   return html_of("What the supports do", ends) + html_of("Contact", contact) +
+         html_of("Walls inside each other", crossing) +
          html_of("Balance of forces, " + force, balance);
 }
 

@@ -81,6 +81,10 @@ Json contact(const ContactReport& c) {
           {"smallest_gap", c.smallest_gap}};
 }
 
+Json self_intersection(const SelfIntersection& s) {
+  return {{"a", s.a}, {"b", s.b}, {"pairs", s.pairs}, {"depth", s.depth}, {"where", row(s.where)}};
+}
+
 Json metrics(const VesselMetrics& m) {
   Json where = Json::object();
   for (const auto& [key, point] : m.where) where[key] = row(point);
@@ -203,6 +207,7 @@ std::string to_json(const Result& r) {
                 {"ends", array(r.ends, end_reaction)},
                 {"balance", array(r.balance, balance)},
                 {"contact", array(r.contact, contact)},
+                {"self_intersections", array(r.self_intersections, self_intersection)},
                 {"metrics", array(r.metrics, metrics)},
                 {"criteria", array(r.criteria, criterion)}};
   if (r.fit) value["fit"] = fit(*r.fit);

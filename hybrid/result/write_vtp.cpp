@@ -90,7 +90,7 @@ vtkSmartPointer<vtkDataArray> own_array(const NamedArray& own, Eigen::Index rows
     throw std::logic_error("array " + own.name + " has " + std::to_string(own.values.rows()) +
                            " rows for " + std::to_string(rows) + " points or cells");
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(own)));
-  array->SetName(escaped(taken.count(own.name) ? own.name + "_input" : own.name).c_str());
+  array->SetName(escaped(taken.contains(own.name) ? own.name + "_input" : own.name).c_str());
   array->SetNumberOfComponents(static_cast<int>(own.values.cols()));
   array->SetNumberOfTuples(rows);
   for (Eigen::Index i = 0; i < rows; ++i)
@@ -222,8 +222,8 @@ std::string scene_pvd(const Result& result) {
       "<Collection>\n";
   int part = 0;
   const auto add = [&](const std::string& name) {
-    text += "    <DataSet timestep=\"0\" group=\"\" part=\"" + std::to_string(part++) +
-            "\" name=\"" + name + "\" file=\"" + name + ".vtp\"/>\n";
+    text += R"(    <DataSet timestep="0" group="" part=")" + std::to_string(part++) +
+            R"(" name=")" + name + R"(" file=")" + name + ".vtp\"/>\n";
   };
   for (const VesselResult& vessel : result.vessels) {
     if (vessel.rest.rows() > 0) add(vessel.name);

@@ -33,11 +33,8 @@ bool plain(const YAML::Node& node) {
 
 }  // namespace
 
-Field::Field(std::string file, std::string key, YAML::Node node)
-    : file_(std::move(file)),
-      key_(std::move(key)),
-      node_(std::move(node)),
-      line_(node_.Mark().line + 1) {}
+Field::Field(std::string file, std::string key, const YAML::Node& node)
+    : file_(std::move(file)), key_(std::move(key)), node_(node), line_(node_.Mark().line + 1) {}
 
 void Field::refuse(const std::string& what) const {
   throw InputError(one_line(file_ + ":" + std::to_string(line_) + ": " +

@@ -17,7 +17,7 @@ namespace vasorod {
 
 class Field {
  public:
-  Field(std::string file, std::string key, YAML::Node node);
+  Field(std::string file, std::string key, const YAML::Node& node);
 
   const std::string& key() const { return key_; }
   int line() const { return line_; }

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<VesselSpec>& vessels) {
   std::vector<std::string> names;
+  names.reserve(vessels.size());
   for (const VesselSpec& vessel : vessels) names.push_back(vessel.name);
   return names;
 }
@@ -192,6 +193,7 @@ std::vector<VesselSpec> read_vessels(const Field& field, const std::filesystem::
   const auto fields = field.list("a list of vessels");
   if (fields.empty()) field.refuse(field.found(), "at least one vessel");
   std::vector<VesselSpec> vessels;
+  vessels.reserve(fields.size());
   for (const Field& one : fields) vessels.push_back(read_vessel(one, folder, options));
   check_names(fields, vessels);
   check_parents(fields, vessels);

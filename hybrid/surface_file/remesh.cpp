@@ -62,20 +62,19 @@ std::vector<std::vector<int>> ends_in_order(const TriangleSurface& before,
   return ordered;
 }
 
-TriangleSurface ends_first(const TriangleSurface& before, const TriangleSurface& surface) {
-  std::vector<int> order, number(static_cast<size_t>(surface.points.rows()), -1);
+TriangleSurface ends_first(const TriangleSurface& before, const TriangleSurface& after) {
+  std::vector<int> order, number(static_cast<size_t>(after.points.rows()), -1);
   auto take = [&](int i) {
     if (number[static_cast<size_t>(i)] >= 0) return;
     number[static_cast<size_t>(i)] = static_cast<int>(order.size());
     order.push_back(i);
   };
-  for (const auto& loop : ends_in_order(before, surface))
+  for (const auto& loop : ends_in_order(before, after))
     for (const int i : loop) take(i);
-  for (int i = 0; i < surface.points.rows(); ++i) take(i);
+  for (int i = 0; i < after.points.rows(); ++i) take(i);
   TriangleSurface out;
-  out.points = surface.points(order, Eigen::all);
-  out.triangles =
-      surface.triangles.unaryExpr([&](int i) { return number[static_cast<size_t>(i)]; });
+  out.points = after.points(order, Eigen::all);
+  out.triangles = after.triangles.unaryExpr([&](int i) { return number[static_cast<size_t>(i)]; });
   return out;
 }
 

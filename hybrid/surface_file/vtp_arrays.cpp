@@ -103,11 +103,11 @@ VtpArrays::VtpArrays(std::string file, std::string_view text, const VtpHead& hea
                       " instead of a VTKFile of PolyData");
   const std::string order = root.value("byte_order");
   const bool little = std::endian::native == std::endian::little;
-  if (order != "" && order != "LittleEndian" && order != "BigEndian")
+  if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
     damaged(root, "the byte_order " + in_quotes(order));
-  swap_ = order != "" && (order == "LittleEndian") != little;
+  swap_ = !order.empty() && (order == "LittleEndian") != little;
   const std::string header = root.value("header_type");
-  if (header != "" && header != "UInt32" && header != "UInt64")
+  if (!header.empty() && header != "UInt32" && header != "UInt64")
     damaged(root, "the header_type " + in_quotes(header));
   word_ = header == "UInt64" ? 8 : 4;
   const std::string compressor = root.value("compressor");

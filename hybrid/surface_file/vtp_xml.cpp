@@ -206,7 +206,7 @@ std::string VtpTag::value(const std::string& attribute) const {
 
 void refuse_vtp(const std::string& file, std::string_view text, std::size_t at,
                 const std::string& what) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
+  const auto* const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
   throw InputError(file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) +
                    ": found a damaged or truncated file (" + what + "), expected a sound VTP file");
 }

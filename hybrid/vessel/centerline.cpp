@@ -71,7 +71,7 @@ class TreeFit {
   TreeFit(const TriangleSurface& surface, const std::vector<Edge>& edges,
           const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& area,
           const AxisPaths& paths, const std::vector<Vec3>& centers)
-      : surface_(surface), loops_(loops), paths_(paths), straight_(paths.paths.size(), 0) {
+      : surface_(surface), loops_(loops), straight_(paths.paths.size(), 0) {
     std::vector<size_t> index(paths.path_of.size(), 0);
     for (const AxisPath& path : paths.paths)
       for (size_t i = 0; i < path.vertices.size(); ++i)
@@ -209,7 +209,6 @@ class TreeFit {
 
   const TriangleSurface& surface_;
   const std::vector<std::vector<int>>& loops_;
-  const AxisPaths& paths_;
   std::vector<char> straight_;  // per path: too short for closed sections
   std::vector<std::vector<Contact>> contacts_;
 };

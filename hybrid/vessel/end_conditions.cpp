@@ -38,6 +38,11 @@ RodSupport& support_at(RodConditions& conditions, int node) {
   return conditions.supports.back();
 }
 
+// How a message names it.
+std::string called(const EndCondition& condition) {
+  return condition.line > 0 ? "line " + std::to_string(condition.line) : "another condition";
+}
+
 }  // namespace
 
 int find_end(const Vessel& vessel, const EndSelector& selector, const std::string& where) {
@@ -77,10 +82,7 @@ VesselConditions end_conditions(const Scene& scene, const std::string& name, con
     for (const auto& [other_end, other] : before)
       if (other_end == end && exclude_each_other(entry, *other))
         throw InputError(where + ": end: found " + to_string(entry.end) + " of " + name +
-                         ", the end that " +
-                         (other->line > 0 ? "line " + std::to_string(other->line)
-                                          : std::string("another condition")) +
-                         " calls " + to_string(other->end) +
+                         ", the end that " + called(*other) + " calls " + to_string(other->end) +
                          ", expected one motion, or one load and one fix, for each end");
     before.emplace_back(end, &entry);
 

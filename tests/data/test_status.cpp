@@ -7,9 +7,9 @@ namespace vasorod {
 namespace {
 
 // From good to bad, as the enumeration has them.
-constexpr Status all[] = {Status::converged,  Status::equilibrium_only, Status::unstable,
-                          Status::buckled,    Status::not_unique,       Status::iteration_limit,
-                          Status::interrupted};
+constexpr Status all[] = {
+    Status::converged,  Status::equilibrium_only,  Status::unstable,        Status::buckled,
+    Status::not_unique, Status::self_intersecting, Status::iteration_limit, Status::interrupted};
 
 TEST(Status, NamesReadBackAndDiffer) {
   std::set<std::string> names;

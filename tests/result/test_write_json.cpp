@@ -212,14 +212,5 @@ TEST(WriteJson, DiscretisationOfTheReference) {
   EXPECT_TRUE(value.at("observed_order").is_null());
 }
 
-TEST(Status, EveryNameReadsBack) {
-  for (const char* name : {"converged", "equilibrium_only", "unstable", "buckled", "not_unique",
-                           "iteration_limit", "interrupted"}) {
-    ASSERT_TRUE(status_named(name)) << name;
-    EXPECT_EQ(to_string(*status_named(name)), name);
-  }
-  EXPECT_FALSE(status_named("fine"));
-}
-
 }  // namespace
 }  // namespace vasorod

@@ -83,6 +83,15 @@ struct ContactReport {
   double smallest_gap = 0;    ///< smallest gap, length
 };
 
+/// Walls that pass through themselves or each other.
+struct SelfIntersection {
+  std::string a,              ///< name of the first vessel
+      b;                      ///< name of the second vessel; `a` again: through itself
+  int pairs = 0;              ///< pairs of triangles that cross deeper than facets that touch do
+  double depth = 0;           ///< of the deepest pair: the shift that would part it, length
+  Vec3 where = Vec3::Zero();  ///< the place of the deepest pair, length
+};
+
 /// Extremes of one vessel, and where each occurs (a point of the deformed surface or centerline).
 struct VesselMetrics {
   std::string vessel;                   ///< name of the vessel
@@ -259,18 +268,20 @@ struct Stage {
 
 /// A result. Lengths and stresses are in the scene's units.
 struct Result {
-  std::string scene,                      ///< name of the scene
-      program,                            ///< name and version of the program
-      fidelity;                           ///< name of the fidelity
-  std::string length_unit = "mm",         ///< name of the length unit
-      stress_unit = "MPa";                ///< name of the stress unit
-  Status status = Status::converged;      ///< the worst status of all parts
-  Certificate certificate;                ///< how well the discrete problem was solved
-  Validity validity;                      ///< how close the model is to its limits
-  Energies energy;                        ///< parts of the energy, stress length^3
-  std::vector<EndReaction> ends;          ///< reactions of the supports
-  std::vector<Balance> balance;           ///< sums of forces, per deformable vessel
-  std::vector<ContactReport> contact;     ///< pairs of vessels within reach
+  std::string scene,                   ///< name of the scene
+      program,                         ///< name and version of the program
+      fidelity;                        ///< name of the fidelity
+  std::string length_unit = "mm",      ///< name of the length unit
+      stress_unit = "MPa";             ///< name of the stress unit
+  Status status = Status::converged;   ///< the worst status of all parts
+  Certificate certificate;             ///< how well the discrete problem was solved
+  Validity validity;                   ///< how close the model is to its limits
+  Energies energy;                     ///< parts of the energy, stress length^3
+  std::vector<EndReaction> ends;       ///< reactions of the supports
+  std::vector<Balance> balance;        ///< sums of forces, per deformable vessel
+  std::vector<ContactReport> contact;  ///< pairs of vessels within reach
+  /// Where walls pass through themselves or each other.
+  std::vector<SelfIntersection> self_intersections;
   std::vector<VesselMetrics> metrics;     ///< extremes, per deformable vessel
   std::vector<Criterion> criteria;        ///< the worst values beside their thresholds
   ModelReport model;                      ///< what the model contained

@@ -9,13 +9,14 @@ namespace vasorod {
 
 /// The outcome of a solve, from best to worst.
 enum class Status {
-  converged,         ///< equilibrium; where a certificate was requested, a stable minimum
-  equilibrium_only,  ///< equilibrium, not a certified minimum (a dead moment has no energy)
-  unstable,          ///< equilibrium with a direction of negative curvature that could not be left
-  buckled,           ///< the branch from rest lost its stability; this is the minimum below it
-  not_unique,        ///< equilibrium with a direction along which the energy does not change
-  iteration_limit,   ///< no equilibrium found; this is the best state seen
-  interrupted        ///< stopped by the caller or the time limit; this is the best state seen
+  converged,          ///< equilibrium; where a certificate was requested, a stable minimum
+  equilibrium_only,   ///< equilibrium, not a certified minimum (a dead moment has no energy)
+  unstable,           ///< equilibrium with a direction of negative curvature that could not be left
+  buckled,            ///< the branch from rest lost its stability; this is the minimum below it
+  not_unique,         ///< equilibrium with a direction along which the energy does not change
+  self_intersecting,  ///< equilibrium whose walls pass through themselves or each other
+  iteration_limit,    ///< no equilibrium found; this is the best state seen
+  interrupted         ///< stopped by the caller or the time limit; this is the best state seen
 };
 
 /// The status's name in result.json.

@@ -1,0 +1,35 @@
+// Where a ray passes through the triangles of a surface.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <vasorod/types.h>
+
+namespace vasorod {
+
+/// One triangle that a ray passes through.
+struct RayHit {
+  int triangle = -1;    ///< index of the triangle
+  double distance = 0;  ///< from the ray's origin, length
+  bool leaves = false;  ///< whether the ray passes to the side of the triangle's normal
+};
+
+/// A tree of boxes over a surface's triangles (CGAL). Copies what it needs of the surface.
+class RayHits {
+ public:
+  explicit RayHits(const TriangleSurface& surface);
+  RayHits(RayHits&&) noexcept;
+  RayHits& operator=(RayHits&&) noexcept;
+  ~RayHits();
+
+  /// All hits of the ray from `origin` in the unit `direction`, from near to far. A ray through an
+  /// edge may hit both its triangles; one parallel to a triangle does not hit it.
+  std::vector<RayHit> along(const Vec3& origin, const Vec3& direction) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace vasorod

@@ -1,0 +1,41 @@
+#include "predict/name_crossings.h"
+
+#include "data/index.h"
+#include "data/sentence.h"
+#include "judge/crossings.h"
+
+namespace vasorod {
+
+void name_crossings(const Prediction& prediction, Result& result) {
+  if (result.status == Status::interrupted) return;
+  std::vector<CheckedBody> bodies;
+  std::vector<std::string> names;
+  CheckedSeam seam;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.positions.rows() == 0) continue;  // fidelity rod, bare rods
+    const std::string& name = vessel.prepared.spec.name;
+    if (prediction.glenn && prediction.glenn->report.svc == name)
+      seam.a = static_cast<int>(bodies.size());
+    if (prediction.glenn && prediction.glenn->report.rpa == name)
+      seam.b = static_cast<int>(bodies.size());
+    bodies.push_back({&vessel.prepared.vessel.surface, &vessel.positions,
+                      vessel.prepared.obstacle() ? 0 : vessel.prepared.vessel.mean_radius});
+    names.push_back(name);
+  }
+  if (prediction.glenn) seam.pairs = prediction.glenn->pairs;
+  for (const Crossing& crossing : crossings(bodies, seam)) {
+    const std::string &a = names[index(crossing.a)], &b = names[index(crossing.b)];
+    result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
+    result.validity.warnings.push_back(
+        a + (a == b ? " passes through itself" : " and " + b + " pass through each other") +
+        " at " + place_text(crossing.where) + ", " + number_text(crossing.depth, 3) + " " +
+        prediction.scene->units.length + " deep in " + std::to_string(crossing.pairs) +
+        " pairs of triangles: " +
+        (a == b ? "a wall does not feel itself in this model" : "the contact did not part them"));
+    result.validity.in_range = false;
+  }
+  if (!result.self_intersections.empty() && prediction.surfaces)
+    result.status = worse(result.status, Status::self_intersecting);
+}
+
+}  // namespace vasorod

@@ -1,0 +1,16 @@
+// The last check of a result: no wall passes through itself or another and says converged.
+#pragma once
+
+#include <vasorod/result.h>
+
+#include "predict/prediction.h"
+
+namespace vasorod {
+
+/// Fills `self_intersections` from the predicted surfaces, with a warning for each, and puts the
+/// validity out of range. Where surfaces were solved, the status becomes self_intersecting at
+/// least; a fidelity that only carries them does not claim that they are apart. States that were
+/// interrupted are not searched.
+void name_crossings(const Prediction& prediction, Result& result);
+
+}  // namespace vasorod

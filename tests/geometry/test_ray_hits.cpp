@@ -1,0 +1,65 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <vasorod/tube.h>
+
+#include "geometry/ray_hits.h"
+
+namespace vasorod {
+namespace {
+
+TriangleSurface tube() {
+  TubeSpec spec;
+  spec.length = 40;
+  spec.radius = 10;
+  spec.around = 36;
+  spec.along = 40;
+  return tube_surface(spec);
+}
+
+TEST(RayHits, ARayAcrossATubeEntersAndLeavesIt) {
+  const RayHits rays(tube());
+  const double sagitta = 10 * (1 - std::cos(std::numbers::pi / 36));
+  for (const double aside : {0.0, 3.3, 9.1})
+    for (const double degrees : {0.7, 41.3, 187.9}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const Vec3 along(std::cos(angle), std::sin(angle), 0), side(-along.y(), along.x(), 0);
+      const auto hits = rays.along(Vec3(0, 0, 17.3) + aside * side - 25 * along, along);
+      ASSERT_EQ(hits.size(), 2U) << aside << " " << degrees;
+      // A chord of the circle; its polygon is up to a sagitta nearer, more where it is grazed.
+      const double half = std::sqrt(100 - aside * aside), slack = 1.01 * sagitta * 10 / half;
+      EXPECT_NEAR(hits[0].distance, 25 - half, slack);
+      EXPECT_NEAR(hits[1].distance, 25 + half, slack);
+      EXPECT_FALSE(hits[0].leaves);
+      EXPECT_TRUE(hits[1].leaves);
+      EXPECT_NE(hits[0].triangle, hits[1].triangle);
+    }
+}
+
+TEST(RayHits, FromInsideThereIsOneAndBehindNone) {
+  const RayHits rays(tube());
+  const Vec3 along = Vec3(1, 0.31, 0.07).normalized();
+  const auto hits = rays.along({0, 0, 20}, along);
+  ASSERT_EQ(hits.size(), 1U);
+  EXPECT_TRUE(hits[0].leaves);
+  EXPECT_TRUE(rays.along({20, 0, 20}, along).empty());
+  EXPECT_TRUE(rays.along({0, 0, 20}, Vec3::UnitZ()).empty());  // out of the open end
+}
+
+TEST(RayHits, DoNotDependOnTheUnit) {
+  TriangleSurface small = tube();
+  const RayHits rays(small);
+  const Vec3 from(-25, 1, 20), along = Vec3(1, 0.1, 0.03).normalized();
+  const auto hits = rays.along(from, along);
+  small.points *= 1e-6;
+  const auto again = RayHits(small).along(1e-6 * from, along);
+  ASSERT_EQ(again.size(), hits.size());
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    EXPECT_EQ(again[k].triangle, hits[k].triangle);
+    EXPECT_NEAR(again[k].distance, 1e-6 * hits[k].distance, 1e-18);
+  }
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,74 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "predict/name_crossings.h"
+#include "predict/small_scenes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+using Kind = EndSelector::Kind;
+
+// A tube of length 36 and radius 6 with its end turned by `degrees` and moved.
+Scene turned(const std::string& fidelity, double degrees, const Vec3& by) {
+  Scene scene;
+  scene.name = "turned";
+  scene.vessels = {tube("vein", 36)};
+  scene.ends = {held("vein", Kind::start), moved("vein", Kind::end, by)};
+  scene.ends[1].rotate_deg = Vec3(0, degrees, 0);
+  scene.fidelity = fidelity;
+  return scene;
+}
+// Folded back: the end stands beside the start, nearer than two radii.
+Scene folded(const std::string& fidelity) {
+  return turned(fidelity, 180, {9, 0, -33});
+}
+
+bool warns(const Result& result) {
+  for (const std::string& warning : result.validity.warnings)
+    if (warning.find("vein passes through itself") != std::string::npos) return true;
+  return false;
+}
+
+TEST(NameCrossings, ASolvedWallInsideItselfDoesNotConverge) {
+  const Result result = predict(folded("paper"));
+  EXPECT_EQ(result.status, Status::self_intersecting) << to_string(result.status);
+  ASSERT_EQ(result.self_intersections.size(), 1U);
+  const SelfIntersection& crossing = result.self_intersections[0];
+  EXPECT_EQ(crossing.a, "vein");
+  EXPECT_EQ(crossing.b, "vein");
+  EXPECT_GT(crossing.pairs, 10);
+  EXPECT_GT(crossing.depth, 0.5);
+  EXPECT_FALSE(result.validity.in_range);
+  EXPECT_TRUE(warns(result));
+}
+
+TEST(NameCrossings, ACarriedWallIsOnlyWarnedOf) {
+  const Result result = predict(folded("skin"));
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_EQ(result.self_intersections.size(), 1U);
+  EXPECT_TRUE(warns(result));
+  EXPECT_FALSE(result.validity.in_range);
+  EXPECT_TRUE(predict(folded("rod")).self_intersections.empty());  // no surface, no wall
+}
+
+TEST(NameCrossings, ABendIsNone) {
+  for (const std::string fidelity : {"skin", "paper", "coupled"}) {
+    const Result result = predict(turned(fidelity, 10, {3, 0, -0.3}));
+    EXPECT_TRUE(result.self_intersections.empty()) << fidelity;
+    EXPECT_FALSE(warns(result)) << fidelity;
+    EXPECT_NE(result.status, Status::self_intersecting) << fidelity;
+  }
+}
+
+TEST(NameCrossings, InterruptedStatesAreNotSearched) {
+  SolveOptions options;
+  options.stop = [] { return true; };
+  const Result result = predict(folded("paper"), options);
+  EXPECT_EQ(result.status, Status::interrupted) << to_string(result.status);
+  EXPECT_TRUE(result.self_intersections.empty());
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -5,9 +5,8 @@ add_library(vasorod_warnings INTERFACE)
 set(gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
 target_compile_options(vasorod_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
-  # GCC 12 sees an overlap in "literal" + std::string that is not there (GCC bug 105651); with
-  # precompiled headers it calls the same an overflow.
-  $<${gcc_12}:-Wno-restrict> $<${gcc_12}:-Wno-stringop-overflow>)
+  # GCC 12 sees an overlap in "literal" + std::string that is not there (GCC bug 105651).
+  $<${gcc_12}:-Wno-restrict>)
 if(VASOROD_WARNINGS_AS_ERRORS)
   target_compile_options(vasorod_warnings INTERFACE -Werror)
 endif()
@@ -59,8 +58,6 @@ function(vasorod_test name)
     ${ARG_LINKS} vasorod_warnings GTest::gtest GTest::gtest_main)
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE VASOROD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  # What is tested is optimised in its library; the tests themselves compile faster without.
-  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   vasorod_use_precompiled(test_${name} "${ARG_LINKS}" vasorod_precompiled_tests)
   if(VASOROD_REAL_ANATOMY)
     set(filter "*")

@@ -11,8 +11,13 @@
 namespace vasorod {
 namespace {
 
-TriangleSurface tube() {
-  return tube_surface({.length = 10, .radius = 3, .around = 12, .along = 8});
+TriangleSurface tube(double length = 10, int along = 8) {
+  TubeSpec spec;
+  spec.length = length;
+  spec.radius = 3;
+  spec.around = 12;
+  spec.along = along;
+  return tube_surface(spec);
 }
 
 // The surface of the triangles that are alive.
@@ -67,8 +72,7 @@ TEST(EditableMesh, CollapsesKeepTopologyUntilNoneIsAllowed) {
 
 TEST(EditableMesh, AnEdgeAcrossTheTubeIsNotCollapsed) {
   // One strip of triangles: every inner edge joins the two ends.
-  const TriangleSurface surface =
-      tube_surface({.length = 3, .radius = 3, .around = 12, .along = 1});
+  const TriangleSurface surface = tube(3, 1);
   const EditableMesh mesh(surface);
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) {

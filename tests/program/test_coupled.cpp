@@ -229,6 +229,7 @@ TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
 
 // Two tubes side by side, the held ends of one moved into those of the other: converged, with the
 // reason why contact beside the ends is missing.
+// Held inside each other, they reach an equilibrium, but no vessels can be so.
 TEST(Coupled, ParallelTubesWhoseHeldEndsOverlapSettleAndSaySo) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "scene.yaml") << R"(scene: parallel
@@ -252,9 +253,14 @@ fidelity: coupled
     const auto run =
         run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
                             (scratch / "out").string() + "' --json --fidelity " + fidelity));
-    ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    ASSERT_EQ(run.exit_code, 1) << run.err << run.out;
     const json result = json::parse(run.out);
-    EXPECT_EQ(result.at("status"), "converged");
+    EXPECT_EQ(result.at("status"), "self_intersecting");
+    const json& crossing = result.at("self_intersections").at(0);
+    EXPECT_EQ(crossing.at("a"), "one");
+    EXPECT_EQ(crossing.at("b"), "other");
+    // Mid-walls: 16 - (17.01 - 3) at the held ends.
+    EXPECT_NEAR(crossing.at("depth").get<double>(), 1.99, 0.1);
     EXPECT_GT(result.at("contact")[0].at("force")[0].get<double>(), 0);
     for (const auto& vessel : result.at("balance"))
       EXPECT_LT(vessel.at("residual").get<double>(), 1e-6);

@@ -85,11 +85,11 @@ struct ContactReport {
 
 /// Walls that pass through themselves or each other.
 struct SelfIntersection {
-  std::string a,              ///< name of the first vessel
-      b;                      ///< name of the second vessel; `a` again: through itself
-  int pairs = 0;              ///< pairs of triangles that cross deeper than facets that touch do
-  double depth = 0;           ///< of the deepest pair: the shift that would part it, length
-  Vec3 where = Vec3::Zero();  ///< the place of the deepest pair, length
+  std::string a,     ///< name of the first vessel
+      b;             ///< name of the second vessel; `a` again: through itself
+  int pairs = 0;     ///< pairs of triangles that cross
+  double depth = 0;  ///< from the deepest vertex on the wrong side to the next wall, length
+  Vec3 where = Vec3::Zero();  ///< that vertex, length
 };
 
 /// Extremes of one vessel, and where each occurs (a point of the deformed surface or centerline).

@@ -202,4 +202,35 @@ std::vector<int> split_level_set(SurfaceEditor& editor, const std::vector<double
   return loop;
 }
 
+std::vector<std::vector<int>> parts_beside(const SurfaceEditor& editor,
+                                           const std::vector<int>& cycle) {
+  std::set<std::pair<int, int>> walls;
+  for (size_t k = 0; k < cycle.size(); ++k) {
+    const int a = cycle[k], b = cycle[(k + 1) % cycle.size()];
+    walls.insert({a, b});
+    walls.insert({b, a});
+  }
+  std::vector<char> seen(static_cast<size_t>(editor.triangle_count()), 0);
+  std::vector<std::vector<int>> parts;
+  for (int seed = 0; seed < editor.triangle_count(); ++seed) {
+    if (!editor.alive(seed) || seen[static_cast<size_t>(seed)]) continue;
+    std::vector<int> part{seed};
+    seen[static_cast<size_t>(seed)] = 1;
+    for (size_t i = 0; i < part.size(); ++i) {
+      const auto corners = editor.triangle(part[i]);
+      for (size_t k = 0; k < 3; ++k) {
+        const int a = corners[k], b = corners[(k + 1) % 3];
+        if (walls.contains({a, b})) continue;
+        const int across = editor.triangle_left_of(b, a);
+        if (across < 0 || seen[static_cast<size_t>(across)]) continue;
+        seen[static_cast<size_t>(across)] = 1;
+        part.push_back(across);
+      }
+    }
+    std::sort(part.begin(), part.end());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 }  // namespace vasorod

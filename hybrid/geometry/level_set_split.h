@@ -18,4 +18,9 @@ namespace vasorod {
 std::vector<int> split_level_set(SurfaceEditor& editor, const std::vector<double>& f,
                                  const std::vector<std::array<int, 2>>& edges);
 
+/// The triangles on each side of a cycle of edges, by a flood fill that does not cross it; one
+/// ascending list per connected part.
+std::vector<std::vector<int>> parts_beside(const SurfaceEditor& editor,
+                                           const std::vector<int>& cycle);
+
 }  // namespace vasorod

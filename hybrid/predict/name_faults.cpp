@@ -99,6 +99,9 @@ void scan_glenn(const Result& result, Scan& scan) {
   scan.see("cut's point", glenn.cut.point);
   scan.see("cut's normal", glenn.cut.normal);
   scan.see("incision's length", glenn.incision.length);
+  scan.see("incision's width", glenn.incision.width);
+  scan.see("incision's perimeter", glenn.incision.perimeter_ratio);
+  scan.see("incision's removed area", glenn.incision.removed_area);
   for (const Vec3& end : glenn.incision.ends) scan.see("incision's end", end);
   scan.see("seam's rotation", glenn.join.rotation_deg);
   scan.see("turn of the mouth's axis", glenn.join.axis_turn_deg);

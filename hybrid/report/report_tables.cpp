@@ -184,6 +184,11 @@ std::string glenn_table(const Result& result) {
   add("Cut, plane through", vector_text(g.cut.point), length);
   add("Cut, normal", vector_text(g.cut.normal), "");
   add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
+  if (g.incision.shape != "slit") {
+    add("Incision, width of the " + g.incision.shape, cell_text(g.incision.width), length);
+    add("Incision, wall taken out", cell_text(g.incision.removed_area), length + "²");
+  }
+  add("Incision, perimeter over the cut's", cell_text(g.incision.perimeter_ratio), "");
   add("Incision, ends", vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]),
       length);
   add("Seam, pairs of points", std::to_string(g.join.pairs), "");

@@ -13,10 +13,34 @@ std::string read_operated(const Field& field, const std::vector<VesselSpec>& ves
   return vessel.name;
 }
 
+// An ellipse by its ratio, or by its width and, if given, its length.
+IncisionEllipse read_ellipse(const Field& field) {
+  IncisionEllipse ellipse;
+  if (!field.is_map()) {
+    ellipse.ratio = field.number_in(0.1, 1);
+    return ellipse;
+  }
+  field.check_keys({"length", "width"});
+  ellipse.width = field.at("width", "the ellipse's axis across the artery").length();
+  if (const auto length = field.find("length")) ellipse.length = length->length();
+  return ellipse;
+}
+
+std::optional<IncisionEllipse> read_shape(const Field& field) {
+  if (!field.is_map()) {
+    const std::string expected = "slit, {ellipse: RATIO} or {ellipse: {length: L, width: W}}";
+    if (field.text(expected) != "slit") field.refuse(field.found(), expected);
+    return std::nullopt;
+  }
+  field.check_keys({"ellipse"});
+  return read_ellipse(field.at("ellipse", "width over length, or {length: L, width: W}"));
+}
+
 }  // namespace
 
 GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels) {
-  field.check_keys({"svc", "rpa", "cut", "incision", "incision_length", "rotation_deg", "keep"});
+  field.check_keys({"svc", "rpa", "cut", "incision", "incision_length", "incision_shape",
+                    "rotation_deg", "keep"});
   GlennSpec glenn;
   glenn.line = field.line();
   glenn.svc =
@@ -29,6 +53,10 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
   glenn.incision = field.at("incision", "a point picked on the rpa").vec3();
   if (const auto length = field.find("incision_length"))
     glenn.incision_length = length->number_in(0.25, 4);
+  if (const auto shape = field.find("incision_shape")) glenn.ellipse = read_shape(*shape);
+  if (glenn.ellipse && glenn.ellipse->length && field.has("incision_length"))
+    field.at("incision_length", "a number")
+        .refuse("it beside an ellipse that has a length", "one of the two");
   if (const auto rotation = field.find("rotation_deg"); rotation && rotation->found() != "\"auto\"")
     glenn.rotation_deg = rotation->number_up_to(largest_length, "auto or a number");
   const Field keep = field.at("keep", "{near: [x, y, z]}, the end of the cut svc that goes on");

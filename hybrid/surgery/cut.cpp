@@ -37,37 +37,6 @@ const SectionLoop& curve_to_cut(const std::vector<SectionLoop>& curves, const Po
   return curve;
 }
 
-// The triangles on each side of the cycle, by a flood fill that does not cross it.
-std::vector<std::vector<int>> parts_of(const SurfaceEditor& editor, const std::vector<int>& loop) {
-  std::set<std::pair<int, int>> walls;
-  for (size_t k = 0; k < loop.size(); ++k) {
-    const int a = loop[k], b = loop[(k + 1) % loop.size()];
-    walls.insert({a, b});
-    walls.insert({b, a});
-  }
-  std::vector<char> seen(static_cast<size_t>(editor.triangle_count()), 0);
-  std::vector<std::vector<int>> parts;
-  for (int seed = 0; seed < editor.triangle_count(); ++seed) {
-    if (!editor.alive(seed) || seen[static_cast<size_t>(seed)]) continue;
-    std::vector<int> part{seed};
-    seen[static_cast<size_t>(seed)] = 1;
-    for (size_t i = 0; i < part.size(); ++i) {
-      const auto corners = editor.triangle(part[i]);
-      for (size_t k = 0; k < 3; ++k) {
-        const int a = corners[k], b = corners[(k + 1) % 3];
-        if (walls.contains({a, b})) continue;
-        const int across = editor.triangle_left_of(b, a);
-        if (across < 0 || seen[static_cast<size_t>(across)]) continue;
-        seen[static_cast<size_t>(across)] = 1;
-        part.push_back(across);
-      }
-    }
-    std::sort(part.begin(), part.end());
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
 // The boundary loop of a part that contains only the cycle's vertices.
 std::vector<int> mouth_of(const SurfaceEditor::Part& part, const std::vector<int>& loop) {
   const std::set<int> on_loop(loop.begin(), loop.end());
@@ -115,7 +84,7 @@ CutOutcome cut_vessel(const TriangleSurface& surface, const Pose& section, const
     throw InputError(
         where + ": the surface is too irregular there to be cut cleanly, expected it remeshed");
 
-  const auto parts = parts_of(editor, loop);
+  const auto parts = parts_beside(editor, loop);
   if (parts.size() != 2)
     throw InputError(where + ": the cut leaves the vessel in " + std::to_string(parts.size()) +
                      (parts.size() == 1 ? " part" : " parts") +

@@ -15,13 +15,25 @@
 #include "rod/split_rod.h"
 #include "surgery/cut.h"
 #include "surgery/edited_vessel.h"
+#include "surgery/ellipse.h"
 #include "surgery/incision.h"
+#include "surgery/incision_place.h"
 #include "surgery/join.h"
 #include "surgery/pose.h"
 #include "surgery/vein_rotation.h"
 
 namespace vasorod {
 namespace {
+
+// Adds the place in the scene to the error of a part that does not know the scene.
+template <class Work>
+auto placed(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(where + ": " + error.what());
+  }
+}
 
 // A pick on a vessel: rod coordinates, rest frame of the section and mid-wall radius.
 struct Pick {
@@ -94,8 +106,10 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
   const Pick pick = locate(where, "cut", svc, spec.cut);
   const int kept_end =
       find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where + ": keep");
-  CutOutcome outcome = cut_vessel(svc.vessel.surface, pick.section, spec.cut,
-                                  svc.vessel.ends[index(kept_end)].center);
+  CutOutcome outcome = placed(where, [&] {
+    return cut_vessel(svc.vessel.surface, pick.section, spec.cut,
+                      svc.vessel.ends[index(kept_end)].center);
+  });
   const int far_node = svc.vessel.ends[index(kept_end)].node;
   const RodSide side = side_of(svc.vessel.rod, pick.at.element, pick.at.s, far_node);
   const RodPart kept = cut_rod(svc.vessel.rod, pick.at.element, pick.at.s, side);
@@ -121,6 +135,59 @@ void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
   bind_again(svc);
 }
 
+// The ellipse that the scene asks for, on a vessel of that radius.
+std::array<double, 2> ellipse_size(const GlennSpec& spec, double mouth_perimeter, double radius) {
+  const IncisionEllipse& ellipse = *spec.ellipse;
+  const double rim = spec.incision_length * mouth_perimeter;
+  double length = 0, width = 0;
+  if (ellipse.length) {
+    length = *ellipse.length;
+    width = ellipse.width ? *ellipse.width : ellipse.ratio * length;
+  } else if (ellipse.width) {
+    width = *ellipse.width;
+    if (!(M_PI * width <= rim))
+      throw InputError(joined_text("incision_shape: found an ellipse ", width,
+                                   " wide whose rim is to be ", rim,
+                                   " long, expected at most the circle's width of ",
+                                   rounded_down(rim / M_PI), ", or a length beside the width"));
+    length = ellipse_length(rim, width);
+  } else {
+    length = rim / ellipse_perimeter(1, ellipse.ratio);
+    width = ellipse.ratio * length;
+  }
+  if (!(width <= 2 * radius))
+    throw InputError(joined_text("incision_shape: found an ellipse ", width,
+                                 " wide on the wall of ", spec.rpa, ", expected at most its ",
+                                 "diameter there, ", rounded_down(2 * radius)));
+  return {length, width};
+}
+
+// Step 2: opens the recipient along its rod. A slit has half the mouth's perimeter, times the
+// scene's factor.
+IncisionOutcome incise(const std::string& where, const GlennSpec& spec, const Pick& pick,
+                       PreparedVessel& rpa, GlennReport& report) {
+  const Vessel& wall = rpa.vessel;
+  const double perimeter = report.cut.perimeter;
+  const IncisionOutcome incision = placed(where, [&] {
+    if (!spec.ellipse)
+      return open_incision(wall.surface, wall.rod, wall.binding, wall.branch_of, spec.incision,
+                           spec.incision_length * perimeter / 2, pick.radius, perimeter / 2);
+    const auto [length, width] = ellipse_size(spec, perimeter, pick.radius);
+    return open_ellipse(wall.surface, wall.rod, wall.binding, wall.branch_of, spec.incision, length,
+                        width, pick.radius);
+  });
+  if (spec.ellipse) report.incision.shape = "ellipse";
+  report.incision.length = incision.length;
+  report.incision.width = incision.width;
+  report.incision.perimeter = incision.perimeter;
+  report.incision.perimeter_ratio = incision.perimeter / perimeter;
+  report.incision.removed_area = incision.removed_area;
+  report.incision.ends = {incision.surface.points.row(incision.rim.front()),
+                          incision.surface.points.row(incision.rim[index(incision.other_tip)])};
+  follow_edit(rpa, incision.surface, incision.sources);
+  return incision;
+}
+
 }  // namespace
 
 GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc,
@@ -136,20 +203,10 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   cut(where, spec, svc, svc_conditions, operation);
   operation.stages.push_back(stage("cut", svc, rpa));
 
-  // Step 2: a slit of half the mouth's perimeter, times the scene's factor, along the recipient's
-  // rod.
   options.progress("incision");
   const double mouth_radius = operation.report.cut.perimeter / (2 * M_PI);
   const Vec3 outward = outward_normal(rpa.vessel.surface, spec.incision, mouth_radius);
-  IncisionOutcome incision =
-      open_incision(rpa.vessel.surface, rpa.vessel.rod, rpa.vessel.binding, rpa.vessel.branch_of,
-                    spec.incision, spec.incision_length * operation.report.cut.perimeter / 2,
-                    pick.radius, operation.report.cut.perimeter / 2);
-  operation.report.incision.length = incision.length;
-  operation.report.incision.ends = {
-      incision.surface.points.row(incision.rim.front()),
-      incision.surface.points.row(incision.rim[index(incision.other_tip)])};
-  follow_edit(rpa, incision.surface, incision.sources);
+  const IncisionOutcome incision = incise(where, spec, pick, rpa, operation.report);
   operation.stages.push_back(stage("incision", svc, rpa));
 
   // Step 3: the mouth's pose, the rotation with the least twist, and the pairs of the seam.
@@ -176,8 +233,10 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   Points mouth_start(static_cast<Eigen::Index>(loop.size()), 3);
   for (size_t k = 0; k < loop.size(); ++k)
     mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);
-  const JoinOutcome seam = match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface,
-                                      incision.rim, incision.other_tip);
+  const JoinOutcome seam = placed(where, [&] {
+    return match_seam(svc.vessel.surface, loop, mouth_start, rpa.vessel.surface, incision.rim,
+                      incision.other_tip);
+  });
   operation.pairs = seam.pairs;
   follow_edit(svc, seam.svc, seam.svc_sources);
   follow_edit(rpa, seam.rpa, seam.rpa_sources);

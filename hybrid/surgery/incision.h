@@ -12,16 +12,20 @@
 
 namespace vasorod {
 
-/// A vessel with an incision.
+/// A vessel with an incision: a slit, or an ellipse that was taken out (ellipse.h).
 struct IncisionOutcome {
-  TriangleSurface surface;  ///< opened; the input's vertices first, new ones after
-  VertexSources sources;    ///< in the input surface
-  /// The slit's boundary loop (the surface on its left), from the tip of smaller arc length s.
+  /// Opened; the input's vertices first (those that are left), new ones after.
+  TriangleSurface surface;
+  VertexSources sources;  ///< in the input surface
+  /// The opening's boundary loop (the surface on its left), from the tip of smaller arc length s.
   std::vector<int> rim;
   int other_tip = 0;         ///< index into `rim` of the tip of larger s
-  int middle = 0;            ///< index into `rim` of the pick's vertex on the first bank
+  int middle = 0;            ///< slit: index into `rim` of the pick's vertex on the first bank
   Vec3 pick = Vec3::Zero();  ///< the pick on the surface, length unit
-  double length = 0;         ///< actual length of the slit along the surface, length unit
+  double length = 0,         ///< actual length of the opening along the surface, length unit
+      width = 0,             ///< ellipse: actual width on the surface, length unit
+      perimeter = 0,         ///< of the rim, length unit
+      removed_area = 0;      ///< ellipse: of the piece taken out, length unit^2
 };
 
 /// Opens a slit of the given length along the isoline of the director angle through the pick. theta

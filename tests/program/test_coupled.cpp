@@ -287,5 +287,57 @@ TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
   EXPECT_LT(sum.norm(), 1e-9 * largest) << "the seam pulls on both alike";
 }
 
+// A T of a vein of radius 3.3 and an artery of radius 3.5 that only just touch: nothing pulls on
+// the seam but the shape of the opening.
+std::string tee(const std::string& fidelity, const std::string& opening) {
+  return R"(scene: tee
+units: {length: mm, stress: MPa}
+vessels:
+  - name: svc
+    tube: {length: 40, radius: 3.3, around: 30, along: 60}
+    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
+  - name: rpa
+    tube: {length: 44, radius: 3.5, around: 32, along: 74, position: [-22, 0, 30.8],
+           tangent: [1, 0, 0], normal: [0, 0, -1]}
+    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
+ends:
+  - {vessel: svc, end: start, hold: true}
+  - {vessel: rpa, end: start, hold: true}
+  - {vessel: rpa, end: end, hold: true}
+contact: []
+surgery:
+  glenn: {svc: svc, rpa: rpa, cut: [3.3, 0, 27.3], incision: [0, 0, 27.3],
+          keep: {near: [0, 0, 0]}, )" +
+         opening + "}\nfidelity: " + fidelity + "\n";
+}
+
+// With an ellipse as long as the vein's mouth the seam hardly has to pull: the mouth is about as
+// large as what was taken out. The numbers of `coupled` are those of the same walls with a hole
+// meshed by other code: 31.2 mm2, span 8.3, width 5.0, perimeter 20.9.
+TEST(Coupled, TheMouthOfAnEllipseIsAboutAsLargeAsTheEllipse) {
+  const std::string opening = "incision_shape: {ellipse: {length: 8.4, width: 4.4}}";
+  for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
+    SCOPED_TRACE(fidelity);
+    const json result = solve(tee(fidelity, opening));
+    EXPECT_EQ(result.at("status"), "converged");
+    const json& glenn = result.at("glenn");
+    EXPECT_EQ(glenn.at("incision").at("shape"), "ellipse");
+    const double own = M_PI * 8.4 * 4.4 / 4;
+    EXPECT_NEAR(glenn.at("incision").at("removed_area").get<double>() / own, 1, 0.015);
+    if (fidelity == "rod") continue;  // no surfaces, no mouth
+    const double mouth = glenn.at("mouth").at("area").get<double>();
+    EXPECT_NEAR(mouth / own, 1, 0.13);
+    EXPECT_LT(glenn.at("join").at("largest_gap").get<double>(), 0.01 * 3.3);
+    if (fidelity != "coupled") continue;
+    EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+    EXPECT_NEAR(mouth, 31.2, 0.02 * 31.2);
+    EXPECT_NEAR(glenn.at("mouth").at("span").get<double>(), 8.3, 0.1);
+    EXPECT_NEAR(glenn.at("mouth").at("width").get<double>(), 5.0, 0.1);
+    EXPECT_NEAR(glenn.at("mouth").at("perimeter").get<double>(), 20.9, 0.15);
+    for (const auto& vessel : result.at("balance"))
+      EXPECT_LT(vessel.at("residual").get<double>(), 1e-6) << vessel;
+  }
+}
+
 }  // namespace
 }  // namespace vasorod::testing

@@ -20,7 +20,7 @@ write_tube(folder / "tube.obj")
 write_tube(folder / "aside.obj", beside=40)
 bases = {
     name: read_scene(Path(HERE) / f"{name}.yaml")
-    for name in ("rods", "pressed", "surfaces", "tubes")
+    for name in ("rods", "pressed", "surfaces", "tubes", "opened")
 }
 
 # Rules that no schema can say, by the program's sentence: they need other parts of the scene, or

@@ -1,9 +1,11 @@
 // The seam of the operation on the bundled anatomy and on real vessels: what the solvers start
 // from.
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <numeric>
 
+#include <vasorod/error.h>
 #include <vasorod/read_scene.h>
 
 #include "data/index.h"
@@ -19,10 +21,10 @@ struct Operated {
   GlennOperation operation;
 };
 
-Operated operated(const std::string& file, double incision_length = 1) {
+Operated operated(const std::string& file, const std::function<void(GlennSpec&)>& change) {
   Scene scene =
       read_scene(std::filesystem::path(VASOROD_SOURCE_DIR) / "benchmarks/cases/glenn" / file);
-  scene.glenn->incision_length = incision_length;
+  change(*scene.glenn);
   Operated all;
   for (const VesselSpec& spec : scene.vessels) {
     if (spec.name != scene.glenn->svc && spec.name != scene.glenn->rpa) continue;
@@ -39,9 +41,12 @@ double distance(const PreparedVessel& vessel, int a, int b) {
   return (vessel.vessel.surface.points.row(a) - vessel.vessel.surface.points.row(b)).norm();
 }
 
-void expect_equal_seam(const std::string& file, double incision_length = 1) {
+// `ratio`: the rim's perimeter over that of the vein's mouth.
+Operated expect_equal_seam(
+    const std::string& file, double ratio = 1, double tolerance = 2e-3,
+    const std::function<void(GlennSpec&)>& change = [](GlennSpec&) {}) {
   SCOPED_TRACE(file);
-  const Operated all = operated(file, incision_length);
+  Operated all = operated(file, change);
   const auto& pairs = all.operation.pairs;
   const size_t n = pairs.size();
   std::vector<double> mouth, rim;
@@ -51,7 +56,8 @@ void expect_equal_seam(const std::string& file, double incision_length = 1) {
   }
   const double of_mouth = std::accumulate(mouth.begin(), mouth.end(), 0.0),
                of_rim = std::accumulate(rim.begin(), rim.end(), 0.0);
-  EXPECT_NEAR(of_rim / of_mouth, incision_length, 2e-3 * incision_length);
+  EXPECT_NEAR(of_rim / of_mouth, ratio, tolerance * ratio);
+  EXPECT_NEAR(all.operation.report.incision.perimeter_ratio, ratio, tolerance * ratio);
   for (size_t k = 0; k < n; ++k)
     EXPECT_NEAR(mouth[k] / of_mouth * of_rim, rim[k], 1e-9 * of_rim / double(n)) << k;
   // Both tips of the incision are pairs.
@@ -81,6 +87,7 @@ void expect_equal_seam(const std::string& file, double incision_length = 1) {
         carried_points(vessel->vessel.rod, vessel->vessel.rod.rest, vessel->vessel.binding);
     EXPECT_LT((bound - surface.points).cwiseAbs().maxCoeff(), 1e-9);
   }
+  return all;
 }
 
 TEST(GlennSeam, PairedSegmentsAreEqualOnTheBundledAnatomy) {
@@ -89,7 +96,62 @@ TEST(GlennSeam, PairedSegmentsAreEqualOnTheBundledAnatomy) {
 }
 
 TEST(GlennSeam, ALongerOrShorterIncisionIsDividedInTheSameProportions) {
-  for (const double length : {0.75, 1.25, 1.6}) expect_equal_seam("infant.yaml", length);
+  for (const double length : {0.75, 1.25, 1.6})
+    expect_equal_seam("infant.yaml", length, 2e-3,
+                      [&](GlennSpec& spec) { spec.incision_length = length; });
+}
+
+// An ellipse without a length has a rim as long as the vein's mouth, up to the chords of its edges.
+TEST(GlennSeam, AnEllipseIsDividedInTheSameProportions) {
+  for (const auto& [length, ratio, width] :
+       {std::tuple(1.0, 0.5, 0.0), {1.25, 0.3, 0.0}, {1.0, 0.0, 4.0}}) {
+    const auto all = expect_equal_seam("infant.yaml", length, 6e-3, [&](GlennSpec& spec) {
+      spec.incision_length = length;
+      spec.ellipse.emplace();
+      if (width > 0)
+        spec.ellipse->width = width;
+      else
+        spec.ellipse->ratio = ratio;
+    });
+    const auto& incision = all.operation.report.incision;
+    EXPECT_EQ(incision.shape, "ellipse");
+    if (width > 0)
+      EXPECT_NEAR(incision.width, width, 0.02 * width);
+    else
+      EXPECT_NEAR(incision.width / incision.length, ratio, 0.02 * ratio);
+    const double wanted = M_PI / 4 * incision.length * incision.width;
+    EXPECT_NEAR(incision.removed_area / wanted, 1, 0.02);
+    // Beside the mouth only what was taken out is missing, and the artery's ends are still its own.
+    EXPECT_EQ(all.rpa.vessel.ends.size(), 3U);
+    EXPECT_EQ(boundary_loops(all.rpa.vessel.surface.triangles).size(), 4U);
+  }
+}
+
+std::string refusal(const std::function<void(GlennSpec&)>& change) {
+  try {
+    operated("infant.yaml", change);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(GlennSeam, AnEllipseThatCannotBeIsRefusedWithASentence) {
+  const auto says = [](double length, double width, const std::string& part) {
+    const std::string said = refusal([&](GlennSpec& spec) {
+      spec.ellipse.emplace();
+      if (length > 0) spec.ellipse->length = length;
+      spec.ellipse->width = width;
+    });
+    EXPECT_NE(said.find("infant.yaml:"), std::string::npos) << said;
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  };
+  says(9, 8,
+       "incision_shape: found an ellipse 8 wide on the wall of pulmonary_artery, expected at "
+       "most its diameter there, ");
+  says(0, 7, "incision_shape: found an ellipse 7 wide whose rim is to be ");
+  says(40, 5, "runs into ");
+  says(40, 5, "expected one of at most ");
 }
 
 TEST(GlennSeam, PairedSegmentsAreEqualOnRealAnatomy) {

@@ -198,7 +198,12 @@ struct GlennReport {
   } cut;                        ///< the cut through the SVC
   /// The incision in the RPA.
   struct {
-    double length = 0;           ///< of the incision at rest, length
+    std::string shape = "slit";  ///< slit or ellipse
+    double length = 0,           ///< of the opening along the wall at rest, length
+        width = 0,               ///< of the opening across the wall at rest, length; slit: 0
+        perimeter = 0,           ///< of the opening's rim at rest, length
+        perimeter_ratio = 0,     ///< `perimeter` over that of the cut
+        removed_area = 0;        ///< of the piece of wall that was taken out, length^2; slit: 0
     std::array<Vec3, 2> ends{};  ///< its two ends at rest, length
     double opened_area = 0;      ///< area of the opened rim, length^2; NaN: nothing joined
   } incision;                    ///< the incision in the RPA

@@ -119,14 +119,26 @@ bool exclude_each_other(const EndCondition& a, const EndCondition& b);
 /// "X, expected Y" if the entry contradicts itself or has no condition; empty if it is consistent.
 std::string contradiction(const EndCondition& end);
 
+/// The ellipse that an incision takes out of the wall; both axes are measured on the wall.
+struct IncisionEllipse {
+  /// Axis along the vessel, length. Empty: the rim's perimeter is `incision_length` times that of
+  /// the vein's mouth.
+  std::optional<double> length;
+  /// Axis across the vessel, length. Empty: `ratio` times the length.
+  std::optional<double> width;
+  double ratio = 0.5;  ///< width over length where there is no width
+};
+
 /// The operation: a bidirectional Glenn shunt.
 struct GlennSpec {
   std::string svc,              ///< name of the vessel that is cut: the superior vena cava
       rpa;                      ///< name of the vessel that is incised: the right pulmonary artery
   Vec3 cut = Vec3::Zero(),      ///< picked point of the cut on the SVC, length
       incision = Vec3::Zero();  ///< picked point of the incision on the RPA, length
-  /// Length of the incision over half the perimeter of the vein's mouth.
+  /// Length of the incision over half the perimeter of the vein's mouth; of an ellipse without a
+  /// length, its perimeter over that of the mouth.
   double incision_length = 1;
+  std::optional<IncisionEllipse> ellipse;  ///< empty: the incision is a slit
   /// Rotation of the vein, degrees, added to the automatic one; empty: automatic only.
   std::optional<double> rotation_deg;
   Vec3 keep_near = Vec3::Zero();  ///< a point (length) near the SVC's end that is kept

@@ -36,8 +36,8 @@ SectionLoop loop_of(Points points) {
 }  // namespace
 
 MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
-                          const Points& recipient_now,
-                          const std::vector<std::array<int, 2>>& pairs) {
+                          const Points& recipient_now, const std::vector<std::array<int, 2>>& pairs,
+                          const Vec3& axis) {
   const auto n = static_cast<Eigen::Index>(pairs.size());
   Points seam(n, 3), rest(n, 3);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -51,7 +51,8 @@ MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
   const SectionLoop now = loop_of(seam), before = loop_of(rest);
   mouth.area = inset_area(now, -to_mid);
   mouth.lumen = inset_area(now, to_lumen);
-  mouth.area_ratio = mouth.lumen / inset_area(before, to_lumen);
+  const SectionLoop across = loop_of(rest - (rest * axis) * axis.transpose());
+  mouth.area_ratio = mouth.lumen / inset_area(across, to_lumen);
   mouth.perimeter = section_perimeter(now) + 2 * M_PI * to_mid;
   mouth.perimeter_ratio = mouth.perimeter / (section_perimeter(before) + 2 * M_PI * to_mid);
 
@@ -61,9 +62,9 @@ MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
   const Points flat = seam - (seam * normal) * normal.transpose();
   const auto [i, j] = farthest(flat);
   const Vec3 along = (flat.row(j) - flat.row(i)).normalized();
-  const Eigen::VectorXd across = flat * normal.cross(along);
+  const Eigen::VectorXd aside = flat * normal.cross(along);
   mouth.span = (flat.row(j) - flat.row(i)).norm() + 2 * to_mid;
-  mouth.width = across.maxCoeff() - across.minCoeff() + 2 * to_mid;
+  mouth.width = aside.maxCoeff() - aside.minCoeff() + 2 * to_mid;
   return mouth;
 }
 

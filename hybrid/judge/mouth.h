@@ -14,10 +14,12 @@ namespace vasorod {
 /// (`recipient_now`), one row per vertex. `pairs`: {vertex of the vein, vertex of the recipient},
 /// in order around the seam. The mouth's curve runs midway between the two vertices of each pair;
 /// areas and widths are those of its projection along its area vector. All numbers are of the
-/// vein's mid-wall, but for the lumen (half the vein's thickness further inwards).
+/// vein's mid-wall, but for the lumen (half the vein's thickness further inwards). The vein's lumen
+/// at rest, to which the mouth's is compared, is that across `axis`, the vein's axis at its cut
+/// end, also where the cut is oblique.
 MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
-                          const Points& recipient_now,
-                          const std::vector<std::array<int, 2>>& pairs);
+                          const Points& recipient_now, const std::vector<std::array<int, 2>>& pairs,
+                          const Vec3& axis);
 
 /// Counts the mouth among the vein's sections, and warns of a lumen ratio below 0.6 (a strong
 /// warning below 0.4). These two thresholds are conventions of this program: no measured ones are

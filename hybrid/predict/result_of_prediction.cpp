@@ -128,7 +128,8 @@ void measure_seam(const Prediction& prediction, GlennReport& report) {
   report.incision.opened_area = area_vector(rpa, rim).norm();
   const PreparedVessel& vein =
       prediction.vessels[vessel_named(prediction, glenn.report.svc)].prepared;
-  report.mouth = measure_mouth(vein, svc, rpa, glenn.pairs);
+  const Vec3 axis = vein.vessel.rod.rest[static_cast<size_t>(glenn.mouth_node)].director(3);
+  report.mouth = measure_mouth(vein, svc, rpa, glenn.pairs, axis);
 }
 
 void add_contact(const Prediction& prediction, Result& result) {

@@ -180,6 +180,7 @@ std::string glenn_table(const Result& result) {
     table.rows.push_back({html_text(what), html_text(value + (unit.empty() ? "" : " " + unit))});
   };
   add("Cut of " + g.svc + ", part of its length", cell_text(g.cut.fraction), "");
+  if (g.cut.tilt_deg != 0) add("Cut, tilt", cell_text(g.cut.tilt_deg), "degrees");
   add("Cut, perimeter", cell_text(g.cut.perimeter), length);
   add("Cut, plane through", vector_text(g.cut.point), length);
   add("Cut, normal", vector_text(g.cut.normal), "");

@@ -152,6 +152,7 @@ Json glenn(const GlennReport& g) {
                 {"rpa", g.rpa},
                 {"cut",
                  {{"fraction", g.cut.fraction},
+                  {"tilt_deg", g.cut.tilt_deg},
                   {"perimeter", g.cut.perimeter},
                   {"plane", {{"point", row(g.cut.point)}, {"normal", row(g.cut.normal)}}}}},
                 {"incision",

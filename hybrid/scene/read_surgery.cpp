@@ -39,8 +39,8 @@ std::optional<IncisionEllipse> read_shape(const Field& field) {
 }  // namespace
 
 GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels) {
-  field.check_keys({"svc", "rpa", "cut", "incision", "incision_length", "incision_shape",
-                    "rotation_deg", "keep"});
+  field.check_keys({"svc", "rpa", "cut", "cut_tilt_deg", "incision", "incision_length",
+                    "incision_shape", "rotation_deg", "keep"});
   GlennSpec glenn;
   glenn.line = field.line();
   glenn.svc =
@@ -51,6 +51,7 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
     rpa.refuse(in_quotes(glenn.rpa) + ", which is the svc", "another vessel");
   glenn.cut = field.at("cut", "a point picked on the svc").vec3();
   glenn.incision = field.at("incision", "a point picked on the rpa").vec3();
+  if (const auto tilt = field.find("cut_tilt_deg")) glenn.cut_tilt_deg = tilt->number_in(-75, 75);
   if (const auto length = field.find("incision_length"))
     glenn.incision_length = length->number_in(0.25, 4);
   if (const auto shape = field.find("incision_shape")) glenn.ellipse = read_shape(*shape);

@@ -19,8 +19,8 @@
 #include "surgery/incision.h"
 #include "surgery/incision_place.h"
 #include "surgery/join.h"
-#include "surgery/pose.h"
-#include "surgery/vein_rotation.h"
+#include "surgery/mouth_place.h"
+#include "surgery/tilted_cut.h"
 
 namespace vasorod {
 namespace {
@@ -72,26 +72,20 @@ double path_length(const RodTree& rod, int from, int to) {
 
 // The conditions of the kept rod: those at remaining nodes, and a clamp at the kept far end if the
 // scene has no entry for it.
-VesselConditions kept_conditions(const VesselConditions& before, const RodPart& kept,
-                                 const std::vector<int>& end_now, int kept_node) {
-  VesselConditions now;
-  now.acts = true;
-  for (RodSupport support : before.rod.supports) {
+RodConditions kept_conditions(const RodConditions& before, const RodPart& kept, int kept_node) {
+  RodConditions now;
+  for (RodSupport support : before.supports) {
     support.node = kept.node_of[index(support.node)];
-    if (support.node >= 0) now.rod.supports.push_back(support);
+    if (support.node >= 0) now.supports.push_back(support);
   }
-  for (RodLoad load : before.rod.loads) {
+  for (RodLoad load : before.loads) {
     load.node = kept.node_of[index(load.node)];
-    if (load.node >= 0) now.rod.loads.push_back(load);
-  }
-  for (ConditionedEnd end : before.ends) {
-    end.end = end_now[index(end.end)];
-    if (end.end >= 0) now.ends.push_back(end);
+    if (load.node >= 0) now.loads.push_back(load);
   }
   const bool held =
-      std::any_of(now.rod.supports.begin(), now.rod.supports.end(),
+      std::any_of(now.supports.begin(), now.supports.end(),
                   [&](const RodSupport& support) { return support.node == kept_node; });
-  if (!held) now.rod.supports.push_back(clamp(kept_node));
+  if (!held) now.supports.push_back(clamp(kept_node));
   return now;
 }
 
@@ -99,39 +93,67 @@ Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedV
   return {title, {svc.vessel.surface, rpa.vessel.surface}, {svc.spec.name, rpa.spec.name}};
 }
 
-// Step 1: the section's plane cuts the surface and splits the rod; the part with the kept end
-// remains.
-void cut(const std::string& where, const GlennSpec& spec, PreparedVessel& svc,
-         VesselConditions& conditions, GlennOperation& operation) {
-  const Pick pick = locate(where, "cut", svc, spec.cut);
+// The vein's rod and wall, cut at the pick's section.
+struct VeinCut {
+  Pick pick;
+  int kept_node = 0;                // node of the kept end in the kept rod
+  Vec3 kept_center = Vec3::Zero();  // of the kept end
+  RodSide side = RodSide::towards_root;
+  RodPart kept;
+  double fraction = 0;  // kept length over the whole rod's
+  CutOutcome wall;
+};
+
+VeinCut cut_straight(const std::string& where, const GlennSpec& spec, const PreparedVessel& svc) {
+  VeinCut cut;
+  cut.pick = locate(where, "cut", svc, spec.cut);
   const int kept_end =
       find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where + ": keep");
-  CutOutcome outcome = placed(where, [&] {
-    return cut_vessel(svc.vessel.surface, pick.section, spec.cut,
-                      svc.vessel.ends[index(kept_end)].center);
+  cut.kept_center = svc.vessel.ends[index(kept_end)].center;
+  cut.wall = placed(where, [&] {
+    return cut_vessel(svc.vessel.surface, cut.pick.section, spec.cut, cut.kept_center);
   });
+  const RodTree& rod = svc.vessel.rod;
   const int far_node = svc.vessel.ends[index(kept_end)].node;
-  const RodSide side = side_of(svc.vessel.rod, pick.at.element, pick.at.s, far_node);
-  const RodPart kept = cut_rod(svc.vessel.rod, pick.at.element, pick.at.s, side);
-  const int kept_node = kept.node_of[index(far_node)];
+  cut.side = side_of(rod, cut.pick.at.element, cut.pick.at.s, far_node);
+  cut.kept = cut_rod(rod, cut.pick.at.element, cut.pick.at.s, cut.side);
+  cut.kept_node = cut.kept.node_of[index(far_node)];
   const double total =
-      std::accumulate(svc.vessel.rod.elements.begin(), svc.vessel.rod.elements.end(), 0.0,
+      std::accumulate(rod.elements.begin(), rod.elements.end(), 0.0,
                       [](double sum, const RodElement& element) { return sum + element.length; });
-  operation.report.cut.fraction = path_length(kept.tree, kept_node, kept.cut_node) / total;
-  operation.report.cut.perimeter = outcome.perimeter;
-  operation.report.cut.point = outcome.center;
-  operation.report.cut.normal = outcome.normal;
-  operation.mouth_node = kept.cut_node;
-  operation.mouth_is_branch_end = side == RodSide::towards_root;
-  operation.stump = std::move(outcome.stump);
+  cut.fraction = path_length(cut.kept.tree, cut.kept_node, cut.kept.cut_node) / total;
+  return cut;
+}
 
-  const auto end_now = follow_edit(svc, outcome.kept, outcome.kept_sources);
-  for (VesselEnd& end : svc.vessel.ends) end.node = kept.node_of[index(end.node)];
-  svc.vessel.ends.push_back({outcome.mouth, outcome.center, outcome.normal, kept.cut_node});
-  conditions = kept_conditions(conditions, kept, end_now, kept_node);
-  svc.vessel.rod = kept.tree;
+// Step 1: the section's plane cuts the surface; the part with the kept end remains.
+void take_cut(VeinCut&& cut, const MouthPlace& place, PreparedVessel& svc,
+              VesselConditions& conditions, GlennOperation& operation) {
+  operation.report.cut.fraction = cut.fraction;
+  operation.report.cut.tilt_deg = place.tilt.degrees;
+  operation.report.cut.perimeter = cut.wall.perimeter;
+  operation.report.cut.point = cut.wall.center;
+  operation.report.cut.normal = cut.wall.normal;
+  operation.report.join.rotation_deg = place.rotation * (180 / M_PI);
+  operation.report.join.axis_turn_deg = place.axis_turn * (180 / M_PI);
+  operation.mouth_node = cut.kept.cut_node;
+  operation.mouth_is_branch_end = cut.side == RodSide::towards_root;
+  operation.stump = std::move(cut.wall.stump);
+  operation.vein = place.vein;
+
+  const auto end_now = follow_edit(svc, cut.wall.kept, cut.wall.kept_sources);
+  for (VesselEnd& end : svc.vessel.ends) end.node = cut.kept.node_of[index(end.node)];
+  svc.vessel.ends.push_back({cut.wall.mouth, cut.wall.center, cut.wall.normal, cut.kept.cut_node});
+  VesselConditions now;
+  now.acts = true;
+  now.rod = place.conditions;
+  for (ConditionedEnd end : conditions.ends) {
+    end.end = end_now[index(end.end)];
+    if (end.end >= 0) now.ends.push_back(end);
+  }
+  conditions = std::move(now);
+  svc.vessel.rod = cut.kept.tree;
   svc.vessel.branch_of.clear();  // bind_again() finds the remaining branches
-  svc.node_thickness.assign(kept.tree.rest.size(), svc.thickness());
+  svc.node_thickness.assign(cut.kept.tree.rest.size(), svc.thickness());
   bind_again(svc);
 }
 
@@ -168,7 +190,7 @@ IncisionOutcome incise(const std::string& where, const GlennSpec& spec, const Pi
                        PreparedVessel& rpa, GlennReport& report) {
   const Vessel& wall = rpa.vessel;
   const double perimeter = report.cut.perimeter;
-  const IncisionOutcome incision = placed(where, [&] {
+  IncisionOutcome incision = placed(where, [&] {
     if (!spec.ellipse)
       return open_incision(wall.surface, wall.rod, wall.binding, wall.branch_of, spec.incision,
                            spec.incision_length * perimeter / 2, pick.radius, perimeter / 2);
@@ -198,35 +220,27 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   operation.report.svc = svc.spec.name;
   operation.report.rpa = rpa.spec.name;
   const Pick pick = locate(where, "incision", rpa, spec.incision);  // before any change
+  placed(where, [&] { check_tilt(spec.cut_tilt_deg); });
 
   options.progress("cut");
-  cut(where, spec, svc, svc_conditions, operation);
+  VeinCut vein = cut_straight(where, spec, svc);
+  options.progress("pose of the vein");
+  const MouthPlace place = place_mouth(
+      spec, vein.kept, vein.side, kept_conditions(svc_conditions.rod, vein.kept, vein.kept_node),
+      vein.wall.perimeter / (2 * M_PI), rpa.vessel.surface, pick.section.director(3), options.rod);
+  if (place.tilt.degrees != 0)
+    vein.wall = placed(where, [&] {
+      return cut_obliquely(svc.vessel.surface, svc.vessel.branch_of, vein.pick.section, place.tilt,
+                           spec.cut, vein.kept_center);
+    });
+  take_cut(std::move(vein), place, svc, svc_conditions, operation);
   operation.stages.push_back(stage("cut", svc, rpa));
 
   options.progress("incision");
-  const double mouth_radius = operation.report.cut.perimeter / (2 * M_PI);
-  const Vec3 outward = outward_normal(rpa.vessel.surface, spec.incision, mouth_radius);
   const IncisionOutcome incision = incise(where, spec, pick, rpa, operation.report);
   operation.stages.push_back(stage("incision", svc, rpa));
 
-  // Step 3: the mouth's pose, the rotation with the least twist, and the pairs of the seam.
-  options.progress("pose of the vein");
-  // At angle 0 the mouth's section has the smallest rotation from rest that aligns its axis.
-  Pose mouth = mouth_pose(incision.pick, outward, pick.section.director(3), 0,
-                          operation.mouth_is_branch_end);
-  const Pose& at_rest = svc.vessel.rod.rest[index(operation.mouth_node)];
-  operation.report.join.axis_turn_deg =
-      std::acos(std::clamp(at_rest.director(3).dot(mouth.director(3)), -1.0, 1.0)) * (180 / M_PI);
-  mouth.rotation = Eigen::Quaterniond::FromTwoVectors(at_rest.director(3), mouth.director(3))
-                       .toRotationMatrix() *
-                   at_rest.rotation;
-  VeinRotation rotation(svc.vessel.rod, svc_conditions.rod, operation.mouth_node, mouth, outward,
-                        options.rod);
-  const double angle = rotation.find() + spec.rotation_deg.value_or(0) * (M_PI / 180);
-  operation.vein = rotation.at(angle);
-  operation.report.join.rotation_deg = angle * (180 / M_PI);
-  svc_conditions.rod = rotation.conditions_at(angle);
-
+  // Step 3: the pairs of the seam.
   options.progress("seam");
   const std::vector<int> loop = svc.vessel.ends.back().loop;
   const Points carried = carried_points(svc.vessel.rod, operation.vein.poses, svc.vessel.binding);

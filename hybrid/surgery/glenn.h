@@ -1,5 +1,5 @@
-// The Glenn operation on two prepared vessels in the rest configuration: cut the vein, open the
-// incision, place the vein's rod, pair mouth and rim.
+// The Glenn operation on two prepared vessels in the rest configuration: cut the vein, place its
+// rod, open the incision, pair mouth and rim.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ struct GlennOptions {
 /// surgery (remaining points in the input's order, then new ones). `svc_conditions` loses the ends
 /// of the stump. It gains the pose of the mouth and, if the scene has no entry for the kept far
 /// end, a clamp there. Throws InputError for picks more than a radius off their vessel, a cut that
-/// leaves nothing, or an incision that does not fit.
+/// leaves nothing, a tilt that leaves the vein, or an incision that does not fit.
 GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel& svc,
                        PreparedVessel& rpa, VesselConditions& svc_conditions,
                        const GlennOptions& options = {});

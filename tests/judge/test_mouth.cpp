@@ -53,7 +53,7 @@ double ellipse_perimeter(double a, double b) {
 
 TEST(Mouth, OfAnEllipse) {
   const Points flat = saddle(12, 7, 0);
-  const MouthReport mouth = measure_mouth(round_mouth(), flat, flat, all_pairs());
+  const MouthReport mouth = measure_mouth(round_mouth(), flat, flat, all_pairs(), Vec3::UnitZ());
   const double perimeter = ellipse_perimeter(12, 7), lumen = 84 * pi - perimeter / 2 + pi / 4;
   EXPECT_NEAR(mouth.area, 84 * pi, 0.01);
   EXPECT_NEAR(mouth.lumen, lumen, 0.01);
@@ -65,16 +65,29 @@ TEST(Mouth, OfAnEllipse) {
   EXPECT_NEAR(mouth.center.norm(), 0, 1e-9);
 }
 
+// An oblique cut's mouth is longer at rest, but the vein's lumen is what it was.
+TEST(Mouth, OfAnObliqueCutIsComparedWithTheVeinsLumen) {
+  PreparedVessel vein = round_mouth();
+  vein.vessel.surface.points.col(2) = 0.8 * vein.vessel.surface.points.col(0);
+  const double length = 10 * std::hypot(1, 0.8);
+  const Points now = saddle(length, 10, 0);
+  const MouthReport mouth = measure_mouth(vein, now, now, all_pairs(), Vec3::UnitZ());
+  const double perimeter = ellipse_perimeter(length, 10),
+               lumen = length * 10 * pi - perimeter / 2 + pi / 4;
+  EXPECT_NEAR(mouth.area_ratio, lumen / (pi * 9.5 * 9.5), 1e-4);
+  EXPECT_NEAR(mouth.perimeter_ratio, 1, 1e-4);
+}
+
 TEST(Mouth, IsMeasuredInItsProjectionAndMovesWithTheWalls) {
   const Points flat = saddle(12, 7, 0), bowed = saddle(12, 7, 3);
-  const MouthReport before = measure_mouth(round_mouth(), flat, flat, all_pairs());
+  const MouthReport before = measure_mouth(round_mouth(), flat, flat, all_pairs(), Vec3::UnitZ());
   Vec6 motion;
   motion << 5, -3, 2, 0.4, 1.1, -0.7;
   const Pose pose = exp_motion(motion);
   Points moved(around, 3);
   for (int k = 0; k < around; ++k)
     moved.row(k) = pose.rotation * bowed.row(k).transpose() + pose.position;
-  const MouthReport now = measure_mouth(round_mouth(), moved, moved, all_pairs());
+  const MouthReport now = measure_mouth(round_mouth(), moved, moved, all_pairs(), Vec3::UnitZ());
   EXPECT_NEAR(now.area, before.area, 1e-9);
   EXPECT_NEAR(now.span, before.span, 1e-9);
   EXPECT_NEAR(now.width, before.width, 1e-9);
@@ -87,10 +100,11 @@ TEST(Mouth, IsMeasuredInItsProjectionAndMovesWithTheWalls) {
 TEST(Mouth, RunsMidwayAndAtMidWall) {
   PreparedVessel vein = round_mouth();
   const MouthReport between =
-      measure_mouth(vein, saddle(10, 10, 0), saddle(12, 12, 0), all_pairs());
+      measure_mouth(vein, saddle(10, 10, 0), saddle(12, 12, 0), all_pairs(), Vec3::UnitZ());
   EXPECT_NEAR(between.area, 121 * pi, 0.01);
   vein.spec.surface_is = SurfaceIs::inner;
-  const MouthReport inner = measure_mouth(vein, saddle(10, 10, 0), saddle(10, 10, 0), all_pairs());
+  const MouthReport inner =
+      measure_mouth(vein, saddle(10, 10, 0), saddle(10, 10, 0), all_pairs(), Vec3::UnitZ());
   EXPECT_NEAR(inner.area, 10.5 * 10.5 * pi, 0.02);
   EXPECT_NEAR(inner.lumen, 100 * pi, 0.02);
   EXPECT_NEAR(inner.area_ratio, 1, 1e-9);

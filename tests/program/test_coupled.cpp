@@ -339,5 +339,42 @@ TEST(Coupled, TheMouthOfAnEllipseIsAboutAsLargeAsTheEllipse) {
   }
 }
 
+// A tilted cut has a longer mouth and incision. The vein leans to the side to which the artery
+// runs: tilted the other way, or with an artery that runs the other way, everything is mirrored.
+TEST(Coupled, ATiltedCutIsSolvedAndItsMirrorImageIsMirrored) {
+  const auto number = [](const json& result, const char* part, const char* key) {
+    return result.at("glenn").at(part).at(key).get<double>();
+  };
+  const double tilt = M_PI / 6;
+  const double perimeter = 4 * 3.3 / std::cos(tilt) * std::comp_ellint_2(std::sin(tilt));
+  for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
+    SCOPED_TRACE(fidelity);
+    const json result = solve(tee(fidelity, "cut_tilt_deg: 30"));
+    EXPECT_EQ(result.at("status"), "converged");
+    EXPECT_EQ(number(result, "cut", "tilt_deg"), 30);
+    EXPECT_NEAR(number(result, "cut", "perimeter") / perimeter, 1, 5e-3);
+    EXPECT_NEAR(number(result, "incision", "length") / (perimeter / 2), 1, 5e-3);
+    if (fidelity == "rod") continue;  // no surfaces, no seam
+    EXPECT_LT(number(result, "join", "largest_gap"), 0.01 * 3.3);
+    if (fidelity == "coupled") {
+      EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+    }
+  }
+  std::string reversed = tee("skin", "cut_tilt_deg: 30");
+  const std::string placed = "[-22, 0, 30.8],\n           tangent: [1, 0, 0]";
+  reversed.replace(reversed.find(placed), placed.size(),
+                   "[22, 0, 30.8],\n           tangent: [-1, 0, 0]");
+  const json one = solve(tee("skin", "cut_tilt_deg: 30")),
+             other = solve(tee("skin", "cut_tilt_deg: -30")), third = solve(reversed);
+  const double lean = one.at("glenn").at("cut").at("plane").at("normal")[0].get<double>();
+  EXPECT_NEAR(lean, 0.5, 1e-6);
+  for (const json* mirrored : {&other, &third}) {
+    EXPECT_NEAR(mirrored->at("glenn").at("cut").at("plane").at("normal")[0].get<double>(), -lean,
+                1e-6);
+    EXPECT_NEAR(number(*mirrored, "mouth", "area") / number(one, "mouth", "area"), 1, 0.02);
+    EXPECT_NEAR(number(*mirrored, "mouth", "span") / number(one, "mouth", "span"), 1, 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace vasorod::testing

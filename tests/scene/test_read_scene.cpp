@@ -41,6 +41,7 @@ surgery:
     rotation_deg: auto
     incision_length: 1.25
     incision_shape: {ellipse: {width: 4}}
+    cut_tilt_deg: -20
     keep: {near: [7, 8, 9]}
 fidelity: coupled
 )";
@@ -133,6 +134,7 @@ TEST_F(ReadScene, ReadsEveryKeyOfTheContract) {
   EXPECT_EQ(scene.glenn->cut, Vec3(1, 2, 3));
   EXPECT_FALSE(scene.glenn->rotation_deg);
   EXPECT_EQ(scene.glenn->incision_length, 1.25);
+  EXPECT_EQ(scene.glenn->cut_tilt_deg, -20);
   EXPECT_EQ(scene.glenn->ellipse->width, 4);
   EXPECT_FALSE(scene.glenn->ellipse->length);
   EXPECT_EQ(scene.glenn->keep_near, Vec3(7, 8, 9));

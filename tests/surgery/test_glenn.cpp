@@ -136,6 +136,56 @@ std::string refusal(const std::function<void(GlennSpec&)>& change) {
   return "accepted";
 }
 
+// A tilted cut gives a longer mouth and with it a longer incision. Its plane lies on the artery's
+// wall where that of the straight cut does, and the vein leans to the side to which the artery
+// runs.
+TEST(GlennSeam, ATiltedCutIsJoinedFlatAndLeansByItsTilt) {
+  const auto tilted = [](double degrees) {
+    return expect_equal_seam("infant.yaml", 1, 2e-3,
+                             [&](GlennSpec& spec) { spec.cut_tilt_deg = degrees; });
+  };
+  const Operated straight = tilted(0);
+  // Carried from rest to the join: the cut's normal and the vein's axis towards the mouth.
+  const auto joined = [](const Operated& all, const Vec3& direction) -> Vec3 {
+    const auto node = index(all.operation.mouth_node);
+    return all.operation.vein.poses[node].rotation *
+           (all.svc.vessel.rod.rest[node].rotation.transpose() * direction);
+  };
+  const auto& before = straight.operation.report;
+  const Vec3 normal = joined(straight, before.cut.normal);
+  const Vec3 along = (before.incision.ends[1] - before.incision.ends[0]).normalized();
+  for (const double degrees : {30.0, -40.0}) {
+    SCOPED_TRACE(degrees);
+    const Operated all = tilted(degrees);
+    const auto& report = all.operation.report;
+    EXPECT_EQ(report.cut.tilt_deg, degrees);
+    EXPECT_EQ(report.join.rotation_deg, before.join.rotation_deg);
+    EXPECT_EQ(report.cut.fraction, before.cut.fraction);
+    EXPECT_NEAR(report.cut.normal.dot(before.cut.normal), std::cos(degrees * M_PI / 180), 1e-9);
+    EXPECT_LT((joined(all, report.cut.normal) - normal).norm(), 1e-9);
+    // The straight cut's normal is the vein's axis; its kept part leans towards `along`.
+    const Vec3 axis = joined(all, before.cut.normal);
+    EXPECT_NEAR(axis.dot(normal), std::cos(degrees * M_PI / 180), 1e-9);
+    EXPECT_NEAR(-axis.dot(along), std::sin(degrees * M_PI / 180), 0.05);
+    // The mouth of an about round vein: an ellipse with the semi-axes R and R / cos(tilt).
+    const double tilt = std::abs(degrees) * M_PI / 180;
+    const double exact = 2 / M_PI / std::cos(tilt) * std::comp_ellint_2(std::sin(tilt));
+    EXPECT_NEAR(report.cut.perimeter / before.cut.perimeter, exact, 0.04);
+    EXPECT_NEAR(report.incision.length / before.incision.length,
+                report.cut.perimeter / before.cut.perimeter, 2e-3);
+  }
+}
+
+TEST(GlennSeam, ATiltThatLeavesTheVeinIsRefusedWithASentence) {
+  const std::string said = refusal([](GlennSpec& spec) {
+    spec.cut = {-9.2, 2.7, 28};  // 3 mm below the kept end
+    spec.cut_tilt_deg = 60;
+  });
+  EXPECT_NE(said.find("infant.yaml:"), std::string::npos) << said;
+  EXPECT_NE(said.find(": cut_tilt_deg: found 60, expected at most "), std::string::npos) << said;
+  EXPECT_NE(said.find("open end"), std::string::npos) << said;
+}
+
 TEST(GlennSeam, AnEllipseThatCannotBeIsRefusedWithASentence) {
   const auto says = [](double length, double width, const std::string& part) {
     const std::string said = refusal([&](GlennSpec& spec) {

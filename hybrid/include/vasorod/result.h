@@ -192,6 +192,7 @@ struct GlennReport {
   /// The cut through the SVC.
   struct {
     double fraction = 0,        ///< kept length over the total length of the SVC's rod
+        tilt_deg = 0,           ///< angle of the plane to the section across the SVC, degrees
         perimeter = 0;          ///< perimeter of the mouth, length
     Vec3 point = Vec3::Zero(),  ///< centroid of the mouth, length
         normal = Vec3::Zero();  ///< unit normal of the cut's plane, out of the kept part

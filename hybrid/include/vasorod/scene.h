@@ -135,6 +135,10 @@ struct GlennSpec {
       rpa;                      ///< name of the vessel that is incised: the right pulmonary artery
   Vec3 cut = Vec3::Zero(),      ///< picked point of the cut on the SVC, length
       incision = Vec3::Zero();  ///< picked point of the incision on the RPA, length
+  /// Oblique cut, degrees, -75 to 75: the cut's normal (out of the kept part) is turned about the
+  /// middle of the section, towards the direction in which the RPA's rod runs once the vein lies on
+  /// it. 0: across the vein.
+  double cut_tilt_deg = 0;
   /// Length of the incision over half the perimeter of the vein's mouth; of an ellipse without a
   /// length, its perimeter over that of the mouth.
   double incision_length = 1;

@@ -130,6 +130,37 @@ class Sum {
   double squares_ = 0, weights_ = 0;
 };
 
+// Where A is compared: at its vertices, those of the boundary moved a quarter of the way into their
+// triangles. At an incision, whose two lips lie on each other at rest, the closest triangle of
+// another mesh is then on the vertex's own side.
+struct Samples {
+  Points rest, current;
+};
+
+Samples samples_of(const ReadVessel& a) {
+  const Eigen::Index n = a.rest.rows();
+  Samples samples{a.rest, a.current};
+  std::vector<double> triangles(static_cast<std::size_t>(n), 0);
+  for (Eigen::Index t = 0; t < a.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) triangles[static_cast<std::size_t>(a.triangles(t, k))] += 1;
+  std::vector<char> on_boundary(static_cast<std::size_t>(n), 0);
+  for (const std::vector<int>& loop : boundary_loops(a.triangles))
+    for (const int v : loop) on_boundary[static_cast<std::size_t>(v)] = 1;
+  for (Eigen::Index t = 0; t < a.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int v = a.triangles(t, k);
+      if (on_boundary[static_cast<std::size_t>(v)] == 0) continue;
+      const double share = 0.25 / triangles[static_cast<std::size_t>(v)];
+      for (const auto& [from, to] :
+           {std::pair{&a.rest, &samples.rest}, std::pair{&a.current, &samples.current}}) {
+        Eigen::RowVector3d centroid = Eigen::RowVector3d::Zero();
+        for (int c = 0; c < 3; ++c) centroid += from->row(a.triangles(t, c)) / 3;
+        to->row(v) += share * (centroid - from->row(v));
+      }
+    }
+  return samples;
+}
+
 Distances surface_distances(const ReadVessel& a, const ReadVessel& b, double radius,
                             double& rest_distance) {
   const ClosestPoint closest({b.rest, b.triangles});
@@ -139,6 +170,7 @@ Distances surface_distances(const ReadVessel& a, const ReadVessel& b, double rad
   const bool same_mesh = a.rest.rows() == b.rest.rows() && a.rest == b.rest &&
                          a.triangles.rows() == b.triangles.rows() && a.triangles == b.triangles;
   const Eigen::VectorXd areas = vertex_areas({a.rest, a.triangles});
+  const Samples samples = same_mesh ? Samples{a.rest, a.current} : samples_of(a);
   Sum sum;
   for (Eigen::Index i = 0; i < a.rest.rows(); ++i) {
     if (areas[i] == 0) continue;  // a point without triangles
@@ -147,13 +179,14 @@ Distances surface_distances(const ReadVessel& a, const ReadVessel& b, double rad
       sum.add((a.current.row(i) - b.current.row(i)).norm(), areas[i], at);
       continue;
     }
-    const ClosestPoint::Hit hit = closest.query(at);
+    const Vec3 sample = samples.rest.row(i).transpose();
+    const ClosestPoint::Hit hit = closest.query(sample);
     const auto corners = b.triangles.row(hit.triangle);
     Vec3 other = Vec3::Zero();
     for (int k = 0; k < 3; ++k) other += hit.barycentric[k] * moved.row(corners[k]).transpose();
-    const Vec3 own = (a.current.row(i) - a.rest.row(i)).transpose();
+    const Vec3 own = samples.current.row(i).transpose() - sample;
     sum.add((own - other).norm(), areas[i], at);
-    rest_distance = std::max(rest_distance, (hit.point - at).norm() / radius);
+    rest_distance = std::max(rest_distance, (hit.point - sample).norm() / radius);
   }
   return sum.over(radius);
 }

@@ -101,6 +101,40 @@ TEST_F(Compare, AnotherMeshOfTheSameMotionDiffersOnlyByTheChords) {
   EXPECT_LT(c.centerline->largest, 1e-12);
 }
 
+// Two halves of a plate that meet at rest and move apart: an opened incision. The lips of two
+// meshes have other points, and at rest one of them lies a little above the other.
+TEST_F(Compare, EachLipOfAnIncisionMeetsItsOwnOnAnotherMesh) {
+  const auto plate = [](int parts, double step) {
+    VesselResult vessel;
+    vessel.name = "svc";
+    vessel.rest.resize(4 * (parts + 1), 3);
+    vessel.triangles.resize(4 * parts, 3);
+    for (int half = 0; half < 2; ++half)
+      for (int i = 0; i <= parts; ++i) {
+        const int at = 2 * (half * (parts + 1) + i), t = 2 * (half * parts + i);
+        const double x = 10.0 * i / parts;
+        vessel.rest.row(at) << x, 0, step * half;
+        vessel.rest.row(at + 1) << x, half == 0 ? 4 : -4, 0;
+        if (i == parts) continue;
+        vessel.triangles.row(t) << at, at + 2, at + 1;
+        vessel.triangles.row(t + 1) << at + 1, at + 2, at + 3;
+      }
+    vessel.current = vessel.rest;
+    vessel.current.topRows(2 * (parts + 1)).col(1).array() += 1;
+    vessel.current.bottomRows(2 * (parts + 1)).col(1).array() -= 1;
+    vessel.axial_stretch = vessel.twist_shear = vessel.contact_pressure =
+        Eigen::VectorXd::Zero(vessel.rest.rows());
+    return vessel;
+  };
+  Result a = test::example_result(), b = a;
+  for (const auto& [mine, other] :
+       {std::pair{plate(7, 0), plate(9, 0.01)}, std::pair{plate(9, 0.01), plate(7, 0)}}) {
+    a.vessels[0] = mine;
+    b.vessels[0] = other;
+    EXPECT_LT(compare(a, b).vessels.at(0).surface->largest, 1e-9);
+  }
+}
+
 TEST_F(Compare, TheMeanIsWeightedByArea) {
   // One row of the tube is moved; its share of the area is known.
   Result a = test::example_result(), b = a;

@@ -25,7 +25,9 @@ struct VesselComparison {
   /// R, length: the mean of A's centerline radii weighted by length; if A has none, B's; else the
   /// mean of perimeter / (2 pi) over A's open ends.
   double radius = 0;
-  /// Each rest point of A against the closest rest point on B's triangles. Empty if one of the
+  /// Each rest point of A against the closest rest point on B's triangles. A point on the boundary
+  /// is moved a quarter of the way into its triangles, so that a lip of an incision, which lies on
+  /// the other lip at rest, meets its own lip of B. Empty if one of the
   /// results has no surface.
   std::optional<Distances> surface;
   /// Each rest node of A against the closest rest point on B's polylines. Empty if one of the

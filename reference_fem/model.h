@@ -15,6 +15,10 @@ struct CellTerms {
   Eigen::MatrixXd tangent;   ///< d residual / du
 };
 
+/// The values of a model's degrees of freedom; a model that is part of a larger one gets its
+/// segment.
+using DofValues = Eigen::Ref<const Eigen::VectorXd>;
+
 /// A finite-element model. Degrees of freedom are numbered node * components + component; the first
 /// three of a node are its displacement.
 class Model {
@@ -27,7 +31,7 @@ class Model {
   virtual std::vector<int> dofs(int cell) const = 0;
   /// False if a deformation gradient has det F <= 0; `terms` is then undefined. `load` scales
   /// follower loads.
-  virtual bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+  virtual bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                         CellTerms& terms) const = 0;
   virtual bool symmetric() const { return true; }  ///< whether the tangent is symmetric
   int dof_count() const { return node_count() * components(); }

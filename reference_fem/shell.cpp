@@ -19,13 +19,20 @@ struct Gauss {
 
 Gauss gauss(int points) {
   if (points == 2) return {{-0.5 / std::sqrt(3.0), 0.5 / std::sqrt(3.0)}, {0.5, 0.5}};
+  if (points == 5) {
+    const double inner = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 6,
+                 outer = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 6,
+                 heavy = (322 + 13 * std::sqrt(70.0)) / 1800,
+                 light = (322 - 13 * std::sqrt(70.0)) / 1800;
+    return {{-outer, -inner, 0, inner, outer}, {light, heavy, 64.0 / 225, heavy, light}};
+  }
   return {{-0.5 * std::sqrt(0.6), 0, 0.5 * std::sqrt(0.6)}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 }
 
 }  // namespace
 
 Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points)
-    : mesh_(std::move(mesh)), law_(law), depth_points_(depth_points == 2 ? 2 : 3) {
+    : mesh_(std::move(mesh)), law_(law), depth_points_(depth_points) {
   directors_.resize(mesh_.node_count(), 3);
   for (int i = 0; i < mesh_.node_count(); ++i)
     directors_.row(i) = body.director(mesh_.parameters.row(i));
@@ -72,7 +79,7 @@ std::vector<int> Shell::dofs(int cell) const {
 //   u_i: e_i (x) g_u,  w_i: e_i (x) g_w,  beta: (D + w) (x) g_beta,
 // with g_u = pull^T grad N, g_w = pull^T (zeta grad N + N (1 + zeta beta) n),
 // g_beta = N zeta pull^T n.
-bool Shell::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
   const std::vector<int>& nodes = mesh_.cell_nodes[c];

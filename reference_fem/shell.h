@@ -27,7 +27,8 @@ struct ShellBody {
 
 class Shell final : public Model {
  public:
-  /// Through-thickness Gauss points: 2 integrate S = C : E; other laws need 3.
+  /// Through-thickness Gauss points, 2, 3 or 5: 2 integrate S = C : E; other laws need 3, and 5 in
+  /// folds as sharp as the wall is thick.
   Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points);
 
   const Mesh& mesh() const { return mesh_; }
@@ -40,12 +41,11 @@ class Shell final : public Model {
   void add_pressure(double pressure) { pressure_ += pressure; }
   bool symmetric() const override { return pressure_ == 0; }
   std::vector<int> dofs(int cell) const override;
-  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+  bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
 
  private:
-  void press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
-             CellTerms& terms) const;
+  void press(int cell, const DofValues& u, double load, bool want_tangent, CellTerms& terms) const;
 
   struct Point {
     double zeta = 0, weight = 0;  ///< weight: volume

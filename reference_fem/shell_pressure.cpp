@@ -10,7 +10,7 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-void Shell::press(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+void Shell::press(int cell, const DofValues& u, double load, bool want_tangent,
                   CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
   const std::vector<int>& nodes = mesh_.cell_nodes[c];

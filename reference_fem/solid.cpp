@@ -61,7 +61,7 @@ std::vector<int> Solid::dofs(int cell) const {
   return out;
 }
 
-bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   if (cell >= mesh_.cell_count()) {
     size_t index = 0;
@@ -140,7 +140,7 @@ bool Solid::evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_
 // The pressure's force on node a is -p N_a n da = -p N_a (x,1 x x,2) w with the outward normal. The
 // residual contains the opposite force.
 void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& nodes,
-                          const Eigen::VectorXd& u, double load, CellTerms& terms) const {
+                          const DofValues& u, double load, CellTerms& terms) const {
   const auto n = static_cast<Eigen::Index>(nodes.size());
   const FaceMesh& face = pressure.face;
   Eigen::Matrix3Xd x(3, n);

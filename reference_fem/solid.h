@@ -28,7 +28,7 @@ class Solid final : public Model {
   int cell_count() const override;
   int owner(int cell) const override;
   std::vector<int> dofs(int cell) const override;
-  bool evaluate(int cell, const Eigen::VectorXd& u, double load, bool want_tangent,
+  bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
   bool symmetric() const override { return pressures_.empty(); }
 
@@ -37,8 +37,8 @@ class Solid final : public Model {
     FaceMesh face;
     double value;
   };
-  void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes,
-                     const Eigen::VectorXd& u, double load, CellTerms& terms) const;
+  void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const DofValues& u,
+                     double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
 
   Mesh mesh_;

@@ -43,7 +43,12 @@ System::System(const Model& model, Supports supports, const Processes& processes
 void System::build_numbering() {
   index_.assign(static_cast<size_t>(model_.dof_count()), 0);
   member_.assign(index_.size(), {-1, -1});
+  tied_.assign(index_.size(), 0);
   for (const auto& [dof, value] : supports_.prescribed) index_[static_cast<size_t>(dof)] = -1;
+  for (const Tie& tie : supports_.ties) {
+    tied_[static_cast<size_t>(tie.slave)] = 1;
+    index_[static_cast<size_t>(tie.slave)] = -1;
+  }
   symmetric_ = conservative_ = model_.symmetric();
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
     const Section& section = supports_.sections[s];
@@ -62,6 +67,8 @@ void System::build_numbering() {
   size_ = 0;
   for (int& i : index_)
     if (i == 0) i = size_++;
+  for (const Tie& tie : supports_.ties)
+    index_[static_cast<size_t>(tie.slave)] = index_[static_cast<size_t>(tie.master)];
   for (const Section& section : supports_.sections) {
     std::array<int, 6> pose{};
     for (size_t k = 0; k < 6; ++k) pose[k] = section.fixed[k] ? -1 : size_++;
@@ -168,6 +175,8 @@ void System::prescribe(State& state, double load) const {
     }
     place_members(section, pose, state.u);
   }
+  for (const Tie& tie : supports_.ties)
+    state.u[tie.slave] = state.u[tie.master] + load * tie.offset;
 }
 
 void System::add(State& state, const Eigen::VectorXd& unknowns) const {
@@ -190,7 +199,7 @@ void System::add(State& state, const Eigen::VectorXd& unknowns) const {
 Eigen::VectorXd System::difference(const State& from, const State& to) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(size_);
   for (size_t d = 0; d < index_.size(); ++d)
-    if (index_[d] >= 0)
+    if (index_[d] >= 0 && tied_[d] == 0)
       unknowns[index_[d]] =
           to.u[static_cast<Eigen::Index>(d)] - from.u[static_cast<Eigen::Index>(d)];
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
@@ -245,7 +254,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
       bool any = false;
       for (Eigen::Index a = 0; a < n; ++a) {
         const int dof = dofs[static_cast<size_t>(a)];
-        if (index_[static_cast<size_t>(dof)] >= 0) continue;
+        if (index_[static_cast<size_t>(dof)] >= 0 && tied_[static_cast<size_t>(dof)] == 0) continue;
         jump[a] = target->u[dof] - state.u[dof];
         any = any || jump[a] != 0;
       }

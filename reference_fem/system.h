@@ -1,10 +1,10 @@
 // The discrete equilibrium of a model with its supports: free unknowns, state, residual and
 // tangent.
 //
-// Unknowns: free nodal values, then the free pose components of sections (increments: translation
-// and spin in the section's rest axes), then six multipliers per soft section. Nodes of a rigid
-// section follow its pose. Prescribed motions are therefore plain data, and reactions are the
-// consistent residual at the pose.
+// Unknowns: free nodal values (a slave has its master's), then the free pose components of sections
+// (increments: translation and spin in the section's rest axes), then six multipliers per soft
+// section. Nodes of a rigid section follow its pose. Prescribed motions are therefore plain data,
+// and reactions are the consistent residual at the pose.
 #pragma once
 
 #include <utility>
@@ -23,9 +23,17 @@ struct State {
   std::vector<Vec6> multiplier;  ///< per section; zero for rigid ones
 };
 
+/// A degree of freedom that follows another: u[slave] = u[master] + load * offset. The master is no
+/// slave, the slave is in no section.
+struct Tie {
+  int slave = 0, master = 0;
+  double offset = 0;  ///< at load 1, length
+};
+
 /// Supports and loads.
 struct Supports {
   std::vector<Section> sections;
+  std::vector<Tie> ties;
   /// Degree of freedom, value at load 1 (linear in the load).
   std::vector<std::pair<int, double>> prescribed;
   Eigen::VectorXd dead_load;  ///< per degree of freedom at load 1; empty: none
@@ -49,7 +57,8 @@ class System {
   int multipliers() const;
   State rest() const;
 
-  /// Sets prescribed values to their values at `load`, members of sections to their pose.
+  /// Sets prescribed values to their values at `load`, members of sections to their pose, slaves
+  /// beside their masters.
   void prescribe(State& state, double load) const;
   /// Adds a vector of unknowns.
   void add(State& state, const Eigen::VectorXd& unknowns) const;
@@ -84,6 +93,7 @@ class System {
   Supports supports_;
   Processes processes_;
   std::vector<int> index_;                            // per dof: unknown, or -1
+  std::vector<char> tied_;                            // per dof: a slave
   std::vector<std::pair<int, int>> member_;           // per dof: (section, member) or (-1, -1)
   std::vector<std::array<int, 6>> pose_index_;        // per section: unknown or -1
   std::vector<std::array<int, 6>> multiplier_index_;  // per section: unknown or -1

@@ -97,7 +97,9 @@ int main(int argc, char** argv) {
   using vasorod::fem::LawKind;
   using vasorod::fem::ModelKind;
   Arguments arguments;
-  CLI::App app("Finite-element reference of Vasorod: a generated tube as a deal.II solid or shell");
+  CLI::App app(
+      "Finite-element reference of Vasorod: a generated tube, or a join of two, as a "
+      "deal.II solid or shell");
   app.set_version_flag("--version", "vasorod-fem " VASOROD_VERSION);
   app.require_subcommand(1);
   CLI::App* command = app.add_subcommand("solve", "Solves one scene and writes a result folder");
@@ -121,7 +123,11 @@ int main(int argc, char** argv) {
   command->add_option(
       "--refine", arguments.options.refine,
       "refinements after the first mesh, by 3/2 (a --mesh by 2): 0, 1 (default) or 2");
-  command->add_option("--cells", arguments.cells, "cells of the first mesh: AROUND ALONG")
+  command
+      ->add_option(
+          "--cells", arguments.cells,
+          "cells of the first mesh: AROUND ALONG; of a join around the seam and along the vein "
+          "(0: as large as the others)")
       ->expected(2);
   command
       ->add_option("--mesh", arguments.options.mesh,

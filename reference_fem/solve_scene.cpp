@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include <vasorod/error.h>
@@ -10,23 +9,15 @@
 #include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 #include "reference_fem/refinement.h"
+#include "reference_fem/solve_join_scene.h"
+#include "reference_fem/solve_parts.h"
 #include "reference_fem/tube_result.h"
 
 namespace vasorod::fem {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
-  if (options.degree < 1 || options.degree > 4)
-    throw InputError("--degree: found " + std::to_string(options.degree) + ", expected 1 to 4");
-  if (options.refine < 0 || options.refine > 2)
-    throw InputError("--refine: found " + std::to_string(options.refine) + ", expected 0, 1 or 2");
+  check_options(options);
   if (!options.mesh.empty()) {
     const MeshFile file{options.mesh, problem.length_unit, 0};
     const Mesh cells = options.model == ModelKind::solid ? read_solid(file, problem.shape, 1)
@@ -35,13 +26,13 @@ TubeMesh first_mesh(const TubeProblem& problem, const SolveOptions& options) {
     return {count.around, count.along, options.degree, options.mesh, 0};
   }
   const int multiple = 1 << options.refine;  // so that every refinement by 3/2 gives integers
-  if (options.around < 4 || options.around % multiple != 0 || options.along < 0 ||
-      options.along % multiple != 0)
-    throw InputError("--cells: found " + std::to_string(options.around) + " x " +
+  const int around = options.around == 0 ? 8 : options.around;
+  if (around < 4 || around % multiple != 0 || options.along < 0 || options.along % multiple != 0)
+    throw InputError("--cells: found " + std::to_string(around) + " x " +
                      std::to_string(options.along) +
                      ", expected at least 4 around, and multiples of " + std::to_string(multiple) +
                      " for --refine " + std::to_string(options.refine));
-  TubeMesh mesh{options.around, options.along, options.degree, {}, 0};
+  TubeMesh mesh{around, options.along, options.degree, {}, 0};
   if (mesh.along == 0) {
     const double wanted = problem.shape.length / (2 * std::numbers::pi / mesh.around);
     mesh.along = 4 * std::max(1, static_cast<int>(std::lround(wanted / 4)));
@@ -109,23 +100,12 @@ void estimate_error(const std::vector<Level>& levels, int degree, double ratio, 
   result.discretisation->error_estimate =
       std::max({displacement.uncertainty, reaction.uncertainty, energy.uncertainty});
   result.discretisation->observed_order = energy.observed_order;
-  const auto note = [&](const char* what, const Convergence& c) {
-    std::string line =
-        text("u_num of %s: %.2e (GCI, r = %.1f, order %.2f %s, Fs = %.2f)", what, c.uncertainty,
-             ratio, c.order, c.observed_order ? "used" : "assumed", c.safety);
-    if (c.observed_order) line += text(", observed %.2f", *c.observed_order);
-    result.certificate.notes.push_back(line);
+  const auto note = [&](const char* what, const Convergence& convergence) {
+    result.certificate.notes.push_back(error_note(what, convergence, ratio));
   };
   note("displacements over R (RMS)", displacement);
   note("reactions, relative", reaction);
   note("energy, relative", energy);
-}
-
-Status status_of(const StepperSummary& summary) {
-  if (summary.status == PathStatus::interrupted) return Status::interrupted;
-  if (summary.status != PathStatus::complete) return Status::iteration_limit;
-  if (!summary.positive_definite) return Status::equilibrium_only;
-  return *summary.positive_definite ? Status::converged : Status::unstable;
 }
 
 void report_ends(const TubeProblem& problem, const TubeSolution& solution, Result& result) {
@@ -162,6 +142,7 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
 }  // namespace
 
 Result solve_scene(const Scene& scene, const SolveOptions& options) {
+  if (scene.glenn) return solve_join_scene(scene, options);
   const TubeProblem problem = read_problem(scene, options.model, options.law);
   TubeMesh mesh = first_mesh(problem, options);
   TubeMesh finest = mesh;
@@ -209,17 +190,8 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   }
   const Level& last = levels.back();
   const TubeSolution& solution = last.solution;
-  result.status = status_of(solution.summary);
-  result.certificate.relative_residual = solution.summary.relative_residual;
-  result.certificate.smallest_curvature_positive = solution.summary.positive_definite;
   result.certificate.notes.push_back("law: " + to_string(problem.law));
-  if (solution.summary.status != PathStatus::complete)
-    result.certificate.notes.push_back(
-        text("the path ended at %.6f of the load; what is written is the last converged state",
-             solution.summary.load));
-  for (const double load : solution.summary.limit_loads)
-    result.certificate.notes.push_back(
-        text("the load passed a maximum at %.6f and came down before it went on", load));
+  report_path(solution.summary, result);
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(
         "a dead moment on a freely turning section, or a pressure, has no energy: no minimum to "
@@ -228,8 +200,10 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   result.energy.strain = problem.energy_unit() * solution.summary.energy;
   report_ends(problem, solution, result);
 
-  VesselResult vessel = vessel_result(problem, solution.wall);
-  result.metrics.push_back(vessel_metrics(problem, solution.wall, vessel));
+  VesselResult vessel =
+      vessel_result(problem.vessel, problem.shape, problem.length_unit, solution.wall);
+  result.metrics.push_back(
+      vessel_metrics(problem.shape, problem.length_unit, solution.wall, vessel));
   result.model.vertices = static_cast<int>(vessel.rest.rows());
   result.model.triangles = static_cast<int>(vessel.triangles.rows());
   result.model.terms = {result.fidelity, to_string(problem.law),

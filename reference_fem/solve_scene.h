@@ -19,8 +19,9 @@ struct SolveOptions {
   int degree = 3;              ///< 1 and 2 lock on thin tubes; 3 and 4 do not
   /// Refinements by 3/2 after the first mesh: 0 gives no error estimate, 2 an observed order.
   int refine = 1;
-  /// Cells of the first mesh, multiples of 4; along 0: nearly square cells.
-  int around = 8, along = 0;
+  /// Cells of the first mesh around and along the tube, around the seam and along the vein of a
+  /// join. Multiples of 4; around 0: 8, of a join 16; along 0: as large as those around.
+  int around = 0, along = 0;
   std::string mesh;     ///< a gmsh file replaces `around` x `along`; refined by halving its cells
   Processes processes;  ///< the processes that solve together
   StepperOptions stepper;

@@ -10,6 +10,8 @@
 
 #include <vasorod/scene.h>
 
+#include "reference_fem/mid_wall.h"
+#include "reference_fem/scene_parts.h"
 #include "reference_fem/stepper.h"
 #include "reference_fem/tube_ends.h"
 
@@ -17,16 +19,6 @@ namespace vasorod::fem {
 
 /// The finite-element models.
 enum class ModelKind { solid, shell };
-
-/// One end with a condition, dimensionless, in the order of the scene.
-struct EndProblem {
-  std::string name;  ///< as in the scene: start, end or near(x, y, z)
-  int side = 0;
-  bool soft = false;
-  std::array<bool, 6> fixed{};
-  Vec3 move = Vec3::Zero(), rotation = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero();
-  bool moment_in_body = false;
-};
 
 /// The tube with its ends, dimensionless.
 struct TubeProblem {
@@ -45,13 +37,6 @@ struct TubeProblem {
 
 /// Throws InputError. `law` overrides the scene's.
 TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKind> law);
-
-/// The deformed mid-wall at parameters (angle / 2 pi, s): rest and current positions,
-/// dimensionless.
-struct MidWall {
-  int around = 0, along = 0;  ///< points around, stations along
-  Points rest, current;       ///< row: station * around + point
-};
 
 /// A solved tube.
 struct TubeSolution {

@@ -35,25 +35,29 @@ double lumen(const Points& ring, const Pose& pose, double thickness) {
   return area - around * thickness / 2 + std::numbers::pi * thickness * thickness / 4;
 }
 
-double station_fraction(const MidWall& wall, int station) {
-  return static_cast<double>(station) / (wall.along - 1);
-}
-
 }  // namespace
 
-VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall) {
-  const double unit = problem.length_unit;
+VesselResult vessel_result(const std::string& name, const TubeShape& shape, double unit,
+                           const MidWall& wall) {
   const int n = wall.around, m = wall.along;
   VesselResult vessel;
-  vessel.name = problem.vessel;
-  vessel.rest = unit * wall.rest;
-  vessel.current = unit * wall.current;
+  vessel.name = name;
+  const Eigen::Index grid = wall.rest.rows(), lips = wall.other_lip_rest.rows();
+  vessel.rest.resize(grid + lips, 3);
+  vessel.rest << unit * wall.rest, unit * wall.other_lip_rest;
+  vessel.current.resize(grid + lips, 3);
+  vessel.current << unit * wall.current, unit * wall.other_lip_current;
+  std::vector<int> last;  // per station: the point after the last one
+  for (int j = 0, lip = 0; j < m; ++j)
+    last.push_back(wall.open_at(j) ? static_cast<int>(grid) + lip++ : j * n);
   vessel.triangles.resize(2 * n * (m - 1), 3);
   for (int j = 0; j + 1 < m; ++j)
     for (int i = 0; i < n; ++i) {
-      const int a = j * n + i, b = j * n + (i + 1) % n;
+      const auto k = static_cast<std::size_t>(j);
+      const int a = j * n + i, b = i + 1 < n ? a + 1 : last[k],
+                c = i + 1 < n ? a + 1 + n : last[k + 1];
       vessel.triangles.row(2 * a) << a, b, a + n;
-      vessel.triangles.row(2 * a + 1) << b, b + n, a + n;
+      vessel.triangles.row(2 * a + 1) << b, c, a + n;
     }
 
   CenterlineResult line;
@@ -62,23 +66,23 @@ VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall) {
   line.lines.emplace_back();
   std::vector<Pose> rest, current;
   for (int j = 0; j < m; ++j) {
-    const double s = station_fraction(wall, j);
-    rest.push_back(problem.shape.section(s));
+    const double s = wall.fraction[static_cast<std::size_t>(j)];
+    rest.push_back(shape.section(s));
     current.push_back(
         ring_pose(wall.rest.middleRows(j * n, n), wall.current.middleRows(j * n, n), rest.back()));
     line.rest.row(j) = unit * rest.back().position;
     line.current.row(j) = unit * current.back().position;
     line.directors.push_back(current.back().rotation);
-    line.abscissa.push_back(unit * s * problem.shape.length);
-    line.radius.push_back(unit * problem.shape.radius_at(s));
+    line.abscissa.push_back(unit * s * shape.length);
+    line.radius.push_back(unit * shape.radius_at(s));
     line.lines.front().push_back(j);
   }
-  const double step = problem.shape.length / (m - 1);
   const auto strains = [&](const std::vector<Pose>& pose, std::vector<Vec3>& u,
                            std::vector<Vec3>& v) {
     std::vector<Vec6> element;
     for (int j = 0; j + 1 < m; ++j) {
       const auto k = static_cast<std::size_t>(j);
+      const double step = shape.length * (wall.fraction[k + 1] - wall.fraction[k]);
       element.push_back(log_motion(pose[k].inverse() * pose[k + 1]) / step);
     }
     for (int j = 0; j < m; ++j) {
@@ -92,27 +96,31 @@ VesselResult vessel_result(const TubeProblem& problem, const MidWall& wall) {
   strains(rest, line.u0, line.v0);
   strains(current, line.u, line.v);
 
-  vessel.axial_stretch.resize(n * m);
-  vessel.twist_shear.resize(n * m);
+  vessel.axial_stretch.resize(grid + lips);
+  vessel.twist_shear.resize(grid + lips);
   for (int j = 0; j < m; ++j) {
     const auto k = static_cast<std::size_t>(j);
+    const double twist = (line.u[k][2] - line.u0[k][2]) * line.radius[k];
     vessel.axial_stretch.segment(j * n, n).setConstant(line.v[k][2]);
-    vessel.twist_shear.segment(j * n, n).setConstant((line.u[k][2] - line.u0[k][2]) *
-                                                     line.radius[k]);
+    vessel.twist_shear.segment(j * n, n).setConstant(twist);
+    if (!wall.open_at(j)) continue;
+    vessel.axial_stretch[last[k]] = line.v[k][2];
+    vessel.twist_shear[last[k]] = twist;
   }
   vessel.centerline = std::move(line);
   return vessel;
 }
 
-VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall,
+VesselMetrics vessel_metrics(const TubeShape& shape, double unit, const MidWall& wall,
                              const VesselResult& vessel) {
   const CenterlineResult& line = *vessel.centerline;
   VesselMetrics metrics;
-  metrics.vessel = problem.vessel;
+  metrics.vessel = vessel.name;
   metrics.stretch = {1e300, -1e300};
   metrics.smallest_lumen_ratio = 1e300;
   const int n = wall.around;
   for (int j = 0; j < wall.along; ++j) {
+    if (wall.open_at(j)) continue;
     const auto k = static_cast<std::size_t>(j);
     const Vec3 at = line.current.row(j);
     const auto record = [&](const char* name, double value, double& kept, bool better) {
@@ -133,9 +141,9 @@ VesselMetrics vessel_metrics(const TubeProblem& problem, const MidWall& wall,
     record("largest_curvature", bend, metrics.largest_curvature, bend > metrics.largest_curvature);
     metrics.stretch[0] = std::min(metrics.stretch[0], line.v[k][2]);
     metrics.stretch[1] = std::max(metrics.stretch[1], line.v[k][2]);
-    const double s = station_fraction(wall, j), t = problem.shape.thickness_at(s);
-    const Pose frame = problem.shape.section(s);
-    const Pose pose{line.directors[k], line.current.row(j).transpose() / problem.length_unit};
+    const double s = wall.fraction[k], t = shape.thickness_at(s);
+    const Pose frame = shape.section(s);
+    const Pose pose{line.directors[k], line.current.row(j).transpose() / unit};
     const double ratio = lumen(ring, pose, t) / lumen(rest, frame, t);
     record("smallest_lumen_ratio", ratio, metrics.smallest_lumen_ratio,
            ratio < metrics.smallest_lumen_ratio);

@@ -68,6 +68,44 @@ TEST(FemProgram, RefusesWithOneSentenceAndNamesWhatItCanDo) {
   refused(head + ends, "--model solid", "--law split-neo-hookean --model shell");
 }
 
+const std::string join =
+    "scene: t\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
+    "  - {name: vein, tube: {length: 14, radius: 2}, wall: {thickness: 0.5, young: 0.5, poisson: "
+    "0.4}, law: neo-hookean}\n"
+    "  - {name: artery, tube: {length: 20, radius: 2.2, position: [-10, 0, 10.2], tangent: [1, 0, "
+    "0], normal: [0, 0, 1]}, wall: {thickness: 0.5, young: 0.45, poisson: 0.4}, law: "
+    "neo-hookean}\n"
+    "ends:\n  - {vessel: vein, end: start, hold: true}\n"
+    "  - {vessel: artery, end: start, hold: true}\n  - {vessel: artery, end: end, hold: true}\n"
+    "contact: []\n"
+    "surgery:\n  glenn: {svc: vein, rpa: artery, cut: [2, 0, 8], incision: [0, 0, 8], "
+    "rotation_deg: 0, keep: {near: [0, 0, 0]}}\n";
+
+TEST(FemProgram, JoinsTwoTubes) {
+  const Solved r = solve(join, "--model shell --degree 2 --cells 8 0 --refine 1");
+  ASSERT_EQ(r.run.exit_code, 0) << r.run.err;
+  EXPECT_EQ(r.json["status"], "converged");
+  EXPECT_EQ(r.json["fidelity"], "shell");
+  EXPECT_EQ(r.json["vessels"].size(), 2u);
+  EXPECT_EQ(r.json["ends"].size(), 3u);
+  EXPECT_LT(r.json["glenn"]["join"]["largest_gap"].get<double>(), 1e-9);
+  EXPECT_GT(r.json["glenn"]["mouth"]["area"].get<double>(), 0.1);
+  EXPECT_GT(r.json["discretisation"]["error_estimate"].get<double>(), 0);
+  const Solved two =
+      solve(join, "--model shell --degree 2 --cells 8 0 --refine 1", VASOROD_MPIRUN " -n 2");
+  ASSERT_EQ(two.run.exit_code, 0) << two.run.err;
+  const double energy = r.json["energy"]["strain"];
+  EXPECT_NEAR(two.json["energy"]["strain"].get<double>() / energy, 1, 1e-9);
+  EXPECT_NEAR(two.json["glenn"]["mouth"]["area"].get<double>() /
+                  r.json["glenn"]["mouth"]["area"].get<double>(),
+              1, 1e-7);
+  std::string touching = join;
+  touching.replace(touching.find("contact: []\n"), 12, "");
+  refused(touching, "the finite-element reference joins two straight generated tubes",
+          "--model "
+          "shell");
+}
+
 TEST(FemProgram, AMissingMeshFileIsAFilesError) {
   const Solved r = solve(head + ends, "--mesh /nowhere/wall.msh");
   EXPECT_EQ(r.run.exit_code, 3);

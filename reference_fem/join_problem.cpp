@@ -1,0 +1,214 @@
+#include "reference_fem/join_problem.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <vasorod/error.h>
+
+namespace vasorod::fem {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double equal = 1e-9;  // dimensionless lengths and directions of a symmetric scene
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& found) {
+  throw InputError(scene.file.string() + ": found " + found +
+                   "; the finite-element reference joins two straight generated tubes (`tube:`), "
+                   "the vein's axis on the incision's normal, without contact "
+                   "(`contact: []`)");
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+void require_tube(const Scene& scene, const VesselSpec& vessel) {
+  const std::string name = quoted(vessel.name);
+  if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + name);
+  if (!vessel.tube) refuse(scene, "the surface of " + name);
+  if (vessel.tube->bend_deg != 0) refuse(scene, "the bent tube " + name);
+  if (vessel.pressure) refuse(scene, "a pressure in " + name);
+}
+
+JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnits& units,
+                 std::optional<LawKind> law) {
+  JoinWall wall;
+  wall.name = vessel.name;
+  wall.shape = shape_of(vessel, units);
+  wall.moduli = moduli_of(vessel.wall->material, units.stress);
+  wall.law = law.value_or(law_of(vessel.wall->material));
+  if (wall.law == LawKind::split_neo_hookean) refuse(scene, "the law split-neo-hookean");
+  require_admissible(scene, wall.name, wall.law, wall.moduli);
+  wall.ends = ends_of(scene, wall.name, wall.shape, units);
+  return wall;
+}
+
+/// Parameters of a pick on a tube, which may be at most a radius off its wall.
+Vec3 locate(const Scene& scene, const char* what, const JoinWall& wall, const Vec3& pick,
+            double unit) {
+  const Vec3 at = wall.shape.parameters(pick / unit);
+  const double radius = wall.shape.radius_at(at[1]),
+               off = std::abs(at[2] - 0.5) * wall.shape.thickness_at(at[1]);
+  const double beyond = std::max({0.0, -at[1], at[1] - 1}) * wall.shape.length;
+  if (std::hypot(off, beyond) > radius)
+    throw InputError(scene.file.string() + ": glenn: " + what + ": found a point " +
+                     number(unit * std::hypot(off, beyond)) + " off vessel " + wall.name +
+                     ", expected at most its radius there, " + number(unit * radius));
+  return at;
+}
+
+/// The part of a tube between two fractions of its axis.
+TubeShape part(const TubeShape& tube, double from, double to) {
+  TubeShape out = tube;
+  out.length = (to - from) * tube.length;
+  out.radius = tube.radius_at(from);
+  out.end_radius = tube.radius_at(to);
+  out.thickness = tube.thickness_at(from);
+  out.end_thickness = tube.thickness_at(to);
+  out.placement = tube.section(from);
+  return out;
+}
+
+/// Cuts the vein. Its conditions at the stump's end go with the stump; a kept end without a
+/// condition is held.
+void cut(const Scene& scene, const GlennSpec& spec, JoinProblem& problem) {
+  JoinWall& vein = problem.vein;
+  const double unit = problem.units.length;
+  const double at = locate(scene, "cut", vein, spec.cut, unit)[1];
+  if (!(at > equal && at < 1 - equal)) refuse(scene, "a cut at an end of the vein");
+  const Vec3 keep = spec.keep_near / unit;
+  const int kept_side = (vein.shape.section(0).position - keep).norm() <=
+                                (vein.shape.section(1).position - keep).norm()
+                            ? 0
+                            : 1;
+  problem.seam_side = 1 - kept_side;
+  problem.cut_fraction = kept_side == 0 ? at : 1 - at;
+  vein.shape = kept_side == 0 ? part(vein.shape, 0, at) : part(vein.shape, at, 1);
+  std::erase_if(vein.ends, [&](const EndProblem& end) { return end.side != kept_side; });
+  if (vein.ends.empty()) {
+    EndProblem held;
+    held.side = kept_side;
+    held.fixed.fill(true);
+    vein.ends.push_back(held);
+  }
+}
+
+void to_frame(const Pose& frame, JoinWall& wall) {
+  wall.shape.placement = frame.inverse() * wall.shape.placement;
+  const Mat3 turn = frame.rotation.transpose();
+  for (EndProblem& end : wall.ends)
+    for (Vec3 EndProblem::*vector :
+         {&EndProblem::move, &EndProblem::rotation, &EndProblem::force, &EndProblem::moment})
+      end.*vector = turn * end.*vector;
+}
+
+/// The angle of the tube's line in a direction at right angles to its axis, and the sense of the
+/// angle that turns from it towards `next`.
+void unroll_from(const Vec3& direction, const Vec3& next, JoinWall& wall) {
+  const Mat3& d = wall.shape.placement.rotation;
+  wall.first_angle = std::atan2(direction.dot(d.col(1)), direction.dot(d.col(0)));
+  wall.turn = d.col(2).cross(direction).dot(next) > 0 ? 1 : -1;
+}
+
+bool all_held(const JoinWall& wall) {
+  return std::all_of(wall.ends.begin(), wall.ends.end(),
+                     [](const EndProblem& end) { return end.held(); });
+}
+
+std::array<bool, 2> planes_of(const JoinProblem& problem) {
+  const TubeShape &vein = problem.vein.shape, &artery = problem.artery.shape;
+  const Vec3 axis = vein.placement.rotation.col(2), at = vein.placement.position;
+  if (problem.rotation != 0 || !all_held(problem.vein) || !all_held(problem.artery))
+    return {false, false};
+  const bool even = std::abs(artery.end_radius - artery.radius) < equal &&
+                    std::abs(artery.end_thickness - artery.thickness) < equal &&
+                    std::abs(problem.slit.from + problem.slit.to - 1) < equal &&
+                    problem.artery.ends.size() != 1;
+  return {even && std::abs(axis[0]) < equal && std::abs(at[0]) < equal,
+          std::abs(axis[1]) < equal && std::abs(at[1]) < equal};
+}
+
+}  // namespace
+
+Vec3 JoinWall::parameters(double share, double fraction, double depth) const {
+  return {first_angle / (2 * pi) + turn * share, fraction, turn > 0 ? depth : 1 - depth};
+}
+
+double Slit::rim_share(const Vec3& parameter) const {
+  const double along = (parameter[1] - from) / (to - from);
+  const double share = parameter[0] < 0.5 ? 0.5 * (1 - along) : 0.5 * (1 + along);
+  return share - std::floor(share + equal);
+}
+
+Vec3 Slit::rim_parameter(double share) const {
+  const bool first_lip = share <= 0.5;
+  const double along = first_lip ? 1 - 2 * share : 2 * share - 1;
+  return {first_lip ? 0.0 : 1.0, from + along * (to - from), 0.5};
+}
+
+JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
+  const GlennSpec& spec = *scene.glenn;
+  if (scene.vessels.size() != 2)
+    refuse(scene, std::to_string(scene.vessels.size()) + " vessels beside a surgery");
+  const VesselSpec &vein = scene.vessel(spec.svc), &artery = scene.vessel(spec.rpa);
+  require_tube(scene, vein);
+  require_tube(scene, artery);
+  if (!scene.contact || !scene.contact->empty())
+    refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
+
+  JoinProblem problem;
+  problem.vein_first = scene.vessels.front().name == spec.svc;
+  problem.units = {vein.tube->radius, vein.wall->material.young_axial};
+  problem.vein = wall_of(scene, vein, problem.units, law);
+  const Vec3 cut_at = locate(scene, "cut", problem.vein, spec.cut, problem.units.length);
+  problem.units.length *= problem.vein.shape.radius_at(cut_at[1]);
+  problem.vein = wall_of(scene, vein, problem.units, law);
+  problem.artery = wall_of(scene, artery, problem.units, law);
+  cut(scene, spec, problem);
+
+  const Vec3 pick = locate(scene, "incision", problem.artery, spec.incision, problem.units.length);
+  const TubeShape& wall = problem.artery.shape;
+  problem.slit.length = spec.incision_length * pi;  // half the perimeter of the cut, radius 1
+  const double half =
+      0.5 * problem.slit.length / std::hypot(wall.length, wall.end_radius - wall.radius);
+  problem.slit.from = pick[1] - half;
+  problem.slit.to = pick[1] + half;
+  if (problem.slit.from < equal || problem.slit.to > 1 - equal)
+    refuse(scene, "an incision of length " + number(problem.slit.length * problem.units.length) +
+                      " that runs into an end of the artery");
+
+  const Mat3 axes = wall.axes(pick);
+  const Vec3 out = axes.col(0), along = axes.col(2);
+  problem.frame.position = wall.point({pick[0], pick[1], 0.5});
+  problem.frame.rotation << along, out.cross(along), out;
+  const Vec3 axis =
+      (problem.seam_side == 1 ? 1.0 : -1.0) * Vec3(problem.vein.shape.placement.rotation.col(2));
+  problem.axis_turn = std::atan2(axis.cross(-out).norm(), -axis.dot(out));
+  if (problem.axis_turn > 1e-3)
+    refuse(scene, "an axis of the vein at " + number(problem.axis_turn * 180 / pi) +
+                      " degrees to the incision's normal");
+  to_frame(problem.frame, problem.vein);
+  to_frame(problem.frame, problem.artery);
+  std::vector<EndProblem> ends = problem.vein.ends;
+  ends.insert(ends.end(), problem.artery.ends.begin(), problem.artery.ends.end());
+  require_held(scene, ends, "the join");
+
+  problem.rotation = spec.rotation_deg.value_or(0) * pi / 180;
+  unroll_from(Vec3::UnitZ(), Vec3::UnitY(), problem.artery);
+  // the rim's point that the rotation brings to the tip
+  unroll_from({std::cos(problem.rotation), -std::sin(problem.rotation), 0},
+              {std::sin(problem.rotation), std::cos(problem.rotation), 0}, problem.vein);
+  problem.mirror = planes_of(problem);
+  return problem;
+}
+
+}  // namespace vasorod::fem

@@ -1,0 +1,73 @@
+// A scene's join of two generated tubes as a dimensionless finite-element problem: the vein's cut
+// end is joined to a slit in the artery's wall. Lengths over the mid-wall radius of the cut,
+// stresses over the vein's axial modulus. Scenes that the reference cannot solve are refused here
+// with one sentence.
+//
+// Axes: origin at the middle of the slit on the mid-wall, x along the artery, z out of its wall, so
+// the vein comes from +z.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vasorod/scene.h>
+
+#include "reference_fem/scene_parts.h"
+
+namespace vasorod::fem {
+
+/// One tube of the join, unrolled from the line through the slit's tip at +x (vein) or through the
+/// slit (artery), first towards +y.
+struct JoinWall {
+  std::string name;
+  TubeShape shape;  ///< of the vein: the kept part
+  Moduli moduli;
+  LawKind law = LawKind::neo_hookean;
+  std::vector<EndProblem> ends;
+  double first_angle = 0;  ///< of the first line, radians
+  int turn = 1;            ///< sense of the tube's angle along the strip
+
+  /// The tube's parameters at a share of the circumference, a fraction of the axis and a depth,
+  /// which counts inwards where `turn` is negative, so that the strip is right-handed.
+  Vec3 parameters(double share, double fraction, double depth = 0.5) const;
+  Vec3 parameters(const Vec3& strip) const { return parameters(strip[0], strip[1], strip[2]); }
+};
+
+/// The slit, a part of the artery's first line. A point of its rim is named by its share of the
+/// rim's length from the tip at +x, first along the lip at y > 0.
+struct Slit {
+  double from = 0, to = 0;  ///< fractions of the artery's axis
+  double length = 0;
+  /// The share of the rim of a point at the artery's strip parameters (share 0 or 1 of the
+  /// circumference).
+  double rim_share(const Vec3& parameter) const;
+  /// Its inverse: the strip parameters of the rim's point at a share in [0, 1).
+  Vec3 rim_parameter(double share) const;
+};
+
+/// The join.
+struct JoinProblem {
+  JoinWall vein, artery;
+  bool vein_first = true;  ///< in the scene's list of vessels
+  int seam_side = 1;       ///< the vein's side at the seam
+  Slit slit;
+  double rotation = 0;  ///< of the vein's mouth about +z, radians
+  /// Planes of symmetry: normal x (between the slit's tips) and normal y (through them).
+  std::array<bool, 2> mirror{};
+  double cut_fraction = 0;  ///< kept length over the vein's length
+  double axis_turn = 0;     ///< angle from the vein's axis to the slit's normal, radians
+  Pose frame;               ///< the problem's axes in the scene's, dimensionless position
+  ProblemUnits units;
+
+  /// The number of copies of the model that make the whole.
+  int copies() const { return (mirror[0] ? 2 : 1) * (mirror[1] ? 2 : 1); }
+  /// A vector of the problem in the scene's axes.
+  Vec3 in_scene(const Vec3& vector) const { return frame.rotation * vector; }
+};
+
+/// Throws InputError. `law` overrides the scene's laws.
+JoinProblem read_join(const Scene& scene, std::optional<LawKind> law);
+
+}  // namespace vasorod::fem

@@ -1,0 +1,152 @@
+// Joins read from scenes: geometry, planes of symmetry, what is refused.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <vasorod/error.h>
+
+#include "reference_fem/join_problem.h"
+#include "reference_fem/joined_tubes.h"
+
+namespace vasorod::fem {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+JoinProblem read(const std::string& text) {
+  return read_join(scene_of_text(text), std::nullopt);
+}
+
+Vec3 in_scene(const JoinProblem& problem, const Vec3& point) {
+  return problem.units.length * (problem.frame * point);
+}
+
+Vec3 at(const JoinProblem& problem, const JoinWall& wall, double share, double fraction) {
+  return in_scene(problem, wall.shape.point(wall.parameters(share, fraction)));
+}
+
+TEST(JoinProblem, RimAndSlitLieWhereTheSceneSays) {
+  const JoinProblem problem = read(joined_tubes_text);
+  EXPECT_EQ(problem.seam_side, 1);
+  EXPECT_NEAR(problem.cut_fraction, 8.0 / 14, 1e-12);
+  EXPECT_NEAR(problem.slit.length * problem.units.length, 2 * pi, 1e-12);
+  // the vein comes from below, so the problem's z is the scene's -z
+  EXPECT_LT((problem.frame.rotation.col(2) + Vec3::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((in_scene(problem, Vec3::Zero()) - Vec3(0, 0, 8)).norm(), 1e-12);
+  const Vec3 tip = at(problem, problem.artery, 0, problem.slit.to);
+  EXPECT_LT((tip - Vec3(pi, 0, 8)).norm(), 1e-12);
+  EXPECT_LT((at(problem, problem.vein, 0, 1) - Vec3(2, 0, 8)).norm(), 1e-12);
+  // a quarter on, rim and lip are both on the side of +y of the problem
+  EXPECT_LT((at(problem, problem.vein, 0.25, 1) - Vec3(0, -2, 8)).norm(), 1e-12);
+  EXPECT_LT(at(problem, problem.artery, 0.1, 0.5)[1], -1);
+}
+
+TEST(JoinProblem, SharesOfTheRimStartAtATip) {
+  const JoinProblem problem = read(joined_tubes_text);
+  const Slit& slit = problem.slit;
+  const double quarter = slit.to - 0.25 * (slit.to - slit.from);
+  EXPECT_NEAR(slit.rim_share({0, slit.to, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(slit.rim_share({1, slit.to, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(slit.rim_share({0, slit.from, 0.5}), 0.5, 1e-12);
+  EXPECT_NEAR(slit.rim_share({0, quarter, 0.5}), 0.125, 1e-12);
+  EXPECT_NEAR(slit.rim_share({1, quarter, 0.5}), 0.875, 1e-12);
+  for (const double share : {0.0, 0.1, 0.5, 0.62, 0.99}) {
+    EXPECT_NEAR(slit.rim_share(slit.rim_parameter(share)), share, 1e-12);
+    // the rim runs along the slit at an even pace
+    const Vec3 point =
+        at(problem, problem.artery, slit.rim_parameter(share)[0], slit.rim_parameter(share)[1]);
+    EXPECT_NEAR(point[0], pi * (share <= 0.5 ? 1 - 4 * share : 4 * share - 3), 1e-12);
+  }
+}
+
+TEST(JoinProblem, FindsThePlanesOfSymmetry) {
+  const auto planes = [](const std::string& text) { return read(text).mirror; };
+  using Planes = std::array<bool, 2>;
+  const std::string& t = joined_tubes_text;
+  EXPECT_EQ(planes(t), (Planes{true, true}));
+  EXPECT_EQ(planes(with(t, "[-10, 0, 10.2]", "[-9, 0, 10.2]")), (Planes{false, true}));
+  EXPECT_EQ(planes(with(t, "length: 20, radius: 2.2", "length: 20, radius: 2.2, end_radius: 2.1")),
+            (Planes{false, true}));
+  EXPECT_EQ(planes(with(t, "{vessel: artery, end: end, hold: true}",
+                        "{vessel: vein, end: end, "
+                        "hold: true}")),
+            (Planes{false, true}));
+  EXPECT_EQ(planes(with(t, "{length: 14, radius: 2}",
+                        "{length: 14, radius: 2, position: [0, 0.1, "
+                        "0]}")),
+            (Planes{true, false}));
+  EXPECT_EQ(planes(with(t, "rotation_deg: 0", "rotation_deg: 5")), (Planes{false, false}));
+  EXPECT_EQ(planes(with(t, "{vessel: artery, end: end, hold: true}",
+                        "{vessel: artery, end: end, move: [0.1, 0, 0]}")),
+            (Planes{false, false}));
+  EXPECT_EQ(planes(with(t, "vessel: vein, end: start, hold: true}",
+                        "vessel: vein, end: start, hold: true, section: soft}")),
+            (Planes{false, false}));
+}
+
+// The vein turned about the outward normal brings another point of its rim to the tip.
+TEST(JoinProblem, ARotationShiftsTheRim) {
+  const JoinProblem problem = read(with(joined_tubes_text, "rotation_deg: 0", "rotation_deg: 30"));
+  const Vec3 rim = at(problem, problem.vein, 0, 1) - Vec3(0, 0, 8);
+  const Vec3 outward = -Vec3::UnitZ();
+  const Vec3 turned = Eigen::AngleAxisd(pi / 6, outward) * rim;
+  EXPECT_LT((turned - Vec3(2, 0, 0)).norm(), 1e-12);
+}
+
+TEST(JoinProblem, TheOtherEndOfTheVeinMayBeKept) {
+  std::string text = with(joined_tubes_text, "{length: 14, radius: 2}",
+                          "{length: 14, radius: 2, position: [0, 0, 14], tangent: [0, 0, -1]}");
+  text = with(text, "vessel: vein, end: start", "vessel: vein, end: end");
+  const JoinProblem problem = read(text);
+  EXPECT_EQ(problem.seam_side, 0);
+  EXPECT_LT((at(problem, problem.vein, 0, 0) - Vec3(2, 0, 8)).norm(), 1e-12);
+  EXPECT_LT((at(problem, problem.vein, 0.25, 0) - Vec3(0, -2, 8)).norm(), 1e-12);
+  EXPECT_LT((at(problem, problem.vein, 0, 1) - Vec3(2, 0, 0)).norm(), 1e-12);
+  EXPECT_EQ(problem.mirror, (std::array<bool, 2>{true, true}));
+}
+
+TEST(JoinProblem, ALongerIncisionIsLonger) {
+  const JoinProblem problem =
+      read(with(joined_tubes_text, "rotation_deg: 0", "incision_length: 1.25, rotation_deg: 0"));
+  EXPECT_NEAR(problem.slit.length * problem.units.length, 1.25 * 2 * pi, 1e-12);
+  const Vec3 a = at(problem, problem.artery, 0, problem.slit.from),
+             b = at(problem, problem.artery, 0, problem.slit.to);
+  EXPECT_NEAR((b - a).norm(), 1.25 * 2 * pi, 1e-12);
+}
+
+TEST(JoinProblem, RefusesWhatItCannotDo) {
+  const auto refused = [](const std::string& what, const std::string& by, const std::string& part) {
+    try {
+      read(with(joined_tubes_text, what, by));
+      ADD_FAILURE() << "accepted: " << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  refused("contact: []\n", "", "found no `contact: []`");
+  refused("contact: []", "contact: [[vein, artery]]", "found a pair in `contact`");
+  refused("{length: 14, radius: 2}", "{length: 14, radius: 2, bend_deg: 10}",
+          "found the bent tube \"vein\"");
+  refused("{length: 14, radius: 2}", "{length: 14, radius: 2, tangent: [0, 0.1, 1]}",
+          "found an axis of the vein at 5.711 degrees to the incision's normal");
+  refused("    law: neo-hookean\n  - name: artery", "    pressure: 0.001\n  - name: artery",
+          "found a pressure in \"vein\"");
+  refused("incision: [0, 0, 8]", "incision: [8, 0, 8]",
+          "found an incision of length 6.283 that runs into an end of the artery");
+  refused("cut: [2, 0, 8]", "cut: [2, 0, 17]", "glenn: cut: found a point 3 off vessel vein");
+  refused("units: {length: mm, stress: MPa}\nvessels:\n",
+          "units: {length: mm, stress: MPa}\nvessels:\n"
+          "  - {name: other, tube: {length: 4, radius: 1, position: [50, 0, 0]}, wall: {thickness: "
+          "0.1, young: 1, poisson: 0.3}}\n",
+          "found 3 vessels beside a surgery");
+  refused(
+      "ends:\n  - {vessel: vein, end: start, hold: true}\n"
+      "  - {vessel: artery, end: start, hold: true}\n"
+      "  - {vessel: artery, end: end, hold: true}\n",
+      "ends:\n  - {vessel: vein, end: start, force: [0, 0, 1e-6]}\n",
+      "found 0 components held in all, expected at least 6, as the join");
+}
+
+}  // namespace
+}  // namespace vasorod::fem

@@ -1,0 +1,222 @@
+// Joins of scenes solved and reported: places, units, errors, comparison of two results.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <vasorod/compare.h>
+#include <vasorod/error.h>
+#include <vasorod/result_folder.h>
+
+#include "reference_fem/joined_tubes.h"
+#include "reference_fem/solve_scene.h"
+#include "scratch_folder.h"
+
+namespace vasorod::fem {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+SolveOptions coarse() {
+  SolveOptions options;
+  options.model = ModelKind::shell;
+  options.degree = 2;
+  options.refine = 0;
+  options.around = 8;
+  return options;
+}
+
+Result solved(const std::string& text, const SolveOptions& options = coarse()) {
+  return solve_scene(scene_of_text(text), options);
+}
+
+/// Area of a surface.
+double area(const Points& points, const Triangles& triangles) {
+  double sum = 0;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    const Vec3 a = points.row(triangles(t, 0)), b = points.row(triangles(t, 1)),
+               c = points.row(triangles(t, 2));
+    sum += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return sum;
+}
+
+TEST(SolveJoinScene, ReportsTheOperation) {
+  SolveOptions options = coarse();
+  options.degree = 3;
+  const Result r = solved(joined_tubes_text, options);
+  EXPECT_EQ(r.status, Status::converged);
+  EXPECT_EQ(r.fidelity, "shell");
+  ASSERT_TRUE(r.glenn && r.glenn->mouth);
+  const GlennReport& glenn = *r.glenn;
+  EXPECT_EQ(glenn.svc, "vein");
+  EXPECT_EQ(glenn.rpa, "artery");
+  EXPECT_NEAR(glenn.cut.fraction, 8.0 / 14, 1e-12);
+  EXPECT_NEAR(glenn.cut.perimeter, 4 * pi, 1e-12);
+  EXPECT_LT((glenn.cut.point - Vec3(0, 0, 8)).norm(), 1e-12);
+  EXPECT_LT((glenn.cut.normal - Vec3(0, 0, 1)).norm(), 1e-12);
+  EXPECT_NEAR(glenn.incision.length, 2 * pi, 1e-12);
+  EXPECT_LT((glenn.incision.ends[0] - Vec3(-pi, 0, 8)).norm(), 1e-12);
+  EXPECT_LT((glenn.incision.ends[1] - Vec3(pi, 0, 8)).norm(), 1e-12);
+  EXPECT_LT(glenn.join.largest_gap, 1e-12);
+  EXPECT_EQ(glenn.join.pairs, 24);  // 8 cells of degree 3 around the whole seam
+  const MouthReport& mouth = *glenn.mouth;
+  EXPECT_NEAR(glenn.incision.opened_area, mouth.area, 1e-9);
+  // an opened slit: nearly as long as before, and much narrower than the vein
+  EXPECT_NEAR(mouth.perimeter_ratio, 1, 0.1);
+  EXPECT_NEAR(mouth.span, 2 * pi, 0.5);
+  EXPECT_GT(mouth.width, 0.2);
+  EXPECT_LT(mouth.width, 3);
+  EXPECT_LT(std::abs(mouth.center[0]) + std::abs(mouth.center[1]), 1e-9);
+
+  ASSERT_EQ(r.vessels.size(), 2u);
+  const VesselResult &vein = r.vessels[0], &artery = r.vessels[1];
+  EXPECT_EQ(vein.name, "vein");
+  EXPECT_NEAR(area(vein.rest, vein.triangles) / (4 * pi * 8), 1, 1e-3);
+  EXPECT_NEAR(area(artery.rest, artery.triangles) / (4.4 * pi * 20), 1, 1e-3);
+  // triangles face outwards: the volume inside the artery's rest wall, by the divergence theorem
+  double volume = 0;
+  const Eigen::RowVector3d middle(0, 0, 10.2);
+  for (Eigen::Index t = 0; t < artery.triangles.rows(); ++t) {
+    const Vec3 a = artery.rest.row(artery.triangles(t, 0)) - middle,
+               b = artery.rest.row(artery.triangles(t, 1)) - middle,
+               c = artery.rest.row(artery.triangles(t, 2)) - middle;
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  EXPECT_NEAR(volume / (pi * 2.2 * 2.2 * 20 * 2 / 3), 1, 1e-2);  // without the ends' disks
+  // the slit's two lips are closed at rest and open by the mouth in the end
+  const Eigen::Index lips = artery.rest.rows() % 192;
+  ASSERT_GT(lips, 4);
+  double rest_gap = 0, gap = 0;
+  for (Eigen::Index k = artery.rest.rows() - lips; k < artery.rest.rows(); ++k) {
+    Eigen::Index other = 0;
+    const Points to = artery.rest.topRows(artery.rest.rows() - lips);
+    rest_gap = std::max(
+        rest_gap,
+        std::sqrt((to.rowwise() - artery.rest.row(k)).rowwise().squaredNorm().minCoeff(&other)));
+    gap = std::max(gap, (artery.current.row(k) - artery.current.row(other)).norm());
+  }
+  EXPECT_LT(rest_gap, 1e-12);
+  EXPECT_NEAR(gap, mouth.width, 0.02);
+  for (const VesselResult* vessel : {&vein, &artery}) {
+    EXPECT_TRUE(vessel->current.allFinite());
+    EXPECT_EQ(vessel->axial_stretch.size(), vessel->rest.rows());
+    EXPECT_GE(vessel->triangles.minCoeff(), 0);
+    EXPECT_LT(vessel->triangles.maxCoeff(), vessel->rest.rows());
+  }
+  for (const Balance& balance : r.balance) EXPECT_LT(balance.residual, 1e-6) << balance.vessel;
+  EXPECT_LE(r.metrics[0].smallest_lumen_ratio, mouth.area_ratio);
+}
+
+// Turned (x, y, z) -> (z, x, y), shifted by (5, -3, 7) mm, in metres, with the artery first and the
+// vein drawn from its other end: the same join.
+TEST(SolveJoinScene, PlaceUnitsAndOrderDoNotMatter) {
+  const Result a = solved(joined_tubes_text);
+  const Result b = solved(
+      "scene: t\nfidelity: coupled\nunits: {length: m, stress: Pa}\nvessels:\n"
+      "  - name: artery\n    tube: {length: 0.020, radius: 0.0022, position: [0.0152, -0.013, "
+      "0.007], tangent: [0, 1, 0], normal: [1, 0, 0]}\n"
+      "    wall: {thickness: 0.0005, young: 0.45e6, poisson: 0.4}\n    law: neo-hookean\n"
+      "  - name: vein\n    tube: {length: 0.014, radius: 0.002, position: [0.019, -0.003, 0.007], "
+      "tangent: [-1, 0, 0], normal: [0, 0, 1]}\n"
+      "    wall: {thickness: 0.0005, young: 0.5e6, poisson: 0.4}\n    law: neo-hookean\n"
+      "ends:\n"
+      "  - {vessel: artery, end: end, hold: true}\n"
+      "  - {vessel: vein, end: end, hold: true}\n"
+      "  - {vessel: artery, end: {near: [0.0152, -0.013, 0.007]}, hold: true}\n"
+      "contact: []\n"
+      "surgery:\n  glenn: {svc: vein, rpa: artery, cut: [0.013, -0.001, 0.007], incision: [0.013, "
+      "-0.003, 0.007], rotation_deg: 0, keep: {near: [0.005, -0.003, 0.007]}}\n");
+  ASSERT_EQ(a.status, Status::converged);
+  ASSERT_EQ(b.status, Status::converged);
+  const auto turn = [](const Vec3& v) { return Vec3(v[2], v[0], v[1]); };
+  const Vec3 shift(5, -3, 7);
+  EXPECT_NEAR(b.energy.strain / (a.energy.strain * 1e-3), 1, 1e-8);  // Pa m^3 of MPa mm^3
+  EXPECT_NEAR(b.glenn->mouth->area * 1e6 / a.glenn->mouth->area, 1, 1e-8);
+  EXPECT_NEAR(b.glenn->mouth->span * 1e3 / a.glenn->mouth->span, 1, 1e-8);
+  EXPECT_LT((1e3 * b.glenn->mouth->center - turn(a.glenn->mouth->center) - shift).norm(), 1e-6);
+  EXPECT_NEAR(b.glenn->cut.fraction, a.glenn->cut.fraction, 1e-12);
+  ASSERT_EQ(b.vessels[0].name, "artery");
+  ASSERT_EQ(a.vessels[1].name, "artery");
+  const auto moved = [](const Result& r, std::size_t v) {
+    return Points(r.vessels[v].current - r.vessels[v].rest);
+  };
+  const Points artery_a = moved(a, 1), artery_b = 1e3 * moved(b, 0);
+  ASSERT_EQ(artery_a.rows(), artery_b.rows());
+  double largest = 0;
+  for (Eigen::Index k = 0; k < artery_a.rows(); ++k)
+    largest = std::max(largest, (Vec3(artery_b.row(k)) - turn(artery_a.row(k))).norm());
+  EXPECT_LT(largest, 1e-6);
+  ASSERT_EQ(b.ends.size(), 3u);
+  for (const EndReaction& end : b.ends)
+    for (const EndReaction& other : a.ends)
+      if (end.vessel == "artery" && other.vessel == "artery" &&
+          (end.end == "end") == (other.end == "end")) {
+        EXPECT_LT((end.force - turn(other.force)).norm(), 1e-6 * end.force.norm());
+        EXPECT_LT((1e3 * end.center - turn(other.center) - shift).norm(), 1e-9);
+      }
+}
+
+TEST(SolveJoinScene, TheErrorEstimateHoldsAgainstAFinerMesh) {
+  SolveOptions options = coarse();
+  options.degree = 3;
+  options.refine = 1;
+  const Result two = solved(joined_tubes_text, options);
+  ASSERT_TRUE(two.discretisation->error_estimate);
+  options.refine = 0;
+  options.around = 32;
+  const Result fine = solved(joined_tubes_text, options);
+  const double bound = *two.discretisation->error_estimate;
+  EXPECT_LT(bound, 0.2);
+  EXPECT_LT(std::abs(two.energy.strain / fine.energy.strain - 1), bound);
+  EXPECT_LT(std::abs(two.glenn->mouth->area / fine.glenn->mouth->area - 1), bound);
+}
+
+class ComparedJoins : public ScratchFolder {};
+
+TEST_F(ComparedJoins, TwoResultsCompareLikeAnyOthers) {
+  SolveOptions options = coarse();
+  options.degree = 3;
+  Result a = solved(joined_tubes_text, options);
+  options.around = 12;
+  Result b = solved(joined_tubes_text, options);
+  a.program = b.program = "vasorod-fem";
+  write_result_folder(a, folder / "a");
+  write_result_folder(b, folder / "b");
+  const Comparison comparison = compare_results(folder / "a", folder / "b");
+  ASSERT_EQ(comparison.vessels.size(), 2u);
+  for (const VesselComparison& vessel : comparison.vessels) {
+    ASSERT_TRUE(vessel.surface && vessel.centerline);
+    EXPECT_LT(vessel.surface->rms, 0.01);
+    EXPECT_GT(vessel.surface->rms, 0);
+    EXPECT_LT(vessel.rest_distance, 0.01);
+  }
+  EXPECT_EQ(comparison.reactions.size(), 3u);
+}
+
+TEST(SolveJoinScene, RefusesOptionsItCannotMeet) {
+  const auto refused = [](const SolveOptions& options, const std::string& part) {
+    try {
+      solved(joined_tubes_text, options);
+      ADD_FAILURE() << "accepted: " << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  SolveOptions options = coarse();
+  options.around = 10;
+  refused(options, "--cells: found 10 x 0, expected for a join with --refine 0 multiples of 4");
+  options = coarse();
+  options.mesh = "wall.msh";
+  refused(options, "--mesh: found wall.msh, expected --cells for a join");
+  options = coarse();
+  options.model = ModelKind::solid;
+  options.degree = 1;
+  refused(options, "--degree: found 1, expected 2 to 4 for a join's solid");
+  options = coarse();
+  options.law = LawKind::split_neo_hookean;
+  refused(options, "found the law split-neo-hookean");
+}
+
+}  // namespace
+}  // namespace vasorod::fem

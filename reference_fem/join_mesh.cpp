@@ -18,8 +18,8 @@ double line_length(const TubeShape& tube) {
 }
 
 double half_around(const JoinProblem& problem) {
-  const Slit& slit = problem.slit;
-  return std::numbers::pi * problem.artery.shape.radius_at(0.5 * (slit.from + slit.to));
+  const Incision& incision = problem.incision;
+  return std::numbers::pi * problem.artery.shape.radius_at(0.5 * (incision.from + incision.to));
 }
 
 /// Stations from 0 to 1, graded from 0.
@@ -46,7 +46,7 @@ Strip vein_strip(const JoinProblem& problem, const JoinCells& cells) {
   strip.degree = cells.degree;
   strip.layers = cells.layers;
   // the seam's stations from a tip to the middle of a lip
-  const std::vector<double> quarter = unit_stations(problem.slit.length / 2, cells.seam);
+  const std::vector<double> quarter = unit_stations(problem.incision.perimeter / 4, cells.seam);
   if (mirror_x && !mirror_y) append(strip.around, quarter, 0, -0.25);
   append(strip.around, quarter, 0, 0.25);
   if (!mirror_x) append(strip.around, quarter, 0.5, 0.25);
@@ -62,7 +62,7 @@ Strip vein_strip(const JoinProblem& problem, const JoinCells& cells) {
 
 Strip artery_strip(const JoinProblem& problem, const JoinCells& cells) {
   const auto [mirror_x, mirror_y] = problem.mirror;
-  const Slit& slit = problem.slit;
+  const Incision& incision = problem.incision;
   const double line = line_length(problem.artery.shape);
   Strip strip;
   strip.degree = cells.degree;
@@ -70,16 +70,16 @@ Strip artery_strip(const JoinProblem& problem, const JoinCells& cells) {
   const std::vector<double> around = unit_stations(half_around(problem), cells.around);
   append(strip.around, around, 0, 0.5);
   if (!mirror_y) append(strip.around, around, 1, 0.5);
-  const double middle = 0.5 * (slit.from + slit.to);
-  const std::vector<double> quarter = unit_stations(slit.length / 2, cells.seam);
+  const double middle = 0.5 * (incision.from + incision.to);
+  const std::vector<double> quarter = unit_stations(incision.perimeter / 4, cells.seam);
   if (!mirror_x) {
-    append(strip.along, unit_stations(slit.from * line, cells.before), slit.from, 0);
-    append(strip.along, quarter, slit.from, middle);
+    append(strip.along, unit_stations(incision.from * line, cells.before), incision.from, 0);
+    append(strip.along, quarter, incision.from, middle);
   }
-  append(strip.along, quarter, slit.to, middle);
-  append(strip.along, unit_stations((1 - slit.to) * line, cells.after), slit.to, 1);
+  append(strip.along, quarter, incision.to, middle);
+  append(strip.along, unit_stations((1 - incision.to) * line, cells.after), incision.to, 1);
   for (const double s : strip.along)
-    strip.welded.push_back(!mirror_y && !(s > slit.from + 1e-12 && s < slit.to - 1e-12));
+    strip.welded.push_back(!mirror_y && !(s > incision.from + 1e-12 && s < incision.to - 1e-12));
   return strip;
 }
 
@@ -103,15 +103,15 @@ std::vector<std::pair<double, int>> vein_rim(const JoinProblem& problem, const M
   return rim;
 }
 
-std::vector<std::pair<double, int>> slit_rim(const JoinProblem& problem, const Mesh& mesh) {
-  const Slit& slit = problem.slit;
+std::vector<std::pair<double, int>> lip_rim(const JoinProblem& problem, const Mesh& mesh) {
+  const Incision& incision = problem.incision;
   std::vector<std::pair<double, int>> rim;
   for (int node = 0; node < mesh.node_count(); ++node) {
     const Vec3 at = mesh.parameters.row(node);
-    if (std::min(std::abs(at[0]), std::abs(at[0] - 1)) > 1e-12 || at[1] < slit.from - 1e-12 ||
-        at[1] > slit.to + 1e-12 || !at_mid_wall(mesh, node))
+    if (std::min(std::abs(at[0]), std::abs(at[0] - 1)) > 1e-12 || at[1] < incision.from - 1e-12 ||
+        at[1] > incision.to + 1e-12 || !at_mid_wall(mesh, node))
       continue;
-    rim.emplace_back(slit.rim_share(at), node);
+    rim.emplace_back(incision.rim_share(at), node);
   }
   std::sort(rim.begin(), rim.end());
   return rim;
@@ -120,8 +120,8 @@ std::vector<std::pair<double, int>> slit_rim(const JoinProblem& problem, const M
 }  // namespace
 
 JoinCells first_cells(const JoinProblem& problem, int seam, int vein, int multiple) {
-  const Slit& slit = problem.slit;
-  const double factor = seam / grading.cells(slit.length / 2);
+  const Incision& incision = problem.incision;
+  const double factor = seam / grading.cells(incision.perimeter / 4);
   const auto count = [&](double length) {
     return multiple *
            std::max(1, static_cast<int>(std::lround(factor * grading.cells(length) / multiple)));
@@ -131,8 +131,8 @@ JoinCells first_cells(const JoinProblem& problem, int seam, int vein, int multip
   cells.seam = seam;
   cells.vein = vein;
   cells.around = count(half_around(problem));
-  cells.before = count(slit.from * line);
-  cells.after = count((1 - slit.to) * line);
+  cells.before = count(incision.from * line);
+  cells.after = count((1 - incision.to) * line);
   if (vein == 0) cells.vein = count(problem.vein.shape.length);
   return cells;
 }
@@ -154,7 +154,7 @@ JoinMesh make_join_mesh(const JoinProblem& problem, const JoinCells& cells,
   JoinMesh mesh{make_strip(vein_strip(problem, cells), chart_of(problem.vein), processes),
                 make_strip(artery_strip(problem, cells), chart_of(problem.artery), processes),
                 {}};
-  const auto rim = vein_rim(problem, mesh.vein), lips = slit_rim(problem, mesh.artery);
+  const auto rim = vein_rim(problem, mesh.vein), lips = lip_rim(problem, mesh.artery);
   if (rim.size() != lips.size()) throw std::logic_error("join: rim and lips differ in nodes");
   for (std::size_t k = 0; k < rim.size(); ++k) {
     if (std::abs(rim[k].first - lips[k].first) > 1e-9)
@@ -184,7 +184,7 @@ Folded fold_vein(const JoinProblem& problem, double share, double fraction) {
 
 Folded fold_artery(const JoinProblem& problem, double share, double fraction) {
   const auto [mirror_x, mirror_y] = problem.mirror;
-  const double middle = 0.5 * (problem.slit.from + problem.slit.to);
+  const double middle = 0.5 * (problem.incision.from + problem.incision.to);
   Folded out;
   if (mirror_y && share > 0.5) {
     share = 1 - share;

@@ -131,7 +131,7 @@ std::array<bool, 2> planes_of(const JoinProblem& problem) {
     return {false, false};
   const bool even = std::abs(artery.end_radius - artery.radius) < equal &&
                     std::abs(artery.end_thickness - artery.thickness) < equal &&
-                    std::abs(problem.slit.from + problem.slit.to - 1) < equal &&
+                    std::abs(problem.incision.from + problem.incision.to - 1) < equal &&
                     problem.artery.ends.size() != 1;
   return {even && std::abs(axis[0]) < equal && std::abs(at[0]) < equal,
           std::abs(axis[1]) < equal && std::abs(at[1]) < equal};
@@ -140,19 +140,37 @@ std::array<bool, 2> planes_of(const JoinProblem& problem) {
 }  // namespace
 
 Vec3 JoinWall::parameters(double share, double fraction, double depth) const {
-  return {first_angle / (2 * pi) + turn * share, fraction, turn > 0 ? depth : 1 - depth};
+  const Vec2 at = hole ? hole->place(share, fraction) : Vec2(share, fraction);
+  return {first_angle / (2 * pi) + turn * at[0], at[1], turn > 0 ? depth : 1 - depth};
 }
 
-double Slit::rim_share(const Vec3& parameter) const {
+double Incision::rim_share(const Vec3& parameter) const {
   const double along = (parameter[1] - from) / (to - from);
   const double share = parameter[0] < 0.5 ? 0.5 * (1 - along) : 0.5 * (1 + along);
   return share - std::floor(share + equal);
 }
 
-Vec3 Slit::rim_parameter(double share) const {
+Vec3 Incision::rim_parameter(double share) const {
   const bool first_lip = share <= 0.5;
   const double along = first_lip ? 1 - 2 * share : 2 * share - 1;
   return {first_lip ? 0.0 : 1.0, from + along * (to - from), 0.5};
+}
+
+bool open_ellipse(JoinProblem& problem, double length, double width) {
+  Incision& incision = problem.incision;
+  const TubeShape& artery = problem.artery.shape;
+  HoleChart hole;
+  hole.half_length = length / 2;
+  hole.half_width = width / 2;
+  hole.middle = 0.5 * (incision.from + incision.to);
+  hole.line = std::hypot(artery.length, artery.end_radius - artery.radius);
+  hole.half_around = pi * artery.radius_at(hole.middle);
+  incision.length = length;
+  incision.perimeter = hole.perimeter();
+  incision.from = hole.middle - hole.half_length / hole.line;
+  incision.to = hole.middle + hole.half_length / hole.line;
+  problem.artery.hole = hole;
+  return incision.from > equal && incision.to < 1 - equal && hole.half_width < hole.half_around;
 }
 
 JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
@@ -177,13 +195,15 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
 
   const Vec3 pick = locate(scene, "incision", problem.artery, spec.incision, problem.units.length);
   const TubeShape& wall = problem.artery.shape;
-  problem.slit.length = spec.incision_length * pi;  // half the perimeter of the cut, radius 1
+  problem.incision.length = spec.incision_length * pi;  // half the perimeter of the cut, radius 1
+  problem.incision.perimeter = 2 * problem.incision.length;
   const double half =
-      0.5 * problem.slit.length / std::hypot(wall.length, wall.end_radius - wall.radius);
-  problem.slit.from = pick[1] - half;
-  problem.slit.to = pick[1] + half;
-  if (problem.slit.from < equal || problem.slit.to > 1 - equal)
-    refuse(scene, "an incision of length " + number(problem.slit.length * problem.units.length) +
+      0.5 * problem.incision.length / std::hypot(wall.length, wall.end_radius - wall.radius);
+  problem.incision.from = pick[1] - half;
+  problem.incision.to = pick[1] + half;
+  if (problem.incision.from < equal || problem.incision.to > 1 - equal)
+    refuse(scene, "an incision of length " +
+                      number(problem.incision.length * problem.units.length) +
                       " that runs into an end of the artery");
 
   const Mat3 axes = wall.axes(pick);

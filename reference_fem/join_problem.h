@@ -14,6 +14,7 @@
 
 #include <vasorod/scene.h>
 
+#include "reference_fem/hole_chart.h"
 #include "reference_fem/scene_parts.h"
 
 namespace vasorod::fem {
@@ -28,6 +29,8 @@ struct JoinWall {
   std::vector<EndProblem> ends;
   double first_angle = 0;  ///< of the first line, radians
   int turn = 1;            ///< sense of the tube's angle along the strip
+  /// The hole around which the strip is laid; empty: none, or a slit.
+  std::optional<HoleChart> hole;
 
   /// The tube's parameters at a share of the circumference, a fraction of the axis and a depth,
   /// which counts inwards where `turn` is negative, so that the strip is right-handed.
@@ -35,11 +38,13 @@ struct JoinWall {
   Vec3 parameters(const Vec3& strip) const { return parameters(strip[0], strip[1], strip[2]); }
 };
 
-/// The slit, a part of the artery's first line. A point of its rim is named by its share of the
-/// rim's length from the tip at +x, first along the lip at y > 0.
-struct Slit {
-  double from = 0, to = 0;  ///< fractions of the artery's axis
-  double length = 0;
+/// The slit, a part of the artery's first line, or the elliptic hole around which that part is
+/// laid. A point of its rim is named by its share of the rim's length from the tip at +x, first
+/// along the lip at y > 0.
+struct Incision {
+  double from = 0, to = 0;  ///< tips, fractions of the artery's axis
+  double length = 0;        ///< from tip to tip
+  double perimeter = 0;     ///< length of the rim
   /// The share of the rim of a point at the artery's strip parameters (share 0 or 1 of the
   /// circumference).
   double rim_share(const Vec3& parameter) const;
@@ -52,7 +57,7 @@ struct JoinProblem {
   JoinWall vein, artery;
   bool vein_first = true;  ///< in the scene's list of vessels
   int seam_side = 1;       ///< the vein's side at the seam
-  Slit slit;
+  Incision incision;
   double rotation = 0;  ///< of the vein's mouth about +z, radians
   /// Planes of symmetry: normal x (between the slit's tips) and normal y (through them).
   std::array<bool, 2> mirror{};
@@ -66,6 +71,10 @@ struct JoinProblem {
   /// A vector of the problem in the scene's axes.
   Vec3 in_scene(const Vec3& vector) const { return frame.rotation * vector; }
 };
+
+/// Replaces the slit by an ellipse of that length and width about its middle, drawn on the wall as
+/// unrolled there. False: it meets an end of the artery or itself.
+bool open_ellipse(JoinProblem& problem, double length, double width);
 
 /// Throws InputError. `law` overrides the scene's laws.
 JoinProblem read_join(const Scene& scene, std::optional<LawKind> law);

@@ -69,8 +69,8 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
   glenn.cut.perimeter = 2 * std::numbers::pi * unit;
   glenn.cut.point = unit * cut.position;
   glenn.cut.normal = (problem.seam_side == 1 ? 1.0 : -1.0) * cut.director(3);
-  glenn.incision.length = problem.slit.length * unit;
-  const double fractions[] = {problem.slit.from, problem.slit.to};
+  glenn.incision.length = problem.incision.length * unit;
+  const double fractions[] = {problem.incision.from, problem.incision.to};
   for (std::size_t k = 0; k < 2; ++k)
     glenn.incision.ends[k] =
         unit *

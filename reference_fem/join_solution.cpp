@@ -32,8 +32,9 @@ WallModel wall_model(const JoinWall& wall, const Mesh& mesh) {
   const MaterialLaw law(wall.law, wall.moduli);
   const Axes axes = [&wall](const Vec3& p) { return wall.shape.axes(wall.parameters(p)); };
   if (mesh.dim == 3) return with_ends(std::make_unique<Solid>(mesh, law, axes), wall);
-  const ShellBody body{[axes](const Vec3& p) { return Vec3(axes(p).col(0)); },
-                       [&wall](const Vec3& p) { return wall.shape.thickness_at(p[1]); }, axes};
+  const ShellBody body{
+      [axes](const Vec3& p) { return Vec3(axes(p).col(0)); },
+      [&wall](const Vec3& p) { return wall.shape.thickness_at(wall.parameters(p)[1]); }, axes};
   return with_ends(std::make_unique<Shell>(mesh, law, body, wall.law == LawKind::svk ? 2 : 5),
                    wall);
 }
@@ -80,12 +81,12 @@ void hold_planes(const JoinProblem& problem, const JoinModel& model, Supports& s
     if (problem.mirror[0] && is(std::abs(at[0]), 0.25)) hold(dof, 0, free);
     if (problem.mirror[1] && (is(at[0], 0) || is(at[0], 0.5))) hold(dof, 1, free);
   }
-  const Slit& slit = problem.slit;
+  const Incision& incision = problem.incision;
   for (int node = 0; node < artery.node_count(); ++node) {
     const Vec3 at = artery.parameters.row(node);
     const int dof = model.first_of_artery(node);
-    const bool lip = is(at[0], 0) && at[1] > slit.from + 1e-12 && at[1] < slit.to - 1e-12;
-    if (problem.mirror[0] && is(at[1], 0.5 * (slit.from + slit.to))) hold(dof, 0, true);
+    const bool lip = is(at[0], 0) && at[1] > incision.from + 1e-12 && at[1] < incision.to - 1e-12;
+    if (problem.mirror[0] && is(at[1], 0.5 * (incision.from + incision.to))) hold(dof, 0, true);
     if (problem.mirror[1] && ((is(at[0], 0) && !lip) || is(at[0], 0.5))) hold(dof, 1, true);
   }
 }
@@ -213,7 +214,7 @@ MidWall sample_artery(const JoinProblem& problem, const Mesh& mesh, const DofVal
   wall.fraction = sampling.artery;
   std::vector<Folded> grid, lip;
   for (const double s : sampling.artery) {
-    const bool open = s > problem.slit.from + 1e-12 && s < problem.slit.to - 1e-12;
+    const bool open = s > problem.incision.from + 1e-12 && s < problem.incision.to - 1e-12;
     wall.open.push_back(open ? 1 : 0);
     for (int i = 0; i < wall.around; ++i)
       grid.push_back(fold_artery(problem, share_of_point(problem.artery, i, wall.around), s));
@@ -235,7 +236,7 @@ void sample_seam(const JoinProblem& problem, const JoinMesh& mesh, const DofValu
   for (int k = 0; k < count; ++k) {
     const double share = static_cast<double>(k) / count;
     rim.push_back(fold_vein(problem, share, problem.seam_side));
-    const Vec3 lip = problem.slit.rim_parameter(share);
+    const Vec3 lip = problem.incision.rim_parameter(share);
     lips.push_back(fold_artery(problem, lip[0], lip[1]));
   }
   WallPoints points = unfold(mesh.vein, vein, rim);

@@ -19,8 +19,10 @@ Pose ring_pose(const Points& rest, const Points& current, const Pose& frame) {
   sign[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0
                 ? -1
                 : 1;  // the ring is flat: third is free
-  return {svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose() * frame.rotation,
-          c.transpose()};
+  const Mat3 turn = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+  // a ring beside a hole does not have its mean on the axis
+  const Vec3 off_mean = frame.position - X0.transpose();
+  return {turn * frame.rotation, c.transpose() + turn * off_mean};
 }
 
 double lumen(const Points& ring, const Pose& pose, double thickness) {

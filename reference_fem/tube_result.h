@@ -9,11 +9,10 @@
 
 namespace vasorod::fem {
 
-/// In the scene's units. A section's centre is the mean of its mid-wall ring; its directors are the
-/// rotation nearest to the ring's motion. Strains are those of the screw between neighbouring
-/// sections, averaged to the stations.
-/// `unit`: length per dimensionless length. In the rows of an open slit the ring's first point is
-/// that of one lip.
+/// In the scene's units. A section's centre moves with the mean of its mid-wall ring; its directors
+/// are the rotation nearest to the ring's motion. Strains are those of the screw between
+/// neighbouring sections, averaged to the stations. `unit`: length per dimensionless length. In the
+/// rows of an open slit the ring's first point is that of one lip.
 VesselResult vessel_result(const std::string& name, const TubeShape& shape, double unit,
                            const MidWall& wall);
 

@@ -46,7 +46,7 @@ TEST(JoinMesh, PairsStandAtEqualArcLength) {
           // arc lengths from the positions: of the rim by its angle, of the slit by its abscissa
           double angle = std::atan2(rim[1], rim[0]);
           if (angle < -1e-9) angle += perimeter;
-          const double tip = problem.slit.length / 2;
+          const double tip = problem.incision.length / 2;
           EXPECT_NEAR(rim.head<2>().norm(), 1, 1e-9);
           EXPECT_NEAR(lip[1], 0, 1e-12);
           EXPECT_NEAR(lip[2], 0, 1e-12);
@@ -63,6 +63,48 @@ TEST(JoinMesh, PairsStandAtEqualArcLength) {
           }
         }
       }
+}
+
+// An ellipse of the same perimeter as the rim: pairs at equal arc length of both, and the artery
+// without the hole, whose area on the unrolled wall is pi a b.
+TEST(JoinMesh, AnEllipticHoleIsTakenOutOfTheWall) {
+  double whole = 0;
+  for (const bool mirror : {false, true}) {
+    JoinProblem problem = problem_of({mirror, mirror});
+    const double length = 2.594, width = 1.297;
+    ASSERT_TRUE(open_ellipse(problem, length, width));
+    JoinCells cells = first_cells(problem, 4, 0, 1);
+    cells.degree = 4;
+    const JoinMesh mesh = make_join_mesh(problem, cells);
+    const double area = 2 * std::numbers::pi * 1.1 * 10 - std::numbers::pi / 4 * length * width;
+    EXPECT_NEAR((mirror ? 4 : 1) * size(mesh.artery), area, 2e-3);
+    if (mirror)
+      EXPECT_NEAR(4 * size(mesh.artery), whole, 1e-9);
+    else
+      whole = size(mesh.artery);
+    const double perimeter = problem.incision.perimeter;
+    EXPECT_NEAR(perimeter, 2 * std::numbers::pi, 2e-3);
+    EXPECT_EQ(mesh.seam.size(), mirror ? 17u : 64u);
+    double way = 0;  // along the ellipse by small chords, from node to node
+    Vec2 before(length / 2, 0);
+    for (const SeamPair& pair : mesh.seam) {
+      const Vec3 lip = mesh.artery.nodes.row(pair.artery);
+      const Vec2 flat(lip[0], 1.1 * std::atan2(lip[1], lip[2] + 1.1));
+      EXPECT_NEAR(std::pow(2 * flat[0] / length, 2) + std::pow(2 * flat[1] / width, 2), 1, 1e-9);
+      const double from = std::atan2(before[1] / width, before[0] / length);
+      double to = std::atan2(flat[1] / width, flat[0] / length);
+      if (to < from - 1e-9) to += 2 * std::numbers::pi;
+      const auto at = [&](double t) {
+        return Vec2(length / 2 * std::cos(t), width / 2 * std::sin(t));
+      };
+      const int parts = 400;
+      for (int k = 0; k < parts; ++k)
+        way +=
+            (at(from + (to - from) * (k + 1) / parts) - at(from + (to - from) * k / parts)).norm();
+      EXPECT_NEAR(pair.share, way / perimeter, 1e-5);
+      before = flat;
+    }
+  }
 }
 
 TEST(JoinMesh, PartsAddUpToTheWhole) {
@@ -106,7 +148,7 @@ TEST(JoinMesh, CellsMeetTheTipAtOneSize) {
     EXPECT_EQ(number % 2, 0);
   EXPECT_LT(cells.before, cells.after + 1);
   const std::vector<double> lines = join_lines(problem, cells).artery;
-  for (const double tip : {problem.slit.from, problem.slit.to}) {
+  for (const double tip : {problem.incision.from, problem.incision.to}) {
     const auto at = std::min_element(lines.begin(), lines.end(), [&](double a, double b) {
       return std::abs(a - tip) < std::abs(b - tip);
     });

@@ -30,11 +30,11 @@ TEST(JoinProblem, RimAndSlitLieWhereTheSceneSays) {
   const JoinProblem problem = read(joined_tubes_text);
   EXPECT_EQ(problem.seam_side, 1);
   EXPECT_NEAR(problem.cut_fraction, 8.0 / 14, 1e-12);
-  EXPECT_NEAR(problem.slit.length * problem.units.length, 2 * pi, 1e-12);
+  EXPECT_NEAR(problem.incision.length * problem.units.length, 2 * pi, 1e-12);
   // the vein comes from below, so the problem's z is the scene's -z
   EXPECT_LT((problem.frame.rotation.col(2) + Vec3::UnitZ()).norm(), 1e-12);
   EXPECT_LT((in_scene(problem, Vec3::Zero()) - Vec3(0, 0, 8)).norm(), 1e-12);
-  const Vec3 tip = at(problem, problem.artery, 0, problem.slit.to);
+  const Vec3 tip = at(problem, problem.artery, 0, problem.incision.to);
   EXPECT_LT((tip - Vec3(pi, 0, 8)).norm(), 1e-12);
   EXPECT_LT((at(problem, problem.vein, 0, 1) - Vec3(2, 0, 8)).norm(), 1e-12);
   // a quarter on, rim and lip are both on the side of +y of the problem
@@ -44,18 +44,18 @@ TEST(JoinProblem, RimAndSlitLieWhereTheSceneSays) {
 
 TEST(JoinProblem, SharesOfTheRimStartAtATip) {
   const JoinProblem problem = read(joined_tubes_text);
-  const Slit& slit = problem.slit;
-  const double quarter = slit.to - 0.25 * (slit.to - slit.from);
-  EXPECT_NEAR(slit.rim_share({0, slit.to, 0.5}), 0, 1e-12);
-  EXPECT_NEAR(slit.rim_share({1, slit.to, 0.5}), 0, 1e-12);
-  EXPECT_NEAR(slit.rim_share({0, slit.from, 0.5}), 0.5, 1e-12);
-  EXPECT_NEAR(slit.rim_share({0, quarter, 0.5}), 0.125, 1e-12);
-  EXPECT_NEAR(slit.rim_share({1, quarter, 0.5}), 0.875, 1e-12);
+  const Incision& incision = problem.incision;
+  const double quarter = incision.to - 0.25 * (incision.to - incision.from);
+  EXPECT_NEAR(incision.rim_share({0, incision.to, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(incision.rim_share({1, incision.to, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(incision.rim_share({0, incision.from, 0.5}), 0.5, 1e-12);
+  EXPECT_NEAR(incision.rim_share({0, quarter, 0.5}), 0.125, 1e-12);
+  EXPECT_NEAR(incision.rim_share({1, quarter, 0.5}), 0.875, 1e-12);
   for (const double share : {0.0, 0.1, 0.5, 0.62, 0.99}) {
-    EXPECT_NEAR(slit.rim_share(slit.rim_parameter(share)), share, 1e-12);
+    EXPECT_NEAR(incision.rim_share(incision.rim_parameter(share)), share, 1e-12);
     // the rim runs along the slit at an even pace
-    const Vec3 point =
-        at(problem, problem.artery, slit.rim_parameter(share)[0], slit.rim_parameter(share)[1]);
+    const Vec3 point = at(problem, problem.artery, incision.rim_parameter(share)[0],
+                          incision.rim_parameter(share)[1]);
     EXPECT_NEAR(point[0], pi * (share <= 0.5 ? 1 - 4 * share : 4 * share - 3), 1e-12);
   }
 }
@@ -109,9 +109,9 @@ TEST(JoinProblem, TheOtherEndOfTheVeinMayBeKept) {
 TEST(JoinProblem, ALongerIncisionIsLonger) {
   const JoinProblem problem =
       read(with(joined_tubes_text, "rotation_deg: 0", "incision_length: 1.25, rotation_deg: 0"));
-  EXPECT_NEAR(problem.slit.length * problem.units.length, 1.25 * 2 * pi, 1e-12);
-  const Vec3 a = at(problem, problem.artery, 0, problem.slit.from),
-             b = at(problem, problem.artery, 0, problem.slit.to);
+  EXPECT_NEAR(problem.incision.length * problem.units.length, 1.25 * 2 * pi, 1e-12);
+  const Vec3 a = at(problem, problem.artery, 0, problem.incision.from),
+             b = at(problem, problem.artery, 0, problem.incision.to);
   EXPECT_NEAR((b - a).norm(), 1.25 * 2 * pi, 1e-12);
 }
 

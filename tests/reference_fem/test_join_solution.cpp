@@ -124,6 +124,33 @@ TEST(JoinSolution, TheSeamsForceIsTheEnergysDerivative) {
   EXPECT_NEAR(steps[k][2] / slope, 1, 1e-3);
 }
 
+// An elliptic hole instead of the slit: wider mouth, balanced, the quarter as the whole; a very
+// thin one is a slit.
+TEST(JoinSolution, AnEllipticHole) {
+  JoinProblem problem = problem_of();
+  const JoinSolution slit = solved(problem, coarse(problem, 3));
+  ASSERT_TRUE(open_ellipse(problem, 2.594, 1.297));
+  const JoinCells cells = coarse(problem, 3);
+  const JoinSolution quarter = solved(problem, cells);
+  ASSERT_EQ(quarter.summary.status, PathStatus::complete);
+  EXPECT_LT((quarter.rim - quarter.lips).rowwise().norm().maxCoeff(), 1e-12);
+  EXPECT_GT(quarter.rim.col(1).maxCoeff(), 2 * slit.rim.col(1).maxCoeff());
+  EXPECT_LT(quarter.summary.energy, slit.summary.energy);
+  EXPECT_LT((support(quarter.on_artery) + quarter.on_artery.seam).norm(),
+            1e-7 * quarter.on_artery.ends[0].force.norm());
+  problem.mirror = {false, true};
+  const JoinSolution half = solved(problem, cells);
+  EXPECT_NEAR(quarter.summary.energy / half.summary.energy, 1, 1e-7);
+  EXPECT_LT((quarter.artery.current - half.artery.current).cwiseAbs().maxCoeff(), 1e-6);
+
+  problem = problem_of();
+  ASSERT_TRUE(open_ellipse(problem, problem.incision.length, 0.004));
+  const JoinSolution thin = solved(problem, coarse(problem, 3));
+  ASSERT_EQ(thin.summary.status, PathStatus::complete);
+  EXPECT_NEAR(thin.summary.energy / slit.summary.energy, 1, 0.02);
+  EXPECT_LT((thin.rim - slit.rim).rowwise().norm().maxCoeff(), 0.02);
+}
+
 // Other elements, other kinematics: a seam between the middles of thick edges is softer in the
 // solid.
 TEST(JoinSolution, SolidAndShellAgree) {

@@ -119,6 +119,36 @@ void unroll_from(const Vec3& direction, const Vec3& next, JoinWall& wall) {
   wall.turn = d.col(2).cross(direction).dot(next) > 0 ? 1 : -1;
 }
 
+double ellipse_perimeter(double length, double width) {
+  const double longer = std::max(length, width), shorter = std::min(length, width);
+  return 2 * longer * std::comp_ellint_2(std::sqrt(1 - std::pow(shorter / longer, 2)));
+}
+
+/// The scene's ellipse, {length, width} over the cut's radius. Its rim is `incision_length` times
+/// the cut's unless the scene gives both axes.
+std::array<double, 2> ellipse_of(const Scene& scene, const GlennSpec& spec, double unit) {
+  const IncisionEllipse& ellipse = *spec.ellipse;
+  const double rim = spec.incision_length * 2 * pi;
+  if (ellipse.length) {
+    const double length = *ellipse.length / unit;
+    return {length, ellipse.width ? *ellipse.width / unit : ellipse.ratio * length};
+  }
+  if (!ellipse.width) {
+    const double length = rim / ellipse_perimeter(1, ellipse.ratio);
+    return {length, ellipse.ratio * length};
+  }
+  const double width = *ellipse.width / unit;
+  if (!(pi * width <= rim))
+    refuse(scene, "an ellipse " + number(width * unit) + " wide with a rim " + number(rim * unit) +
+                      " long, which a circle exceeds");
+  double least = width, most = rim / 2;  // of the length; the perimeter grows with it
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (least + most);
+    (ellipse_perimeter(middle, width) < rim ? least : most) = middle;
+  }
+  return {0.5 * (least + most), width};
+}
+
 bool all_held(const JoinWall& wall) {
   return std::all_of(wall.ends.begin(), wall.ends.end(),
                      [](const EndProblem& end) { return end.held(); });
@@ -183,6 +213,8 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
   if (!scene.contact || !scene.contact->empty())
     refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
 
+  if (spec.cut_tilt_deg != 0) refuse(scene, "an oblique cut (`cut_tilt_deg`)");
+
   JoinProblem problem;
   problem.vein_first = scene.vessels.front().name == spec.svc;
   problem.units = {vein.tube->radius, vein.wall->material.young_axial};
@@ -201,10 +233,17 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
       0.5 * problem.incision.length / std::hypot(wall.length, wall.end_radius - wall.radius);
   problem.incision.from = pick[1] - half;
   problem.incision.to = pick[1] + half;
-  if (problem.incision.from < equal || problem.incision.to > 1 - equal)
+  if (spec.ellipse) {
+    const auto [length, width] = ellipse_of(scene, spec, problem.units.length);
+    if (!(width <= 2 * wall.radius_at(pick[1])) || !open_ellipse(problem, length, width))
+      refuse(scene, "an ellipse " + number(length * problem.units.length) + " long and " +
+                        number(width * problem.units.length) +
+                        " wide, which does not fit on the artery");
+  } else if (problem.incision.from < equal || problem.incision.to > 1 - equal) {
     refuse(scene, "an incision of length " +
                       number(problem.incision.length * problem.units.length) +
                       " that runs into an end of the artery");
+  }
 
   const Mat3 axes = wall.axes(pick);
   const Vec3 out = axes.col(0), along = axes.col(2);

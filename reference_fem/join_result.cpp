@@ -70,6 +70,14 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
   glenn.cut.point = unit * cut.position;
   glenn.cut.normal = (problem.seam_side == 1 ? 1.0 : -1.0) * cut.director(3);
   glenn.incision.length = problem.incision.length * unit;
+  glenn.incision.perimeter = problem.incision.perimeter * unit;
+  glenn.incision.perimeter_ratio = problem.incision.perimeter / (2 * std::numbers::pi);
+  if (problem.artery.hole) {
+    glenn.incision.shape = "ellipse";
+    glenn.incision.width = 2 * problem.artery.hole->half_width * unit;
+    glenn.incision.removed_area =
+        std::numbers::pi / 4 * glenn.incision.length * glenn.incision.width;
+  }
   const double fractions[] = {problem.incision.from, problem.incision.to};
   for (std::size_t k = 0; k < 2; ++k)
     glenn.incision.ends[k] =

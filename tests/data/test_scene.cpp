@@ -81,7 +81,7 @@ TEST(Scene, AVesselIsFoundByItsName) {
   scene.vessels[0].name = "svc";
   scene.vessels[1].name = "rpa";
   EXPECT_EQ(&scene.vessel("rpa"), &scene.vessels[1]);
-  EXPECT_EQ(&scene.vessel("svc"), &scene.vessels[0]);
+  EXPECT_EQ(&scene.vessel("svc"), scene.vessels.data());
   try {
     scene.vessel("aorta");
     FAIL() << "found a vessel that is not there";

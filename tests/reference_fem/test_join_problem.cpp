@@ -1,6 +1,7 @@
 // Joins read from scenes: geometry, planes of symmetry, what is refused.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -115,6 +116,35 @@ TEST(JoinProblem, ALongerIncisionIsLonger) {
   EXPECT_NEAR((b - a).norm(), 1.25 * 2 * pi, 1e-12);
 }
 
+// By its ratio, its width or both axes; without a length its rim is as long as the cut's, 4 pi.
+TEST(JoinProblem, AnEllipseHasTheSizeOfTheScene) {
+  const auto opened = [](const std::string& shape) {
+    return read(with(joined_tubes_text, "rotation_deg: 0", shape + ", rotation_deg: 0"));
+  };
+  const auto size = [](const JoinProblem& problem) -> Vec3 {
+    const double unit = problem.units.length;
+    return Vec3(problem.incision.length, 2 * problem.artery.hole->half_width,
+                problem.incision.perimeter) *
+           unit;
+  };
+  const Vec3 half = size(opened("incision_shape: {ellipse: 0.5}"));
+  EXPECT_NEAR(half[1], 0.5 * half[0], 1e-12);
+  EXPECT_NEAR(half[2], 4 * pi, 1e-9);
+  // Ramanujan's second approximation, 1e-5 at this ratio.
+  const double h = std::pow(0.5 / 1.5, 2), a = half[0] / 2;
+  EXPECT_NEAR(pi * 1.5 * a * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h))), 4 * pi, 1e-4);
+  char width[32];
+  std::snprintf(width, sizeof width, "%.15g", half[1]);
+  EXPECT_LT((size(opened("incision_shape: {ellipse: {width: " + std::string(width) + "}}")) - half)
+                .norm(),
+            1e-9);
+  const Vec3 both = size(opened("incision_shape: {ellipse: {length: 3, width: 4}}"));
+  EXPECT_NEAR(both[0], 3, 1e-12);
+  EXPECT_NEAR(both[1], 4, 1e-12);
+  EXPECT_NEAR(size(opened("incision_shape: {ellipse: 0.5}, incision_length: 1.2"))[2], 4.8 * pi,
+              1e-9);
+}
+
 TEST(JoinProblem, RefusesWhatItCannotDo) {
   const auto refused = [](const std::string& what, const std::string& by, const std::string& part) {
     try {
@@ -134,6 +164,14 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
           "found a pressure in \"vein\"");
   refused("incision: [0, 0, 8]", "incision: [8, 0, 8]",
           "found an incision of length 6.283 that runs into an end of the artery");
+  refused("rotation_deg: 0", "incision_shape: {ellipse: {length: 4, width: 5}}",
+          "found an ellipse 4 long and 5 wide, which does not fit on the artery");
+  refused("rotation_deg: 0", "incision_shape: {ellipse: {length: 24, width: 2}}",
+          "found an ellipse 24 long and 2 wide, which does not fit on the artery");
+  refused("rotation_deg: 0", "incision_shape: {ellipse: {width: 4.1}}",
+          "found an ellipse 4.1 wide with a rim 12.57 long, which a circle exceeds");
+  refused("rotation_deg: 0", "cut_tilt_deg: 20, rotation_deg: 0",
+          "found an oblique cut (`cut_tilt_deg`)");
   refused("cut: [2, 0, 8]", "cut: [2, 0, 17]", "glenn: cut: found a point 3 off vessel vein");
   refused("units: {length: mm, stress: MPa}\nvessels:\n",
           "units: {length: mm, stress: MPa}\nvessels:\n"

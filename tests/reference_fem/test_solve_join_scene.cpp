@@ -41,6 +41,28 @@ double area(const Points& points, const Triangles& triangles) {
   return sum;
 }
 
+TEST(SolveJoinScene, TakesTheEllipseOutThatTheSceneAsksFor) {
+  const Result slit = solved(joined_tubes_text),
+               hole = solved(with(joined_tubes_text, "rotation_deg: 0",
+                                  "incision_shape: {ellipse: 0.5}, rotation_deg: 0"));
+  ASSERT_EQ(hole.status, Status::converged);
+  ASSERT_TRUE(slit.glenn && hole.glenn && slit.glenn->mouth && hole.glenn->mouth);
+  EXPECT_EQ(slit.glenn->incision.shape, "slit");
+  EXPECT_NEAR(slit.glenn->incision.perimeter_ratio, 1, 1e-12);
+  const auto& incision = hole.glenn->incision;
+  EXPECT_EQ(incision.shape, "ellipse");
+  EXPECT_NEAR(incision.width, 0.5 * incision.length, 1e-9);
+  EXPECT_NEAR(incision.perimeter, 4 * pi, 1e-8);
+  EXPECT_NEAR(incision.removed_area, pi / 4 * incision.length * incision.width, 1e-9);
+  EXPECT_GT(hole.glenn->mouth->area, 2 * slit.glenn->mouth->area);
+  EXPECT_LT(hole.energy.total(), 0.5 * slit.energy.total());
+  // The artery lacks what was taken out; its triangles lie inside the round wall.
+  const auto wall = [](const Result& result) {
+    return area(result.vessels[1].rest, result.vessels[1].triangles);
+  };
+  EXPECT_NEAR(wall(slit) - wall(hole), incision.removed_area, 0.05 * incision.removed_area);
+}
+
 TEST(SolveJoinScene, ReportsTheOperation) {
   SolveOptions options = coarse();
   options.degree = 3;

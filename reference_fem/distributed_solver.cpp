@@ -82,7 +82,7 @@ class Mumps final : public LinearSolver::Method {
     check(VecScatterEnd(gather_, left_, whole_, INSERT_VALUES, SCATTER_FORWARD));
     const PetscScalar* all = nullptr;
     check(VecGetArrayRead(whole_, &all));
-    const Eigen::VectorXd out = Eigen::Map<const Eigen::VectorXd>(all, right.size());
+    Eigen::VectorXd out = Eigen::Map<const Eigen::VectorXd>(all, right.size());
     check(VecRestoreArrayRead(whole_, &all));
     return out;
   }

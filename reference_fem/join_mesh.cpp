@@ -34,6 +34,7 @@ std::vector<double> unit_stations(double length, int count) {
 void append(std::vector<double>& line, const std::vector<double>& stations, double from,
             double to) {
   std::vector<double> mapped;
+  mapped.reserve(stations.size());
   for (const double x : stations) mapped.push_back(x == 1 ? to : from + x * (to - from));
   if (from > to) std::reverse(mapped.begin(), mapped.end());
   for (const double x : mapped)

@@ -55,7 +55,7 @@ JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnit
 /// Parameters of a pick on a tube, which may be at most a radius off its wall.
 Vec3 locate(const Scene& scene, const char* what, const JoinWall& wall, const Vec3& pick,
             double unit) {
-  const Vec3 at = wall.shape.parameters(pick / unit);
+  Vec3 at = wall.shape.parameters(pick / unit);
   const double radius = wall.shape.radius_at(at[1]),
                off = std::abs(at[2] - 0.5) * wall.shape.thickness_at(at[1]);
   const double beyond = std::max({0.0, -at[1], at[1] - 1}) * wall.shape.length;

@@ -172,6 +172,7 @@ void collect_forces(const JoinProblem& problem, const JoinModel& model,
 WallPoints unfold(const Mesh& mesh, const DofValues& u, const std::vector<Folded>& folded) {
   const int components = static_cast<int>(u.size()) / mesh.node_count();
   std::vector<Vec3> at;
+  at.reserve(folded.size());
   for (const Folded& point : folded) at.push_back(point.parameter);
   WallPoints points = wall_points(mesh, u, components, at);
   for (std::size_t k = 0; k < folded.size(); ++k) {

@@ -66,6 +66,7 @@ Eigen::MatrixX2d unroll(const TriangleSurface& surface, const ChartRequest& requ
       triangles.back().vertex[index(k)] = own;
     }
   }
+  if (count == 0) throw std::logic_error("unroll: a patch without triangles");
 
   std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}};  // holds the first vertex
   for (const FlatTriangle& flat : triangles)

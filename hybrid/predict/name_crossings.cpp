@@ -6,6 +6,18 @@
 
 namespace vasorod {
 
+namespace {
+
+std::string sentence(const std::string& a, const std::string& b, const Crossing& crossing,
+                     const std::string& length_unit) {
+  return a + (a == b ? " passes through itself" : " and " + b + " pass through each other") +
+         " at " + place_text(crossing.where) + ", " + number_text(crossing.depth, 3) + " " +
+         length_unit + " deep in " + std::to_string(crossing.pairs) + " pairs of triangles: " +
+         (a == b ? "a wall does not feel itself in this model" : "the contact did not part them");
+}
+
+}  // namespace
+
 void name_crossings(const Prediction& prediction, Result& result) {
   if (result.status == Status::interrupted) return;
   std::vector<CheckedBody> bodies;
@@ -26,12 +38,7 @@ void name_crossings(const Prediction& prediction, Result& result) {
   for (const Crossing& crossing : crossings(bodies, seam)) {
     const std::string &a = names[index(crossing.a)], &b = names[index(crossing.b)];
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
-    result.validity.warnings.push_back(
-        a + (a == b ? " passes through itself" : " and " + b + " pass through each other") +
-        " at " + place_text(crossing.where) + ", " + number_text(crossing.depth, 3) + " " +
-        prediction.scene->units.length + " deep in " + std::to_string(crossing.pairs) +
-        " pairs of triangles: " +
-        (a == b ? "a wall does not feel itself in this model" : "the contact did not part them"));
+    result.validity.warnings.push_back(sentence(a, b, crossing, prediction.scene->units.length));
     result.validity.in_range = false;
   }
   if (!result.self_intersections.empty() && prediction.surfaces)

@@ -32,6 +32,7 @@ std::vector<fs::path> files(const std::string& folder, const std::string& ending
   return all;
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): a fixture; gtest deletes the test
 class Found : public ScratchFolder {
  protected:
   ~Found() override {
@@ -45,7 +46,7 @@ class Found : public ScratchFolder {
     try {
       read();
     } catch (const InputError& error) {
-      const std::string sentence = error.what();
+      std::string sentence = error.what();
       EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
       EXPECT_LT(sentence.size(), 600U) << sentence;
       return sentence;
@@ -64,8 +65,8 @@ class Found : public ScratchFolder {
 };
 
 TEST_F(Found, ScenesAreRefused) {
-  for (const char* folder : {"", "scene_comma"})
-    for (const fs::path& file : files(folder, ".yaml")) {
+  for (const char* kind : {"", "scene_comma"})
+    for (const fs::path& file : files(kind, ".yaml")) {
       const std::string sentence = refusal([&] { read_scene(file); });
       EXPECT_EQ(sentence.rfind(file.string() + ":", 0), 0U) << file << ": " << sentence;
       EXPECT_NE(sentence.find(", expected "), std::string::npos) << file << ": " << sentence;

@@ -4,6 +4,7 @@ is typed. A chapter without its table is absent."""
 import figures
 from chapters.accuracy import accuracy_section
 from chapters.irregular import irregular_section
+from chapters.join import join_section
 from chapters.laws import laws_section
 from chapters.promise import promise_section
 from chapters.sensitivity import sensitivity_section
@@ -47,4 +48,7 @@ def write_report(baselines, docs):
             images / "trade.png",
             front_of([row for row in rows if row["rms"] is not None]),
         )
+    join = table_if_there(baselines / "join.csv")
+    if join:
+        text.append(join_section(*join))
     (docs / "comparison.md").write_text("\n".join(part for part in text if part).rstrip() + "\n")

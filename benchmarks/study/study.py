@@ -19,6 +19,7 @@ import accuracy  # noqa: E402
 import calculix  # noqa: E402
 import extremes  # noqa: E402
 import irregular  # noqa: E402
+import join  # noqa: E402
 import laws  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
@@ -44,7 +45,11 @@ SWEEPS = {
     "sensitivity": sensitivity.runs,
     "sensitivity-reference": sensitivity.reference_runs,
 }  # per load
-WHOLE = {"extremes": extremes.all_runs, "shear-gap": shear_gap.all_runs}  # of no case
+WHOLE = {
+    "extremes": extremes.all_runs,
+    "shear-gap": shear_gap.all_runs,
+    "join": join.all_runs,
+}  # of no case
 
 
 def open_store(arguments):
@@ -110,6 +115,7 @@ def tables(arguments):
     laws.make_table(store, arguments.baselines / "laws.csv")
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
     shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
+    join.make_table(store, arguments.baselines / join.FILE)
     extremes.make_tables(store, arguments.baselines)
     if not (
         arguments.baselines / regression.FILE
@@ -132,9 +138,10 @@ def write_report(arguments):
 
 def check(arguments):
     image = arguments.results / "drift.png"
-    if not regression.check(
-        open_store(arguments), arguments.baselines, arguments.quick, arguments.again, image
-    ):
+    store = open_store(arguments)
+    curves = regression.check(store, arguments.baselines, arguments.quick, arguments.again, image)
+    joins = join.check(store, arguments.baselines, arguments.quick, arguments.again)
+    if not (curves and joins):
         raise SystemExit(1)
 
 

@@ -1,0 +1,220 @@
+"""The join: two generated tubes in a T, the vein's end on a slit or on an elliptic hole, against
+the reference's 7-parameter shell of the same law. Over thickness, mesh and length of the
+incision."""
+
+import copy
+import json
+import subprocess
+
+import yaml
+
+from measure import converged, failure_of, result_of
+from runs import Run, hybrid_arguments
+from store import REPOSITORY
+from tables import provenance, read_table, write_table
+
+SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "tubes.yaml"
+OPENINGS = {"slit": {}, "ellipse": {"incision_shape": {"ellipse": 0.5}}}
+THICKNESS = (1.0, 0.5, 0.25)  # factors on both walls
+LAWS = ("biot", "neo-hookean")
+AROUND = (40, 60, 80)  # points around the vein; the artery's mesh is as fine
+LENGTHS = (1.0, 1.1, 1.2, 1.3, 1.4, 1.5)  # of a slit, over half the rim's perimeter
+CELLS = 24  # of the shell around the seam, and those refined by 3/2
+TOLERANCE = 0.005  # of a mouth's area and an energy in `check`
+FILE = "join.csv"
+
+
+def scene(opening, thickness, law, around, length):
+    made = copy.deepcopy(yaml.safe_load(SCENE.read_text()))
+    made["surgery"]["glenn"].update(OPENINGS[opening])
+    if length != 1:
+        made["surgery"]["glenn"]["incision_length"] = length
+    finer = around / made["vessels"][0]["tube"]["around"]
+    for vessel in made["vessels"]:
+        vessel["wall"]["thickness"] *= thickness
+        vessel["law"] = law
+        for key in ("around", "along"):
+            vessel["tube"][key] = 2 * round(vessel["tube"][key] * finer / 2)
+    return yaml.safe_dump(made, sort_keys=False, default_flow_style=None, width=150)
+
+
+def name_of(opening, thickness, length):
+    return f"join-{opening}-t{thickness:g}-l{length:g}"
+
+
+def hybrid_run(opening, thickness, law, fidelity="coupled", around=60, length=1.0):
+    return Run(
+        f"{name_of(opening, thickness, length)}/{fidelity}-{law}-{around}",
+        "vasorod",
+        hybrid_arguments(fidelity),
+        {"scene.yaml": scene(opening, thickness, law, around, length)},
+    )
+
+
+def shell_run(opening, thickness, law, length=1.0):
+    """Kept when the program is rebuilt, as the tube's references are."""
+    return Run(
+        f"{name_of(opening, thickness, length)}/shell-{law}-{CELLS}",
+        "vasorod-fem",
+        (
+            *("solve", "scene.yaml", "-o", "result", "--quiet", "--model", "shell"),
+            *("--cells", str(CELLS), "0", "--refine", "1"),
+        ),
+        {"scene.yaml": scene(opening, thickness, law, 60, length)},
+        keep=True,
+    )
+
+
+def pairs():
+    """(opening, thickness, law, length, fidelity, around, run, the shell it is measured against)"""
+    for opening in OPENINGS:
+        for thickness in THICKNESS:
+            for law in LAWS:
+                shell = shell_run(opening, thickness, law)
+                for around in AROUND:
+                    run = hybrid_run(opening, thickness, law, around=around)
+                    yield opening, thickness, law, 1.0, "coupled", around, run, shell
+            run = hybrid_run(opening, thickness, "biot", "paper")
+            shell = shell_run(opening, thickness, "biot")
+            yield opening, thickness, "biot", 1.0, "paper", 60, run, shell
+    for length in LENGTHS[1:]:
+        run = hybrid_run("slit", 1.0, "neo-hookean", length=length)
+        shell = shell_run("slit", 1.0, "neo-hookean", length=length)
+        yield "slit", 1.0, "neo-hookean", length, "coupled", 60, run, shell
+
+
+def all_runs():
+    runs = {run.identity: run for pair in pairs() for run in pair[-2:]}
+    return list(runs.values())
+
+
+def distances(store, run, shell):
+    """RMS distance of each vessel's material points over its radius."""
+    folders = [str(store.folder(one.identity) / "result") for one in (run, shell)]
+    done = subprocess.run(
+        [str(store.programs["vasorod"]), "compare", *folders, "--json"],
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode != 0:
+        raise SystemExit(f"{run.identity}, {shell.identity}: {done.stderr.strip()}")
+    return {
+        vessel["name"]: vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]
+    }
+
+
+def support(result):
+    """The largest force of a support."""
+    return max(sum(x * x for x in end["force"]) ** 0.5 for end in result["ends"])
+
+
+def numbers(store, run, shell):
+    mine, its = result_of(store, run.identity), result_of(store, shell.identity)
+    apart = distances(store, run, shell)
+    energy = mine["energy"]["total"] if mine["fidelity"] == "coupled" else None
+    return {
+        "mouth": mine["glenn"]["mouth"]["area"],
+        "mouth_reference": its["glenn"]["mouth"]["area"],
+        "span": mine["glenn"]["mouth"]["span"],
+        "width": mine["glenn"]["mouth"]["width"],
+        "energy": energy,
+        "energy_reference": its["energy"]["total"],
+        "support": support(mine) if energy is not None else None,
+        "support_reference": support(its),
+        "rms_vein": apart["vein"],
+        "rms_artery": apart["artery"],
+        "own_error": its["discretisation"]["error_estimate"],
+        "seconds": store.record(run.identity)["processor_seconds"],
+        "seconds_reference": store.record(shell.identity)["processor_seconds"],
+    }
+
+
+COLUMNS = (
+    *("mouth", "mouth_reference", "span", "width", "energy", "energy_reference", "support"),
+    *("support_reference", "rms_vein", "rms_artery", "own_error", "seconds", "seconds_reference"),
+)
+
+
+def make_table(store, path):
+    rows, records = [], []
+    for opening, thickness, law, length, fidelity, around, run, shell in pairs():
+        both = [store.record(one.identity) for one in (run, shell)]
+        if None in both:
+            continue
+        records += both
+        failed = next((one for one in both if not converged(store, one)), None)
+        rows.append(
+            {
+                "opening": opening,
+                "thickness": thickness,
+                "law": law,
+                "length": length,
+                "fidelity": fidelity,
+                "around": around,
+                **(numbers(store, run, shell) if failed is None else dict.fromkeys(COLUMNS)),
+                "failure": None if failed is None else failure_of(store, failed),
+            }
+        )
+    if rows:
+        write_table(
+            path,
+            rows,
+            [
+                (
+                    "The T-join against the reference's shell of the same law: mouth in mm2, energy"
+                    " in N mm, largest support force in N, RMS over R, processor time in s;"
+                    " own_error is the shell's"
+                ),
+                *provenance(records),
+            ],
+        )
+
+
+def drifts(old_rows, new_numbers, tolerance=TOLERANCE):
+    """Sentences of the mouths and energies of `coupled` that moved; new_numbers: a row's mouth and
+    energy as they are now, or None where the run does not converge."""
+    found = []
+    for row, now in zip(old_rows, new_numbers):
+        what = f"join: {row['opening']}, thickness x {row['thickness']:g}, {row['law']}"
+        what += f", length {row['length']:g}, {row['around']:g} around"
+        if (now is None) != (row["failure"] is not None):
+            found.append(f"{what}: {'does not converge' if now is None else 'converges'} now")
+            continue
+        for quantity in ("mouth", "energy") if now else ():
+            change = now[quantity] / row[quantity] - 1
+            if abs(change) > tolerance:
+                found.append(f"{what}: {quantity} {row[quantity]} -> {now[quantity]}")
+    return found
+
+
+def check(store, baselines, quick=False, again=False):
+    """True where no mouth and no energy of `coupled` moved; else says which. Quick: 40 around."""
+    path = baselines / FILE
+    if not path.exists():
+        return True
+    rows = [
+        row
+        for row in read_table(path)[0]
+        if row["fidelity"] == "coupled" and (not quick or row["around"] == min(AROUND))
+    ]
+    now = []
+    for row in rows:
+        run = hybrid_run(
+            row["opening"],
+            row["thickness"],
+            row["law"],
+            around=int(row["around"]),
+            length=row["length"],
+        )
+        record = store.ensure(run, again)
+        if not converged(store, record):
+            now.append(None)
+            continue
+        result = result_of(store, run.identity)
+        now.append({"mouth": result["glenn"]["mouth"]["area"], "energy": result["energy"]["total"]})
+    found = drifts(rows, now)
+    for sentence in found:
+        print(sentence)
+    if not found:
+        print(f"{len(rows)} joins of {FILE}: no mouth and no energy moved by {TOLERANCE:.1%}")
+    return not found

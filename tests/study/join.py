@@ -1,0 +1,99 @@
+"""The join's study: scenes are what their names say, the table's numbers are those of the results,
+the chapter says what its table says, and a mouth that moved is named.
+Usage: join.py SOURCE_FOLDER VASOROD."""
+
+import json
+import sys
+import tempfile
+from pathlib import Path
+
+import yaml
+
+sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
+import join  # noqa: E402
+from chapters.join import join_section  # noqa: E402
+from store import Store  # noqa: E402
+from tables import read_table  # noqa: E402
+
+base = yaml.safe_load(join.SCENE.read_text())
+made = yaml.safe_load(join.scene("ellipse", 0.25, "neo-hookean", 80, 1.2))
+for before, after in zip(base["vessels"], made["vessels"]):
+    assert after["wall"]["thickness"] == before["wall"]["thickness"] / 4
+    assert after["law"] == "neo-hookean"
+    finer = [after["tube"][key] / before["tube"][key] for key in ("around", "along")]
+    assert all(abs(factor - 4 / 3) < 0.01 for factor in finer), finer
+    assert all(after["tube"][key] % 2 == 0 for key in ("around", "along"))
+assert made["surgery"]["glenn"]["incision_shape"] == {"ellipse": 0.5}
+assert made["surgery"]["glenn"]["incision_length"] == 1.2
+unchanged = yaml.safe_load(join.scene("slit", 1.0, "biot", 60, 1.0))
+for vessel in unchanged["vessels"]:
+    assert vessel.pop("law") == "biot"
+assert unchanged == base
+
+runs = join.all_runs()
+assert len({run.identity for run in runs}) == len(runs)
+assert {run.program for run in runs} == {"vasorod", "vasorod-fem"}
+
+
+def result(fidelity, mouth, energy, force, own_error=None):
+    return {
+        "fidelity": fidelity,
+        "status": "converged",
+        "glenn": {"mouth": {"area": mouth, "span": 10.0, "width": 1.0}},
+        "energy": {"total": energy},
+        "ends": [{"force": [0.0, 3.0, 4.0]}, {"force": [force, 0.0, 0.0]}],
+        "discretisation": {"error_estimate": own_error},
+    }
+
+
+# A compare that answers; results and records as the programs leave them.
+with tempfile.TemporaryDirectory() as scratch:
+    folder = Path(scratch)
+    compare = folder / "compare"
+    vessels = [
+        {"name": "vein", "surface": {"rms": 0.01}},
+        {"name": "artery", "surface": {"rms": 0.02}},
+    ]
+    compare.write_text(f"#!/bin/sh\necho '{json.dumps({'vessels': vessels})}'\n")
+    compare.chmod(0o755)
+    store = Store(folder / "runs", {"vasorod": compare})
+    truth = join.shell_run("slit", 1.0, "biot")
+    finished = [
+        (truth, result("shell", 8.0, 0.04, 10.0, 0.002), 0),
+        (join.hybrid_run("slit", 1.0, "biot", around=40), result("coupled", 7.0, 0.05, 9.0), 0),
+        (join.hybrid_run("slit", 1.0, "biot", around=60), result("coupled", 0.0, 0.0, 0.0), 1),
+        (join.hybrid_run("slit", 1.0, "biot", "paper"), result("paper", 9.0, 7.0, 1.0), 0),
+    ]
+    finished[2][1]["status"] = "iteration_limit"
+    for run, content, code in finished:
+        (store.folder(run.identity) / "result").mkdir(parents=True)
+        (store.folder(run.identity) / "result" / "result.json").write_text(json.dumps(content))
+        record = {"identity": run.identity, "program": run.program, "program_sha256": "0" * 64}
+        record |= {"commit": "c", "exit": code, "processor_seconds": 2.0, "sentence": ""}
+        (store.folder(run.identity) / "record.json").write_text(json.dumps(record))
+    join.make_table(store, folder / "join.csv")
+    rows, notes = read_table(folder / "join.csv")
+assert [(row["fidelity"], row["around"]) for row in rows] == [
+    ("coupled", 40),
+    ("coupled", 60),
+    ("paper", 60),
+]
+assert rows[0]["mouth"] == 7 and rows[0]["support"] == 9 and rows[0]["rms_artery"] == 0.02
+assert rows[1]["failure"] == "status iteration_limit" and rows[1]["mouth"] is None
+assert rows[2]["energy"] is None and rows[2]["support_reference"] == 10
+
+text = join_section(rows, notes)
+assert (
+    "| slit | 1 | biot | coupled | 40 | 7.00 | -12.50 | +25.00 | -10.00 | 1.00 | 2.00 | 0.20 |"
+    in text
+), text
+assert "| slit | 1 | biot | coupled | 60 | status iteration_limit | -" in text, text
+assert "| slit | 1 | biot | paper | 60 | 9.00 | +12.50 | - | - |" in text, text
+assert "| slit | biot | coupled | 40 | 12.50 | 2.0 | 2.0 |" in text, text
+
+now = [{"mouth": 7.02, "energy": 0.0501}, None]
+assert join.drifts(rows[:2], now) == []
+now[0]["mouth"] = 7.1
+assert len(join.drifts(rows[:2], now)) == 1 and "mouth 7" in join.drifts(rows[:2], now)[0]
+now[1] = {"mouth": 7.0, "energy": 0.05}
+assert join.drifts(rows[:2], now)[1].endswith("converges now")

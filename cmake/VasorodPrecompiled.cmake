@@ -35,8 +35,9 @@ function(vasorod_use_precompiled target links of)
 endfunction()
 
 if(VASOROD_PRECOMPILED)
-  # With them GCC 12 calls the overlap that is not there (see -Wno-restrict) an overflow.
-  target_compile_options(vasorod_warnings INTERFACE $<${gcc_12}:-Wno-stringop-overflow>)
+  # With them GCC 12 calls the overlap that is not there (see -Wno-restrict) an overflow too.
+  target_compile_options(vasorod_warnings INTERFACE
+    $<${gcc_12}:-Wno-stringop-overflow> $<${gcc_12}:-Wno-array-bounds>)
   set(headers <Eigen/Core> <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath>
     <filesystem> <functional> <map> <optional> <set> <string> <vector>)
   vasorod_precompiled_headers(vasorod_precompiled HEADERS ${headers})

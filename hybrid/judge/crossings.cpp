@@ -114,8 +114,11 @@ class Whole {
       for (const double sign : {1., -1.}) {
         const Vec3 direction = sign * (normal + tilt * aside + skew).normalized();
         const auto hits = rays_->along(point + sign * off, direction);
-        if (!hits.empty() && hits.front().distance < inside.depth)
-          inside = {bodies_of_triangles_[index(hits.front().triangle)], hits.front().distance};
+        const auto wall = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
+          return hit.triangle < surface_.triangles.rows();  // the fans that close ends are none
+        });
+        if (wall != hits.end() && wall->distance < inside.depth)
+          inside = {bodies_of_triangles_[index(wall->triangle)], wall->distance};
       }
     return inside;
   }

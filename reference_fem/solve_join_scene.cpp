@@ -112,27 +112,17 @@ std::string part_of(const JoinProblem& problem) {
 
 Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
   const JoinProblem problem = read_join(scene, options.law);
-  JoinCells cells = cells_of(problem, options);
-  const JoinSampling sampling = sampling_for(problem, cells);
+  const JoinCells first = cells_of(problem, options);
+  const JoinSampling sampling = sampling_for(problem, first);
   const double energy_unit = problem.units.moment();
 
-  Result result;
-  result.scene = scene.name;
-  result.fidelity = options.model == ModelKind::solid ? "solid" : "shell";
-  result.length_unit = scene.units.length;
-  result.stress_unit = scene.units.stress;
-  std::vector<Level> levels;
-  double assembly = 0, factor = 0, meshing = 0;
-  int iterations = 0;
+  Result result = begin_result(scene, options);
+  Effort effort;
   const double start = now();
-  for (int k = 0; k <= options.refine; ++k) {
+  const auto solve = [&](const JoinCells& cells) {
     Level level{cells, solve_join(problem, cells, sampling, options.stepper, options.processes), 0};
     level.mouth = join_mouth(problem, level.solution).area;
     const StepperSummary& summary = level.solution.summary;
-    assembly += summary.assembly_seconds;
-    factor += summary.factor_seconds;
-    meshing += level.solution.mesh_seconds;
-    iterations += summary.iterations;
     if (options.progress)
       options.progress(
           text("%s: p = %d, %ld unknowns: %s at %.4f of the way, %d steps, %d "
@@ -140,17 +130,15 @@ Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
                name_of(cells).c_str(), cells.degree, level.solution.unknowns,
                to_string(summary.status).c_str(), summary.load, summary.steps, summary.iterations,
                summary.energy * energy_unit, level.mouth));
-    const bool complete = summary.status == PathStatus::complete;
-    // an unfinished finer mesh does not replace a finished one
-    if (complete || levels.empty()) levels.push_back(std::move(level));
-    if (!complete) {
-      if (levels.back().solution.summary.status == PathStatus::complete)
-        result.certificate.notes.push_back("the mesh of " + name_of(cells) +
-                                           " did not reach the closed seam and is left out");
-      break;
-    }
-    cells = refined(cells, ratio);
-  }
+    return level;
+  };
+  const auto finer = [](const JoinCells& cells) { return refined(cells, ratio); };
+  const auto left_out = [&](const Level& level) {
+    result.certificate.notes.push_back("the mesh of " + name_of(level.cells) +
+                                       " did not reach the closed seam and is left out");
+  };
+  const std::vector<Level> levels =
+      solve_levels(first, options.refine, effort, solve, finer, left_out);
   const Level& last = levels.back();
   const JoinSolution& solution = last.solution;
   result.certificate.notes.push_back("laws: " + to_string(problem.vein.law) + " of " +
@@ -165,11 +153,7 @@ Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
   result.energy.strain = energy_unit * solution.summary.energy;
   report_join(problem, solution, result);
   result.model.terms = {result.fidelity, "joining", name_of(last.cells)};
-  result.seconds["mesh"] = meshing;
-  result.seconds["assembly"] = assembly;
-  result.seconds["factor"] = factor;
-  result.seconds["solve"] = now() - start;
-  result.iterations["newton"] = iterations;
+  effort.report(now() - start, result);
   return result;
 }
 

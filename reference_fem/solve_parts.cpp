@@ -21,6 +21,30 @@ void check_options(const SolveOptions& options) {
     throw InputError("--refine: found " + std::to_string(options.refine) + ", expected 0, 1 or 2");
 }
 
+Result begin_result(const Scene& scene, const SolveOptions& options) {
+  Result result;
+  result.scene = scene.name;
+  result.fidelity = options.model == ModelKind::solid ? "solid" : "shell";
+  result.length_unit = scene.units.length;
+  result.stress_unit = scene.units.stress;
+  return result;
+}
+
+void Effort::add(const StepperSummary& summary, double mesh_seconds) {
+  mesh += mesh_seconds;
+  assembly += summary.assembly_seconds;
+  factor += summary.factor_seconds;
+  iterations += summary.iterations;
+}
+
+void Effort::report(double solve, Result& result) const {
+  result.seconds["mesh"] = mesh;
+  result.seconds["assembly"] = assembly;
+  result.seconds["factor"] = factor;
+  result.seconds["solve"] = solve;
+  result.iterations["newton"] = iterations;
+}
+
 void report_path(const StepperSummary& summary, Result& result) {
   result.status = status_of(summary);
   result.certificate.relative_residual = summary.relative_residual;

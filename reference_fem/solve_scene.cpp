@@ -144,31 +144,21 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
 Result solve_scene(const Scene& scene, const SolveOptions& options) {
   if (scene.glenn) return solve_join_scene(scene, options);
   const TubeProblem problem = read_problem(scene, options.model, options.law);
-  TubeMesh mesh = first_mesh(problem, options);
-  TubeMesh finest = mesh;
+  const TubeMesh first = first_mesh(problem, options);
+  TubeMesh finest = first;
   for (int k = 0; k < options.refine; ++k) finest = refined(finest, options);
   // A multiple of 192: the vertices of generated tubes with 24, 48 and 96 staggered points around
   // then lie on lines of this grid, where a comparison interpolates along the axis only.
-  const int points_around = 192 * (1 + (2 * mesh.degree * finest.around - 1) / 192),
-            stations = 2 * mesh.degree * finest.along + 1;
+  const int points_around = 192 * (1 + (2 * first.degree * finest.around - 1) / 192),
+            stations = 2 * first.degree * finest.along + 1;
 
-  Result result;
-  result.scene = scene.name;
-  result.fidelity = options.model == ModelKind::solid ? "solid" : "shell";
-  result.length_unit = scene.units.length;
-  result.stress_unit = scene.units.stress;
-  std::vector<Level> levels;
-  double assembly = 0, factor = 0, meshing = 0;
-  int iterations = 0;
+  Result result = begin_result(scene, options);
+  Effort effort;
   const double start = now();
-  for (int k = 0; k <= options.refine; ++k) {
+  const auto solve = [&](const TubeMesh& mesh) {
     Level level{mesh, solve_tube(problem, options.model, mesh, points_around, stations,
                                  options.stepper, options.processes)};
     const StepperSummary& summary = level.solution.summary;
-    assembly += summary.assembly_seconds;
-    factor += summary.factor_seconds;
-    meshing += level.solution.mesh_seconds;
-    iterations += summary.iterations;
     if (options.progress)
       options.progress(
           text("%s %d x %d cells, p = %d, %ld unknowns: %s at load %.4f, %d steps, %d iterations, "
@@ -176,18 +166,16 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
                result.fidelity.c_str(), mesh.around, mesh.along, mesh.degree,
                level.solution.unknowns, to_string(summary.status).c_str(), summary.load,
                summary.steps, summary.iterations, summary.energy * problem.energy_unit()));
-    const bool complete = summary.status == PathStatus::complete;
-    // an unfinished finer mesh does not replace a finished one
-    if (complete || levels.empty()) levels.push_back(std::move(level));
-    if (!complete) {
-      if (levels.size() > 1 || levels.back().solution.summary.status == PathStatus::complete)
-        result.certificate.notes.push_back(
-            text("the mesh of %d x %d cells ended at load %.4f and is left out", mesh.around,
-                 mesh.along, summary.load));
-      break;
-    }
-    mesh = refined(mesh, options);
-  }
+    return level;
+  };
+  const auto finer = [&](const TubeMesh& mesh) { return refined(mesh, options); };
+  const auto left_out = [&](const Level& level) {
+    result.certificate.notes.push_back(
+        text("the mesh of %d x %d cells ended at load %.4f and is left out", level.mesh.around,
+             level.mesh.along, level.solution.summary.load));
+  };
+  const std::vector<Level> levels =
+      solve_levels(first, options.refine, effort, solve, finer, left_out);
   const Level& last = levels.back();
   const TubeSolution& solution = last.solution;
   result.certificate.notes.push_back("law: " + to_string(problem.law));
@@ -209,11 +197,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   result.model.terms = {result.fidelity, to_string(problem.law),
                         text("%d x %d cells", last.mesh.around, last.mesh.along)};
   result.vessels.push_back(std::move(vessel));
-  result.seconds["mesh"] = meshing;
-  result.seconds["assembly"] = assembly;
-  result.seconds["factor"] = factor;
-  result.seconds["solve"] = now() - start;
-  result.iterations["newton"] = iterations;
+  effort.report(now() - start, result);
   return result;
 }
 

@@ -140,7 +140,10 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
   if (!finite || bodies.empty()) return {};
   Whole now(bodies, true);
   if (seam.a >= 0 && seam.b >= 0) now.weld(seam);
-  const auto pairs = now.crossing_pairs();
+  auto pairs = now.crossing_pairs();
+  const auto obstacle = [&](int body) { return !(bodies[index(body)].radius > 0); };
+  std::erase_if(
+      pairs, [&](const auto& pair) { return obstacle(pair.first[0]) && obstacle(pair.first[1]); });
   if (pairs.empty()) return {};
   std::set<int> involved;
   for (const auto& [between, count] : pairs) involved.insert(between.begin(), between.end());
@@ -158,11 +161,9 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
       const auto [a, b] = std::minmax(body, inside.body);
       const auto crossing_pairs = pairs.find({a, b});
       if (crossing_pairs == pairs.end()) continue;  // enclosed without touching
-      double radius = bodies[i].radius;
+      double radius = std::numeric_limits<double>::infinity();
       for (const CheckedBody* other : {&bodies[index(a)], &bodies[index(b)]})
-        if (other->radius > 0)
-          radius = radius > 0 ? std::min(radius, other->radius) : other->radius;
-      if (!(radius > 0)) continue;  // two obstacles
+        if (other->radius > 0) radius = std::min(radius, other->radius);
       const double least = edge * edge / (4 * radius) + tolerance * edge;
       Crossing& crossing = found[{a, b}];
       if (!(inside.depth > std::max(least, crossing.depth))) continue;

@@ -7,6 +7,7 @@
 
 #include "coupled/coupled_problem.h"
 #include "geometry/rigid_motion.h"
+#include "straight_tube.h"
 
 namespace vasorod::testing {
 
@@ -16,12 +17,8 @@ struct HeldTube {
   TriangleSurface surface;
   WallInput wall;
   HeldTube(double length, double radius, double thickness, int around, int along,
-           double poisson = 0.3) {
-    tube.length = length;
-    tube.radius = radius;
-    tube.around = around;
-    tube.along = along;
-    surface = tube_surface(tube);
+           double poisson = 0.3)
+      : tube(straight_tube(length, radius, around, along)), surface(tube_surface(tube)) {
     wall.rest = surface;
     wall.thickness.setConstant(surface.points.rows(), thickness);
     wall.axis.assign(static_cast<size_t>(surface.triangles.rows()), Vec3::UnitZ());

@@ -20,6 +20,19 @@ struct TubeShape {
   unsigned seed = 1;
 };
 
+/// The i-th of many irregular shapes: `around` vertices, straight where 3 divides i and otherwise
+/// bent by up to `bend`, jittered unless 5 divides i.
+inline TubeShape irregular_shape(int i, int around, double bend, std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  TubeShape shape;
+  shape.around = around;
+  shape.along = static_cast<int>(around * 1.4);
+  shape.bend = i % 3 == 0 ? 0 : bend * uniform(random);
+  shape.jitter = i % 5 == 0 ? 0 : 0.28 * uniform(random);
+  shape.seed = static_cast<unsigned>(i + 1);
+  return shape;
+}
+
 /// A point at angle theta and arc length s of the tube, at distance `radius` from its axis.
 inline Vec3 on_tube(const TubeShape& shape, double theta, double s, double radius) {
   const Vec3 section(radius * std::cos(theta), radius * std::sin(theta), 0);

@@ -3,21 +3,15 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include <vasorod/tube.h>
-
 #include "geometry/editable_mesh.h"
 #include "geometry/triangle_surface.h"
+#include "straight_tube.h"
 
 namespace vasorod {
 namespace {
 
 TriangleSurface tube(double length = 10, int along = 8) {
-  TubeSpec spec;
-  spec.length = length;
-  spec.radius = 3;
-  spec.around = 12;
-  spec.along = along;
-  return tube_surface(spec);
+  return tube_surface(testing::straight_tube(length, 3, 12, along));
 }
 
 // The surface of the triangles that are alive.

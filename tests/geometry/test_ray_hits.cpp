@@ -2,20 +2,14 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <vasorod/tube.h>
-
 #include "geometry/ray_hits.h"
+#include "straight_tube.h"
 
 namespace vasorod {
 namespace {
 
 TriangleSurface tube() {
-  TubeSpec spec;
-  spec.length = 40;
-  spec.radius = 10;
-  spec.around = 36;
-  spec.along = 40;
-  return tube_surface(spec);
+  return tube_surface(testing::straight_tube(40, 10, 36, 40));
 }
 
 TEST(RayHits, ARayAcrossATubeEntersAndLeavesIt) {

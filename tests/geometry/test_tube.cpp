@@ -10,7 +10,7 @@ namespace vasorod {
 namespace {
 
 TubeSpec straight() {
-  TubeSpec tube;
+  TubeSpec tube;  // with the default mesh
   tube.length = 100;
   tube.radius = 10;
   return tube;

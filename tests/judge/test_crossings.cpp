@@ -4,9 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include <vasorod/tube.h>
-
 #include "judge/crossings.h"
+#include "straight_tube.h"
 #include "surface_file/self_intersections.h"
 
 namespace vasorod {
@@ -15,12 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 TriangleSurface tube(double radius, double length, int around, int along) {
-  TubeSpec spec;
-  spec.radius = radius;
-  spec.length = length;
-  spec.around = around;
-  spec.along = along;
-  return tube_surface(spec);
+  return tube_surface(testing::straight_tube(length, radius, around, along));
 }
 
 Points moved(const TriangleSurface& surface, const Mat3& rotation, const Vec3& by) {

@@ -32,7 +32,7 @@ TEST(KeptState, BeforeTheSurfacesItIsTheSkinThatTheRodsCarry) {
     EXPECT_TRUE(std::isnan(first.certificate.relative_residual)) << "unknown";
     ASSERT_FALSE(first.certificate.notes.empty());
     EXPECT_NE(first.certificate.notes.back().find("carried rigidly"), std::string::npos);
-    EXPECT_GT(first.seconds.count("solve"), 0u);
+    EXPECT_TRUE(first.seconds.contains("solve"));
   }
 }
 

@@ -15,6 +15,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "geometry/triangle_surface.h"
+#include "straight_tube.h"
 
 namespace vasorod {
 
@@ -53,12 +54,7 @@ vtkSmartPointer<vtkPolyData> to_vtk(const TriangleSurface& surface) {
 }  // namespace
 
 TubeSpec small_tube() {
-  TubeSpec tube;
-  tube.length = 40;
-  tube.radius = 10;
-  tube.around = 24;
-  tube.along = 20;
-  return tube;
+  return testing::straight_tube(40, 10, 24, 20);
 }
 
 TriangleSurface sample_tube() {

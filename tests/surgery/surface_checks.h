@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <set>
 #include <utility>
@@ -21,6 +22,20 @@ inline bool oriented(const Triangles& triangles) {
     for (int k = 0; k < 3; ++k)
       if (!seen.insert({triangles(t, k), triangles(t, (k + 1) % 3)}).second) return false;
   return true;
+}
+
+/// An oriented tube with three boundary loops, one of which is `rim`.
+inline ::testing::AssertionResult tube_with_a_hole(const Triangles& triangles,
+                                                   std::vector<int> rim) {
+  if (!oriented(triangles)) return ::testing::AssertionFailure() << "not oriented";
+  if (const int euler = euler_number(triangles); euler != -1)
+    return ::testing::AssertionFailure() << "Euler number " << euler;
+  const auto loops = boundary_loops(triangles);
+  if (loops.size() != 3) return ::testing::AssertionFailure() << loops.size() << " loops";
+  std::rotate(rim.begin(), std::min_element(rim.begin(), rim.end()), rim.end());
+  if (std::count(loops.begin(), loops.end(), rim) != 1)
+    return ::testing::AssertionFailure() << "the rim is no loop of the surface";
+  return ::testing::AssertionSuccess();
 }
 
 struct MadeBySurgery {

@@ -15,18 +15,13 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
   std::uniform_real_distribution<double> uniform(0, 1);
   testing::MadeBySurgery worst;
   for (int i = 0; i < 80; ++i) {
-    testing::TubeShape shape;
-    shape.around = 8 + static_cast<int>(uniform(random) * 40);
-    shape.radius = 5;
-    shape.length = 40;
-    shape.along = std::max(10, static_cast<int>(shape.around * 1.4));
-    shape.bend = i % 3 == 0 ? 0 : 1.5 * uniform(random);
-    shape.jitter = i % 5 == 0 ? 0 : 0.28 * uniform(random);
-    shape.seed = static_cast<unsigned>(i + 1);
+    const int around = 8 + static_cast<int>(uniform(random) * 40);
+    auto shape = testing::irregular_shape(i, around, 1.5, random);
+    shape.along = std::max(10, shape.along);
     const auto tube = testing::noisy_tube(shape);
     Pose section = testing::tube_frame(shape, 12 + 16 * uniform(random));
-    const double tilt = 0.5 * uniform(random), around = 2 * M_PI * uniform(random);
-    section.rotation = section.rotation * Eigen::AngleAxisd(around, Vec3::UnitZ()) *
+    const double tilt = 0.5 * uniform(random), turn = 2 * M_PI * uniform(random);
+    section.rotation = section.rotation * Eigen::AngleAxisd(turn, Vec3::UnitZ()) *
                        Eigen::AngleAxisd(tilt, Vec3::UnitX());
     const bool keep_far = i % 2 == 0;
     const Vec3 keep_near = testing::on_tube(shape, 0, keep_far ? shape.length : 0, 0);

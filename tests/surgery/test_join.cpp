@@ -28,10 +28,8 @@ Operation operate(int i, double phi, std::mt19937& random, std::array<int, 2> ar
   testing::TubeShape upper, lower;
   for (testing::TubeShape* shape : {&upper, &lower}) {
     const int wanted = around[shape == &upper ? 0 : 1];
-    shape->around = wanted > 0 ? wanted : 16 + static_cast<int>(uniform(random) * 32);
-    shape->along = static_cast<int>(shape->around * 1.4);
-    shape->bend = i % 3 == 0 ? 0 : uniform(random);
-    shape->jitter = i % 5 == 0 ? 0 : 0.28 * uniform(random);
+    *shape = testing::irregular_shape(
+        i, wanted > 0 ? wanted : 16 + static_cast<int>(uniform(random) * 32), 1, random);
     shape->seed = static_cast<unsigned>(2 * i + (shape == &upper ? 0 : 1));
   }
   upper.radius = 4 + uniform(random);

@@ -56,12 +56,8 @@ TEST(TiltedCut, DozensOfCutsOfIrregularBentTubesAreClean) {
   testing::MadeBySurgery worst;
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE("cut " + std::to_string(i));
-    TubeShape shape;
-    shape.around = 16 + static_cast<int>(uniform(random) * 40);
-    shape.along = static_cast<int>(shape.around * 1.4);
-    shape.bend = i % 3 == 0 ? 0 : 1.2 * uniform(random);
-    shape.jitter = i % 5 == 0 ? 0 : 0.28 * uniform(random);
-    shape.seed = static_cast<unsigned>(i + 1);
+    const int around = 16 + static_cast<int>(uniform(random) * 40);
+    const TubeShape shape = testing::irregular_shape(i, around, 1.2, random);
     const auto tube = testing::noisy_tube(shape);
     const double turn = 2 * M_PI * uniform(random);
     const double degrees = 120 * uniform(random) - 60;

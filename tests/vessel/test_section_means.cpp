@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <vasorod/tube.h>
-
 #include "geometry/rigid_motion.h"
 #include "rod/strain_change.h"
+#include "straight_tube.h"
 #include "surface_file/read_surface.h"
 #include "vessel/section_means.h"
 
@@ -11,12 +10,7 @@ namespace vasorod {
 namespace {
 
 Vessel fitted_tube() {
-  TubeSpec spec;
-  spec.length = 60;
-  spec.radius = 6;
-  spec.around = 32;
-  spec.along = 48;
-  return fit_vessel("tube", tube_surface(spec));
+  return fit_vessel("tube", tube_surface(testing::straight_tube(60, 6, 32, 48)));
 }
 
 // Poses of a rod whose strain changes by a smooth field along the axis.

@@ -6,6 +6,7 @@
 
 #include <vasorod/tube.h>
 
+#include "straight_tube.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod {
@@ -33,12 +34,7 @@ inline WallInput tube_wall(const TubeSpec& tube, double t, const Material& mater
 }
 
 inline TubeSpec tube(double length, double radius, int around, int along) {
-  TubeSpec spec;
-  spec.length = length;
-  spec.radius = radius;
-  spec.around = around;
-  spec.along = along;
-  return spec;
+  return testing::straight_tube(length, radius, around, along);
 }
 
 /// Uniform numbers in [-1, 1], the same in every run.

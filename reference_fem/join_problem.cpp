@@ -36,7 +36,7 @@ void require_tube(const Scene& scene, const VesselSpec& vessel) {
   if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + name);
   if (!vessel.tube) refuse(scene, "the surface of " + name);
   if (vessel.tube->bend_deg != 0) refuse(scene, "the bent tube " + name);
-  if (vessel.pressure) refuse(scene, "a pressure in " + name);
+  require_no_prestress(scene, vessel);
 }
 
 JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnits& units,
@@ -49,6 +49,7 @@ JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnit
   if (wall.law == LawKind::split_neo_hookean) refuse(scene, "the law split-neo-hookean");
   require_admissible(scene, wall.name, wall.law, wall.moduli);
   wall.ends = ends_of(scene, wall.name, wall.shape, units);
+  if (vessel.pressure) wall.pressure = vessel.pressure->after / units.stress;
   return wall;
 }
 

@@ -27,6 +27,7 @@ struct JoinWall {
   Moduli moduli;
   LawKind law = LawKind::neo_hookean;
   std::vector<EndProblem> ends;
+  double pressure = 0;     ///< follower pressure on the inner face, dimensionless
   double first_angle = 0;  ///< of the first line, radians
   int turn = 1;            ///< sense of the tube's angle along the strip
   /// The hole around which the strip is laid; empty: none, or a slit.

@@ -22,9 +22,11 @@ MidWall in_scene(const Pose& frame, const MidWall& wall) {
   return out;
 }
 
-/// Reactions of the ends and the balance of one vessel.
-void report_forces(const JoinProblem& problem, const std::string& vessel, const JoinForces& forces,
+/// Reactions of the ends and the balance of one vessel. The forces named here balance only where
+/// there is no pressure.
+void report_forces(const JoinProblem& problem, const JoinWall& wall, const JoinForces& forces,
                    Result& result) {
+  const std::string& vessel = wall.name;
   const ProblemUnits& units = problem.units;
   Balance balance;
   balance.vessel = vessel;
@@ -42,7 +44,7 @@ void report_forces(const JoinProblem& problem, const std::string& vessel, const 
   }
   balance.load = units.force() * problem.in_scene(forces.load);
   balance.join = units.force() * problem.in_scene(forces.seam);
-  if (largest > 0)
+  if (wall.pressure == 0 && largest > 0)
     balance.residual = (balance.support + balance.load + balance.join).norm() / largest;
   result.balance.push_back(balance);
 }
@@ -108,7 +110,7 @@ void report_join(const JoinProblem& problem, const JoinSolution& solution, Resul
   const bool vein_first = problem.vein_first;
   for (const bool vein : {vein_first, !vein_first}) {
     const JoinWall& wall = vein ? problem.vein : problem.artery;
-    report_forces(problem, wall.name, vein ? solution.on_vein : solution.on_artery, result);
+    report_forces(problem, wall, vein ? solution.on_vein : solution.on_artery, result);
     report_vessel(problem, wall, vein ? solution.vein : solution.artery, result);
   }
   result.glenn = operation_of(problem, solution);

@@ -31,12 +31,18 @@ WallModel with_ends(std::unique_ptr<Wall> model, const JoinWall& wall) {
 WallModel wall_model(const JoinWall& wall, const Mesh& mesh) {
   const MaterialLaw law(wall.law, wall.moduli);
   const Axes axes = [&wall](const Vec3& p) { return wall.shape.axes(wall.parameters(p)); };
-  if (mesh.dim == 3) return with_ends(std::make_unique<Solid>(mesh, law, axes), wall);
+  if (mesh.dim == 3) {
+    auto solid = std::make_unique<Solid>(mesh, law, axes);
+    // The strip's depth counts inwards where it turns against the tube's angle.
+    if (wall.pressure != 0) solid->add_pressure(2, wall.turn > 0 ? 0 : 1, wall.pressure);
+    return with_ends(std::move(solid), wall);
+  }
   const ShellBody body{
       [axes](const Vec3& p) { return Vec3(axes(p).col(0)); },
       [&wall](const Vec3& p) { return wall.shape.thickness_at(wall.parameters(p)[1]); }, axes};
-  return with_ends(std::make_unique<Shell>(mesh, law, body, wall.law == LawKind::svk ? 2 : 5),
-                   wall);
+  auto shell = std::make_unique<Shell>(mesh, law, body, wall.law == LawKind::svk ? 2 : 5);
+  if (wall.pressure != 0) shell->add_pressure(wall.pressure);
+  return with_ends(std::move(shell), wall);
 }
 
 /// Both walls as one model. The vein's degrees of freedom come first.

@@ -50,7 +50,7 @@ int solve(Arguments& arguments) {
   const double start = fem::now();
   set_blas_threads(arguments.threads);
   const fem::Processes& processes = arguments.options.processes;
-  const Scene scene = read_scene(arguments.scene, {.accept_pressure = true});
+  const Scene scene = read_scene(arguments.scene);
   if (processes.first()) {
     std::vector<std::filesystem::path> inputs = input_files(scene);
     if (!arguments.options.mesh.empty()) inputs.push_back(arguments.options.mesh);

@@ -112,6 +112,15 @@ void require_admissible(const Scene& scene, const std::string& vessel, LawKind l
   }
 }
 
+void require_no_prestress(const Scene& scene, const VesselSpec& vessel) {
+  const bool pressed = vessel.pressure && vessel.pressure->scan != 0;
+  if (!pressed && vessel.axial_prestretch == 1) return;
+  throw InputError(
+      scene.file.string() + ": " + vessel.name + ": found " +
+      (pressed ? "a pressure of the scan" : "an axial prestretch") +
+      ", expected none: the finite-element reference starts from walls without stress");
+}
+
 void apply(const EndProblem& end, Section& section) {
   section.fixed = end.fixed;
   section.move = end.move;

@@ -46,6 +46,8 @@ void require_held(const Scene& scene, const std::vector<EndProblem>& ends, const
 /// Throws InputError, naming the vessel, if the law refuses the moduli.
 void require_admissible(const Scene& scene, const std::string& vessel, LawKind law,
                         const Moduli& moduli);
+/// Throws InputError if the vessel has a pressure of the scan or an axial prestretch.
+void require_no_prestress(const Scene& scene, const VesselSpec& vessel);
 /// Gives a section of the model the condition of its end.
 void apply(const EndProblem& end, Section& section);
 

@@ -1,6 +1,6 @@
 // Follower pressure on the shell's inner face x = R + u - t/2 (D + w). The force on that face is
 // p n da, with n da = (A e1) x (A e2) dA, A = P + grad u - t/2 (grad D + grad w) and e1, e2 tangent
-// to the mid-surface.
+// to the mid-surface, with e1 x e2 on the side of D.
 #include <Eigen/Geometry>
 
 #include "geometry/rigid_motion.h"
@@ -15,15 +15,18 @@ void Shell::press(int cell, const DofValues& u, double load, bool want_tangent,
   const auto c = static_cast<size_t>(cell);
   const std::vector<int>& nodes = mesh_.cell_nodes[c];
   const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3), de(n, 3);  // displacements and current directors
+  Eigen::MatrixX3d ue(n, 3), de(n, 3), rest(n, 3);  // displacements, current and rest directors
   for (Eigen::Index a = 0; a < n; ++a) {
     const int node = nodes[static_cast<size_t>(a)];
     ue.row(a) = u.segment<3>(7 * node);
-    de.row(a) = directors_.row(node) + u.segment<3>(7 * node + 3).transpose();
+    rest.row(a) = directors_.row(node);
+    de.row(a) = rest.row(a) + u.segment<3>(7 * node + 3).transpose();
   }
   for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
     const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
-    const Vec3 normal = mesh_.normal[c].col(q), e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+    const Vec3 director = (mesh_.shape.row(q) * rest).transpose(), on_mesh = mesh_.normal[c].col(q);
+    const Vec3 normal = director.dot(on_mesh) < 0 ? Vec3(-on_mesh) : on_mesh,
+               e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
     const double half = thickness_[c][q] / 2;
     const Mat3 A = Mat3::Identity() + (gradient * (ue - half * de)).transpose();
     const Vec3 along = A * e1, across = A * e2, area = along.cross(across);

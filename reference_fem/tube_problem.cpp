@@ -112,7 +112,8 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   require_held(scene, problem.ends, "the tube");
   if (kind == ModelKind::shell && problem.law == LawKind::split_neo_hookean)
     refuse(scene, "the law split-neo-hookean with `--model shell`", "it with `--model solid` only");
-  if (vessel.pressure) problem.pressure = *vessel.pressure / problem.stress_unit;
+  require_no_prestress(scene, vessel);
+  if (vessel.pressure) problem.pressure = vessel.pressure->after / problem.stress_unit;
   return problem;
 }
 

@@ -25,7 +25,9 @@ struct BodySolution {
   /// Sums over the body, force.
   Vec3 support = Vec3::Zero(), binding = Vec3::Zero(), joining = Vec3::Zero(),
        contact = Vec3::Zero();
-  /// |sum of the four| / the largest of them; 0 where all are rounding errors.
+  /// Of the pressure in the lumen on the wall, without the lids over its ends, force.
+  Vec3 lumen = Vec3::Zero();
+  /// |sum of the five| / the largest of them; 0 where all are rounding errors.
   double residual = 0;
   double contact_area = 0, largest_pressure = 0;
 };

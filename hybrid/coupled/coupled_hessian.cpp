@@ -165,6 +165,25 @@ void CoupledSystem::add_meetings(const CoupledState& s, Entries& extra) const {
       stacked.emplace_back(3 * std::max(join.a, join.b) + c, 3 * std::min(join.a, join.b) + c,
                            -2 * k_j);
     }
+  add_stacked(stacked, s, extra);
+}
+
+void CoupledSystem::add_lumens(const CoupledState& s, bool at_rest, Entries& extra) const {
+  Entries stacked;
+  for (const CoupledWall& wall : walls_) {
+    if (!wall.lumen) continue;
+    const double pressure = at_rest ? wall.lumen->scan : wall.lumen->now;
+    if (pressure == 0) continue;
+    const int vertices = wall.energy->vertices();
+    const Points x = at_rest ? wall.rest : s.positions.middleRows(wall.first_vertex, vertices);
+    wall.lumen->volume.add_hessian(x, -pressure, 3 * wall.first_vertex, stacked);
+  }
+  add_stacked(stacked, s, extra);
+}
+
+// Adds the lower triangle of a matrix on the stacked positions.
+void CoupledSystem::add_stacked(const Entries& stacked, const CoupledState& s,
+                                Entries& extra) const {
   const auto reach = [&](int stacked_entry) {
     const auto w = index(wall_of_[index(stacked_entry / 3)]);
     return reach_of(walls_[w], s.placements[w], stacked_entry - 3 * walls_[w].first_vertex);
@@ -200,6 +219,7 @@ Matrix CoupledSystem::hessian(const VectorXd& z) {
   }
   add_ties(s, extra);
   add_meetings(s, extra);
+  add_lumens(s, false, extra);
   return with_extra(extra);
 }
 
@@ -214,6 +234,7 @@ Matrix CoupledSystem::rest_hessian() {
   std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
   for (size_t w = 0; w < walls_.size(); ++w)
     add_wall_hessian(w, walls_[w].energy->hessian(s.q[w]), s, extra);
+  add_lumens(s, true, extra);
   return with_extra(extra);
 }
 

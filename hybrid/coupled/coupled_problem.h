@@ -20,6 +20,8 @@ namespace vasorod {
 struct CoupledVessel {
   WallInput wall;  ///< its `rest` is the body's; `glued` is filled from the rigid sections
   std::vector<HeldSection> sections;
+  /// At rest `scan`, which the prestress of `wall` should balance; at the end of the path `after`.
+  std::optional<LumenPressure> pressure;
 };
 
 /// Positions of a body given by its rod at one time of the path.
@@ -82,7 +84,8 @@ struct CoupledSolution {
   SurfaceSolution surface;
   std::vector<std::vector<SectionSolution>> sections;  ///< per body
   std::vector<FaceExtremes> faces;                     ///< per body; of an obstacle: at rest
-  /// The bending energy includes its coupling with the membrane.
+  /// Strain energy, a prestress' included. The bending energy includes its coupling with the
+  /// membrane.
   double membrane_energy = 0, bending_energy = 0;
   bool smallest_curvature_positive = false;
   int rest_iterations = 0;

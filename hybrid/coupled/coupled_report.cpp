@@ -13,7 +13,24 @@ namespace {
 
 using Eigen::VectorXd;
 
-// The scaled wrench of each section on its wall: the gradient that it must balance.
+// Whether the pressure on the lid over an end is the support's to carry: not where the end is free
+// to move, where it acts as a load.
+bool carries_lid(const CoupledWall& wall, int behind) {
+  if (behind == WallLumen::seam) return true;
+  if (behind == WallLumen::free_end) return false;
+  const auto& fixed = wall.sections[index(behind)].section().fixed;
+  return fixed[0] || fixed[1] || fixed[2];
+}
+
+// The pressure's force on each vertex through the lid over an end.
+Points lid_forces(const CoupledWall& wall, const CoupledState& s, int fan) {
+  return wall.lumen->now *
+         wall.lumen->volume.lid_force(
+             s.positions.middleRows(wall.first_vertex, wall.energy->vertices()), fan);
+}
+
+// The scaled wrench of each section on its wall: the gradient that it must balance, without what
+// the lid over its end carries.
 std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
                                             const CoupledState& s, const CoupledForces& f) {
   const CoupledWall& wall = system.walls()[index(w)];
@@ -36,6 +53,18 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
     mine.moment += (mine.rotation * c.arm).cross(force);
     if (!c.normal) mine.force += force;
   }
+  const int fans = wall.lumen ? static_cast<int>(wall.lumen->behind_fan.size()) : 0;
+  for (int fan = 0; fan < fans; ++fan) {
+    const int behind = wall.lumen->behind_fan[index(fan)];
+    if (behind < 0 || !carries_lid(wall, behind)) continue;
+    SectionSolution& mine = sections[index(behind)];
+    const Points lid = lid_forces(wall, s, fan);
+    for (const int v : wall.lumen->volume.fans()[index(fan)].loop) {
+      const Vec3 force = lid.row(v), x = s.positions.row(wall.first_vertex + v);
+      mine.force += force;
+      mine.moment += (x - mine.center).cross(force);
+    }
+  }
   return sections;
 }
 
@@ -54,12 +83,13 @@ void name_fold(const std::string& name, const WallEnergy& wall, const WallReport
 }
 
 struct Sums {
-  Vec3 support = Vec3::Zero(), load = Vec3::Zero(), joining = Vec3::Zero(), contact = Vec3::Zero();
+  Vec3 support = Vec3::Zero(), load = Vec3::Zero(), joining = Vec3::Zero(), contact = Vec3::Zero(),
+       pressure = Vec3::Zero();
   double residual = 0;
 };
 
-Sums sums_of(const CoupledSystem& system, int w, const std::vector<SectionSolution>& sections,
-             const CoupledForces& f) {
+Sums sums_of(const CoupledSystem& system, int w, const CoupledState& s,
+             const std::vector<SectionSolution>& sections, const CoupledForces& f) {
   const CoupledWall& wall = system.walls()[index(w)];
   const int vertices = wall.energy->vertices();
   Sums sums;
@@ -69,11 +99,20 @@ Sums sums_of(const CoupledSystem& system, int w, const std::vector<SectionSoluti
   }
   sums.joining = -f.joining.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
   sums.contact = -f.contact.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
+  const int fans = wall.lumen ? static_cast<int>(wall.lumen->behind_fan.size()) : 0;
+  for (int fan = 0; fan < fans; ++fan) {
+    const int behind = wall.lumen->behind_fan[index(fan)];
+    if (!carries_lid(wall, behind)) continue;
+    const Vec3 lid = lid_forces(wall, s, fan).colwise().sum().transpose();
+    sums.pressure -= lid;
+    if (behind == WallLumen::seam) sums.joining += lid;
+  }
   // Seam and contact forces at a rigid ring are part of the force of its section. They occur in
   // both sums with opposite signs, and the wall's own forces sum to zero.
-  const double net = (sums.support + sums.load + sums.joining + sums.contact).norm();
-  const double largest =
-      std::max({sums.support.norm(), sums.load.norm(), sums.joining.norm(), sums.contact.norm()});
+  const double net =
+      (sums.support + sums.load + sums.joining + sums.contact + sums.pressure).norm();
+  const double largest = std::max({sums.support.norm(), sums.load.norm(), sums.joining.norm(),
+                                   sums.contact.norm(), sums.pressure.norm()});
   const double rounding =
       1e-12 *
           Eigen::Map<const Points>(f.wall[index(w)].data(), vertices, 3).rowwise().norm().sum() +
@@ -93,7 +132,7 @@ double worst_coupled_balance(const ScaledBodies& scaled, const CoupledSystem& sy
   double worst = 0;
   for (size_t b = 0; b < scaled.bodies.size(); ++b)
     if (const int w = first_wall[b]; w >= 0)
-      worst = std::max(worst, sums_of(system, w, section_forces(system, w, s, f), f).residual);
+      worst = std::max(worst, sums_of(system, w, s, section_forces(system, w, s, f), f).residual);
   return worst;
 }
 
@@ -134,10 +173,11 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
     mine.modelled = true;
     mine.positions = scaled.unscaled(s.positions.middleRows(first[b], rest.rows()));
     solution.sections[b] = section_forces(*system, w, s, f);
-    const Sums sums = sums_of(*system, w, solution.sections[b], f);
+    const Sums sums = sums_of(*system, w, s, solution.sections[b], f);
     mine.support = (sums.support + sums.load) * scaled.force();
     mine.joining = sums.joining * scaled.force();
     mine.contact = sums.contact * scaled.force();
+    mine.lumen = sums.pressure * scaled.force();
     mine.residual = sums.residual;
     for (SectionSolution& section : solution.sections[b]) {
       section.force *= scaled.force();

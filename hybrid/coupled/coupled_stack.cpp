@@ -8,6 +8,7 @@
 
 #include "bodies/seam.h"
 #include "coupled/free_motions.h"
+#include "coupled/wall_lumen.h"
 #include "data/index.h"
 
 namespace vasorod {
@@ -39,9 +40,9 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   for (size_t b = 0; b < scaled.bodies.size(); ++b) {
     ScaledBody& body = scaled.bodies[b];
     body.modelled = body.moved;
-    if (problem.vessels[b])
-      for (const HeldSection& section : problem.vessels[b]->sections)
-        body.modelled |= acts(section);
+    if (!problem.vessels[b]) continue;
+    body.modelled |= problem.vessels[b]->pressure.has_value();
+    for (const HeldSection& section : problem.vessels[b]->sections) body.modelled |= acts(section);
   }
   for (const SeamPair& seam : problem.surfaces.seams)
     for (const int b : {seam.body_a, seam.body_b})
@@ -76,10 +77,10 @@ void CoupledStack::set_material(int b, const Material& material) {
   minimiser->renew_rest();
 }
 
-WallEnergy& CoupledStack::energy_of(size_t b) {
-  if (energies_[b]) return *energies_[b];
+WallInput CoupledStack::scaled_wall(size_t b) const {
   WallInput wall = problem.vessels[b]->wall;
   wall.rest = scaled.bodies[b].rest;
+  wall.prestress_displacement /= scaled.length;
   wall.thickness /= scaled.length;
   wall.mid_offset /= scaled.length;
   for (double* modulus :
@@ -90,8 +91,24 @@ WallEnergy& CoupledStack::energy_of(size_t b) {
   for (const HeldSection& section : problem.vessels[b]->sections)
     if (section.rigid)
       for (const int v : section.ring) wall.glued[index(v)] = 1;
-  energies_[b] = std::make_unique<WallEnergy>(wall);
+  return wall;
+}
+
+WallEnergy& CoupledStack::energy_of(size_t b) {
+  if (!energies_[b]) energies_[b] = std::make_unique<WallEnergy>(scaled_wall(b));
   return *energies_[b];
+}
+
+WallLumen CoupledStack::lumen_of(size_t b) const {
+  std::vector<int> seam;
+  for (const SeamPair& pair : problem.surfaces.seams) {
+    if (pair.body_a == static_cast<int>(b)) seam.push_back(pair.vertex_a);
+    if (pair.body_b == static_cast<int>(b)) seam.push_back(pair.vertex_b);
+  }
+  LumenPressure pressure = *problem.vessels[b]->pressure;
+  pressure.scan /= scaled.pressure();
+  pressure.after /= scaled.pressure();
+  return wall_lumen(scaled_wall(b), problem.vessels[b]->sections, seam, pressure);
 }
 
 void CoupledStack::build() {
@@ -104,6 +121,7 @@ void CoupledStack::build() {
     first[b] = system->vertex_count();
     first_wall[b] = system->add_wall(energy_of(b), body.rest.points, scaled_sections(b),
                                      options.tie_stiffness * body.k.stretching);
+    if (problem.vessels[b]->pressure) system->set_lumen(first_wall[b], lumen_of(b));
   }
   system->finish();
   const std::vector<SeamPair>& seams = problem.surfaces.seams;

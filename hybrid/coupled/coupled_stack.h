@@ -58,7 +58,9 @@ class CoupledStack {
  private:
   HeldSection scale(const HeldSection& section) const;
   std::vector<HeldSection> scaled_sections(size_t body) const;
+  WallInput scaled_wall(size_t body) const;
   WallEnergy& energy_of(size_t body);
+  WallLumen lumen_of(size_t body) const;
 
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<Vec3> seam_multipliers_;

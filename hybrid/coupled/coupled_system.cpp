@@ -65,9 +65,17 @@ int CoupledSystem::add_wall(WallEnergy& energy, const Points& rest,
   return static_cast<int>(walls_.size()) - 1;
 }
 
+void CoupledSystem::set_lumen(int w, WallLumen lumen) {
+  lumen.now = lumen.scan;
+  walls_[index(w)].lumen = std::move(lumen);
+}
+
 void CoupledSystem::set_time(double t) {
-  for (CoupledWall& wall : walls_)
+  for (CoupledWall& wall : walls_) {
     for (SectionPose& pose : wall.sections) pose.set_time(t);
+    if (WallLumen* lumen = wall.lumen ? &*wall.lumen : nullptr)
+      lumen->now = lumen->scan + t * (lumen->after - lumen->scan);
+  }
 }
 
 void CoupledSystem::set_target(int w, int section, const Pose& pose) {
@@ -205,7 +213,8 @@ VectorXd CoupledSystem::total_force(size_t w, const CoupledForces& f) const {
   Eigen::Map<Points>(total.data(), vertices, 3) +=
       f.joining.middleRows(wall.first_vertex, vertices) +
       f.contact.middleRows(wall.first_vertex, vertices) +
-      f.ties.middleRows(wall.first_vertex, vertices);
+      f.ties.middleRows(wall.first_vertex, vertices) +
+      f.pressure.middleRows(wall.first_vertex, vertices);
   return total;
 }
 
@@ -241,12 +250,19 @@ void CoupledSystem::evaluate(const CoupledState& s, const VectorXd& z, CoupledFo
                              CoupledTerms& terms) const {
   f.wall.resize(walls_.size());
   f.pose.resize(walls_.size());
-  f.joining = f.contact = f.ties = Points::Zero(vertices_, 3);
+  f.joining = f.contact = f.ties = f.pressure = Points::Zero(vertices_, 3);
   for (size_t w = 0; w < walls_.size(); ++w) {
     const CoupledWall& wall = walls_[w];
     terms.wall += wall.energy->gradient(s.q[w], f.wall[w]);
     f.pose[w].assign(wall.sections.size(), Vec6::Zero());
     const int vertices = wall.energy->vertices();
+    if (wall.lumen) {
+      Points pressed = Points::Zero(vertices, 3);
+      terms.pressure -= wall.lumen->now * wall.lumen->volume.add_gradient(
+                                              s.positions.middleRows(wall.first_vertex, vertices),
+                                              -wall.lumen->now, pressed);
+      f.pressure.middleRows(wall.first_vertex, vertices) = pressed;
+    }
     Points tied;
     for (size_t k = 0; k < wall.sections.size(); ++k) {
       const SectionPlacement& at = s.placements[w][k];

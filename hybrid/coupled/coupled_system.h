@@ -19,9 +19,21 @@
 #include "bodies/joining_energy.h"
 #include "coupled/group_turns.h"
 #include "coupled/section_tie.h"
+#include "wall/lumen.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod {
+
+/// The lumen of one wall under pressure. The energy is -p V.
+struct WallLumen {
+  /// What is behind a fan: the index of a section, or one of these.
+  static constexpr int free_end = -1, seam = -2;
+
+  Lumen volume;
+  std::vector<int> behind_fan;  ///< per fan of `volume`
+  double scan = 0, after = 0;   ///< pressure at times 0 and 1
+  double now = 0;               ///< at the present time
+};
 
 /// One wall in the system.
 struct CoupledWall {
@@ -29,7 +41,8 @@ struct CoupledWall {
   Points rest;
   std::vector<SectionPose> sections;
   std::vector<std::optional<SectionTie>> ties;  ///< per section; none for a rigid one
-  int first_vertex = 0;                         ///< row of its vertex 0 in the stacked positions
+  std::optional<WallLumen> lumen;
+  int first_vertex = 0;           ///< row of its vertex 0 in the stacked positions
   std::vector<int> unknown;       ///< per entry of q: its index in z, -1 on a rigid section
   std::vector<int> pose_unknown;  ///< per section: its first index in z
   /// A vertex or rim normal that follows a rigid section: three entries of q from `entry` on.
@@ -52,8 +65,8 @@ struct CoupledState {
 
 /// Energy term by term, force * length.
 struct CoupledTerms {
-  double wall = 0, joining = 0, contact = 0, ties = 0, load = 0;
-  double total() const { return wall + joining + contact + ties + load; }
+  double wall = 0, joining = 0, contact = 0, ties = 0, load = 0, pressure = 0;
+  double total() const { return wall + joining + contact + ties + load + pressure; }
 };
 
 /// Gradients of the parts of the energy, before the sections collect them.
@@ -61,7 +74,7 @@ struct CoupledForces {
   std::vector<Eigen::VectorXd> wall;  ///< per wall, with respect to q
   /// Per wall and section: loads and ties, with respect to the pose's unknowns.
   std::vector<std::vector<Vec6>> pose;
-  Points joining, contact, ties;  ///< with respect to the stacked positions
+  Points joining, contact, ties, pressure;  ///< with respect to the stacked positions
 };
 
 /// Dependence of one entry of q on the unknowns: itself if it is free, else the unknowns of the
@@ -79,6 +92,8 @@ class CoupledSystem {
   /// sections, force / length.
   int add_wall(WallEnergy& energy, const Points& rest, const std::vector<HeldSection>& sections,
                double tie_stiffness);
+  /// The pressure in the lumen of a wall, which every section then feels as a lid.
+  void set_lumen(int wall, WallLumen lumen);
   /// Builds the pattern of the Hessian. Call after the last wall.
   void finish();
 
@@ -151,6 +166,9 @@ class CoupledSystem {
                         Entries& extra);
   void add_pose_curvature(const CoupledState& s, const CoupledForces& f, Entries& extra) const;
   void add_ties(const CoupledState& s, Entries& extra) const;
+  // Adds -p V''; `at_rest`: with the pressure of time 0.
+  void add_lumens(const CoupledState& s, bool at_rest, Entries& extra) const;
+  void add_stacked(const Entries& stacked, const CoupledState& s, Entries& extra) const;
   void add_meetings(const CoupledState& s, Entries& extra) const;
 
   std::vector<CoupledWall> walls_;

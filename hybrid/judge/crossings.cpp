@@ -111,11 +111,15 @@ class Whole {
     const Vec3 side = normal.unitOrthogonal(), other = normal.cross(side);
     const double tilt = std::sqrt(3.);
     for (const Vec3& aside : {Vec3(0, 0, 0), Vec3(side), Vec3(-side), Vec3(other), Vec3(-other)})
-      for (const double sign : {1., -1.}) {
+      for (const auto& [sign, from] : {std::pair(1., 1.), {-1., -1.}, {-1., 1.}}) {
         const Vec3 direction = sign * (normal + tilt * aside + skew).normalized();
-        const auto hits = rays_->along(point + sign * off, direction);
+        // Back through the wall too: another that touches it there may lie closer than `off`.
+        const bool through = sign != from;
+        const auto hits = rays_->along(point + from * off, direction);
         const auto wall = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
-          return hit.triangle < surface_.triangles.rows();  // the fans that close ends are none
+          // Neither the fans that close ends nor the wall that the ray passes through.
+          return hit.triangle < surface_.triangles.rows() &&
+                 (!through || (surface_.triangles.row(hit.triangle).array() != v).all());
         });
         if (wall != hits.end() && wall->distance < inside.depth)
           inside = {bodies_of_triangles_[index(wall->triangle)], wall->distance};

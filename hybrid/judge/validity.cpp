@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "data/sentence.h"
+#include "judge/lumen_pressure.h"
 #include "rod/conditions.h"
 #include "rod/strain_change.h"
 #include "wall/plane_stress.h"
@@ -68,6 +69,7 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
   const double t = vessel.spec.wall->thickness,
                root = std::sqrt(1 - material.poisson_tt * material.poisson_tt),
                length = length_scale(rod);
+  const double pressure = vessel.spec.pressure ? vessel.spec.pressure->after : 0;
   Extreme brazier, wrinkling, twist, strain, softening;
   const auto changes = element_changes(rod, poses);
   for (size_t e = 0; e < changes.size(); ++e) {
@@ -79,8 +81,11 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
     });
     if (at_rigid_end) continue;
     const bool is_long = length / r * std::sqrt(t / r) >= 7;
-    if (is_long)
-      brazier.see(element.bending() * r * r * root / (0.471 * t * fibre.bending), element.middle);
+    const double inflated = pressure / collapse_pressure(material, t, r);
+    if (is_long && inflated > -1)
+      brazier.see(
+          element.bending() * r * r * root / (0.471 * t * fibre.bending * std::sqrt(1 + inflated)),
+          element.middle);
     wrinkling.see(element.bending() * r * r / (0.605 * t * fibre.wrinkling), element.middle);
     const double critical_shear =
         0.747 * material.young_axial * fibre.twist * std::pow(t / r, 1.25) * std::sqrt(r / length);

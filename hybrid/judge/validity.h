@@ -18,8 +18,11 @@ namespace vasorod {
 /// brazier_ratio: k / k_cr, k the change of (u1, u2), k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)). Long
 /// vessels only, Omega = (L/R) sqrt(t/R) >= 7 (Brazier 1927; the range of the long-tube formula).
 ///
-/// wrinkling_ratio: k R^2 / (0.605 t), with the axial buckling strain of a cylinder. All vessels;
-/// for short vessels, this ratio is the relevant one.
+/// A pressure p in the lumen (after the operation) holds the section open: k_cr is multiplied by
+/// (1 + p / p_c)^(1/2), p_c of judge/lumen_pressure.h.
+///
+/// wrinkling_ratio: k R^2 / (0.605 t), with the axial buckling strain of a cylinder without
+/// pressure, which raises it. All vessels; for short vessels, this ratio is the relevant one.
 ///
 /// twist_ratio: G R |u3 - u3^0| / tau_cr, tau_cr = 0.747 E (t/R)^1.25 (R/L)^0.5.
 ///

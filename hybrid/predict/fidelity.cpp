@@ -16,7 +16,7 @@ std::vector<Fidelity>& registry() {
        true, solve_paper_surfaces},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
-       true, solve_coupled},
+       true, solve_coupled, true},
   };
   return all;
 }

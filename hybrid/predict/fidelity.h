@@ -22,6 +22,7 @@ struct Fidelity {
   /// left out and why, and Prediction::surfaces if the fidelity has energies, forces or a status of
   /// its own.
   std::function<void(Prediction&, const SolveOptions&)> solve;
+  bool lumen = false;  ///< takes a pressure in the lumen and an axial prestretch
 };
 
 /// All fidelities, from cheap to expensive.

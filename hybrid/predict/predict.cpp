@@ -15,6 +15,7 @@
 #include "predict/memory_need.h"
 #include "predict/name_faults.h"
 #include "predict/prediction.h"
+#include "predict/prestress.h"
 #include "predict/rod_scene.h"
 
 namespace vasorod {
@@ -88,6 +89,7 @@ void check_vessels(const Scene& scene) {
       throw InputError(place(scene, vessel) + "found no wall, expected its thickness and material");
   }
   for (const EndCondition& end : scene.ends) scene.vessel(end.vessel);
+  require_one_pressure(scene);
 }
 
 // The requested fidelity. With `accuracy:` alone: the most expensive one that the vessels allow,
@@ -99,10 +101,13 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
                              : has_bare_rods(scene) ? named("rod", "")
                                                     : dearest();
   for (const VesselSpec& vessel : scene.vessels) {
-    if (vessel.pressure)
-      throw InputError(
-          place(scene, vessel) +
-          "found a pressure, expected none: only the finite-element reference takes it");
+    const bool pressed = vessel.pressure.has_value();
+    if ((pressed || vessel.axial_prestretch != 1) && !fidelity.lumen)
+      throw InputError(place(scene, vessel) + "found " +
+                       (pressed ? "a pressure" : "an axial prestretch") + " at fidelity " +
+                       fidelity.name +
+                       ", expected fidelity coupled: only its walls enclose a lumen and carry "
+                       "stress as they were seen");
     if (vessel.rod && fidelity.surfaces)
       throw InputError(place(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
                        ", expected fidelity rod");
@@ -268,6 +273,8 @@ Result predict(const Scene& scene, const SolveOptions& given) {
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   prediction.watch.lap("fit");
+  if (fidelity->lumen)
+    prestress(prediction, [&](const std::string& stage) { stages.begin(stage); });
   prediction.stages.push_back(rest_stage(prediction));
   if (scene.glenn) operate_on(prediction, options, stages);
   prediction.watch.lap("surgery");

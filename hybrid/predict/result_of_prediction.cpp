@@ -54,7 +54,7 @@ void add_surfaces(const SolvedSurfaces& surfaces, Result& result) {
   result.ends.insert(result.ends.end(), surfaces.ends.begin(), surfaces.ends.end());
 }
 
-// support + load + join + contact = 0 up to `residual`.
+// support + load + join + contact + pressure = 0 up to `residual`.
 Balance wall_balance(const Prediction& prediction, size_t v) {
   const BodySolution& body = prediction.surfaces->solution.bodies[v];
   Balance balance;
@@ -63,6 +63,7 @@ Balance wall_balance(const Prediction& prediction, size_t v) {
   balance.support = body.support - balance.load;
   balance.join = body.joining;
   balance.contact = body.contact;
+  if (prediction.vessels[v].prepared.spec.pressure) balance.pressure = body.lumen;
   balance.residual = body.residual;
   return balance;
 }

@@ -1,5 +1,6 @@
 #include "predict/result_of_vessel.h"
 
+#include "judge/lumen_pressure.h"
 #include "judge/metrics.h"
 #include "judge/mouth.h"
 #include "judge/sections.h"
@@ -93,6 +94,7 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   // Ratios of a state that is no solution give no warnings.
   if (!is_solution(result.status)) result.validity.warnings.resize(before);
   warn_of_units(prepared.spec, prediction.scene->units, result.validity);
+  warn_of_collapse(prepared, prediction.scene->units, result.validity);
   if (prepared.spec.surface && prepared.spec.check)
     warn_of_radius(prepared.spec.name, prepared.vessel.mean_radius, prediction.scene->units,
                    result.validity);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coupled/wall_lumen.h"
 #include "data/index.h"
 #include "geometry/rigid_motion.h"
 
@@ -13,6 +14,8 @@ WallInput wall_of(const PreparedVessel& prepared) {
   wall.rest = vessel.surface;
   wall.mid_offset = prepared.mid_offset();
   wall.material = prepared.spec.wall->material;
+  wall.prestress_displacement = prepared.prestress_displacement;
+  wall.axial_prestretch = prepared.spec.axial_prestretch;
   const auto vertices = vessel.surface.points.rows();
   wall.thickness.resize(vertices);
   std::vector<Vec3> tangent;
@@ -64,6 +67,26 @@ VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditi
     all.nodes.push_back(end.node);
   }
   return all;
+}
+
+Points displacement_of_scan(const PreparedVessel& prepared, const VesselConditions& conditions,
+                            bool whole) {
+  const double pressure = prepared.spec.pressure ? prepared.spec.pressure->scan : 0;
+  if (pressure == 0 && prepared.spec.axial_prestretch == 1) return {};
+  const Vessel& vessel = prepared.vessel;
+  std::vector<HeldSection> sections = sections_of(vessel, conditions, -1).sections;
+  const bool none = sections.empty();
+  for (const VesselEnd& end : vessel.ends) {
+    const bool named =
+        std::any_of(sections.begin(), sections.end(),
+                    [&](const HeldSection& section) { return section.ring == end.loop; });
+    if (named || !(whole || none)) continue;
+    HeldSection section;
+    section.ring = end.loop;
+    section.rest = vessel.rod.rest[index(end.node)];
+    sections.push_back(std::move(section));
+  }
+  return scan_displacement(wall_of(prepared), std::move(sections), pressure);
 }
 
 RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share) {

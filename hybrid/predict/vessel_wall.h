@@ -20,6 +20,12 @@ struct VesselSections {
 };
 VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditions, int left_out);
 
+/// PreparedVessel::prestress_displacement of a vessel as it was seen: under the pressure of the
+/// scan and its axial prestretch, with the ends that have conditions held. `whole`: the others too,
+/// as of a vessel that is cut. Empty if it has neither. Throws InputError.
+Points displacement_of_scan(const PreparedVessel& vessel, const VesselConditions& conditions,
+                            bool whole);
+
 /// The rod's shape with strains at a share of the way from rest to those of `poses`. On this path a
 /// bend neither stretches nor shortens the rod, which moving its ends proportionally would do.
 RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share);

@@ -242,14 +242,20 @@ std::string force_tables(const Result& result) {
     crossing.rows.push_back({html_text(s.a), s.b == s.a ? "itself" : html_text(s.b),
                              std::to_string(s.pairs), cell_text(s.depth), vector_text(s.where)});
   Table balance;
-  balance.head = {"Vessel",          "Supports",
-                  "Loads",           "Seam",
-                  "Contact",         "Rod through binding",
-                  "Left on the rod", "Residual over largest"};
+  balance.head = {"Vessel",
+                  "Supports",
+                  "Loads",
+                  "Seam",
+                  "Contact",
+                  "Pressure in the lumen",
+                  "Rod through binding",
+                  "Left on the rod",
+                  "Residual over largest"};
   for (const Balance& b : result.balance)
     balance.rows.push_back(
         {html_text(b.vessel), vector_text(b.support), vector_text(b.load), vector_text(b.join),
-         vector_text(b.contact), b.binding ? vector_text(*b.binding) : "–",
+         vector_text(b.contact), b.pressure ? vector_text(*b.pressure) : "–",
+         b.binding ? vector_text(*b.binding) : "–",
          b.rod_unbalanced ? vector_text(*b.rod_unbalanced) : "–", cell_text(b.residual)});
   return html_of("What the supports do", ends) + html_of("Contact", contact) +
          html_of("Walls inside each other", crossing) +

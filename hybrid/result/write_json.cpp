@@ -67,6 +67,7 @@ Json end_reaction(const EndReaction& e) {
 Json balance(const Balance& b) {
   Json value = {{"vessel", b.vessel},  {"support", row(b.support)}, {"load", row(b.load)},
                 {"join", row(b.join)}, {"contact", row(b.contact)}, {"residual", b.residual}};
+  if (b.pressure) value["pressure"] = row(*b.pressure);
   if (b.binding) value["binding"] = row(*b.binding);
   if (b.rod_unbalanced) value["rod_unbalanced"] = row(*b.rod_unbalanced);
   return value;

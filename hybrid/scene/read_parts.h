@@ -8,8 +8,9 @@
 namespace vasorod {
 
 Units read_units(const Field& units);
+/// `pressure_unit`: of the vessels' pressures, in stress units.
 std::vector<VesselSpec> read_vessels(const Field& vessels, const std::filesystem::path& folder,
-                                     const ReadOptions& options);
+                                     double pressure_unit);
 Wall read_wall(const Field& wall);
 TubeSpec read_tube(const Field& tube);
 RodSpec read_rod(const Field& rod);

@@ -72,7 +72,7 @@ void read_law(const Field& field, Material& material) {
 
 void read_material(const Field& field, VesselSpec& vessel) {
   if (vessel.rod) {
-    for (const char* key : {"wall", "law", "coefficients", "pressure"})
+    for (const char* key : {"wall", "law", "coefficients", "pressure", "axial_prestretch"})
       if (const auto found = field.find(key))
         found->refuse("it on a bare rod", "the stiffness of the rod's pieces instead");
     if (vessel.role == Role::obstacle)
@@ -103,11 +103,28 @@ void read_material(const Field& field, VesselSpec& vessel) {
   }
 }
 
+// What the lumen and the wall carried when the vessel was seen, and afterwards.
+void read_seen_state(const Field& field, double pressure_unit, VesselSpec& vessel) {
+  const auto pressure = field.find("pressure");
+  const auto stretch = field.find("axial_prestretch");
+  for (const auto& key : {pressure, stretch})
+    if (key && vessel.role == Role::obstacle)
+      key->refuse("it on an obstacle", "it on deformable vessels, as an obstacle never moves");
+  if (stretch) vessel.axial_prestretch = stretch->number_in(0.5, 2);
+  if (!pressure) return;
+  pressure->check_keys({"scan", "after"});
+  LumenPressure& both = vessel.pressure.emplace();
+  if (const auto scan = pressure->find("scan"))
+    both.scan = pressure_unit * scan->not_negative(largest_stiffness);
+  if (const auto after = pressure->find("after"))
+    both.after = pressure_unit * after->number_up_to(largest_stiffness);
+}
+
 VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
-                       const ReadOptions& options) {
+                       double pressure_unit) {
   VesselSpec vessel;
   field.check_keys({"name", "surface", "tube", "rod", "remesh", "surface_is", "check", "wall",
-                    "law", "coefficients", "role", "pressure"});
+                    "law", "coefficients", "role", "pressure", "axial_prestretch"});
   const Field name = field.at("name", "the vessel's name");
   vessel.name = name.text("a name of letters, digits, _ and -");
   vessel.line = field.line();
@@ -118,12 +135,7 @@ VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
         role->one_of({"deformable", "obstacle"}) == "obstacle" ? Role::obstacle : Role::deformable;
   read_shape(named, folder, vessel);
   read_material(named, vessel);
-  if (const auto pressure = named.find("pressure")) {
-    vessel.pressure = pressure->number_up_to(largest_stiffness);
-    if (!options.accept_pressure)
-      pressure->refuse("a lumen pressure",
-                       "none, as only the finite-element reference vasorod-fem models it");
-  }
+  read_seen_state(named, pressure_unit, vessel);
   return vessel;
 }
 
@@ -189,12 +201,12 @@ const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>&
 }
 
 std::vector<VesselSpec> read_vessels(const Field& field, const std::filesystem::path& folder,
-                                     const ReadOptions& options) {
+                                     double pressure_unit) {
   const auto fields = field.list("a list of vessels");
   if (fields.empty()) field.refuse(field.found(), "at least one vessel");
   std::vector<VesselSpec> vessels;
   vessels.reserve(fields.size());
-  for (const Field& one : fields) vessels.push_back(read_vessel(one, folder, options));
+  for (const Field& one : fields) vessels.push_back(read_vessel(one, folder, pressure_unit));
   check_names(fields, vessels);
   check_parents(fields, vessels);
   return vessels;

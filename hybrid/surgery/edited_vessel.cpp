@@ -72,6 +72,9 @@ std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edit
         array.values.row(t) = before.row(from[index(t)]);
     }
   }
+  if (vessel.prestress_displacement.rows() > 0)
+    vessel.prestress_displacement =
+        interpolate(sources, Eigen::MatrixXd(vessel.prestress_displacement));
   vessel.vessel.branch_of = carry_labels(sources, vessel.vessel.branch_of);
   const auto loops = boundary_loops(edited.triangles);
   std::vector<int> now(vessel.vessel.ends.size(), -1);

@@ -10,10 +10,10 @@ namespace vasorod {
 std::vector<int> triangle_sources(const Triangles& edited, const VertexSources& sources,
                                   const Triangles& input);
 
-/// Replaces the vessel's surface by an edited one. Point arrays are interpolated (integer arrays
-/// take the value of the dominant source), cell arrays follow their triangle, ends keep their
-/// loops; an end without a loop is removed. Returns the new index of each old end, or -1. The
-/// binding is then out of date: call bind_again().
+/// Replaces the vessel's surface by an edited one. Point arrays and the prestress' displacement are
+/// interpolated (integer arrays take the value of the dominant source), cell arrays follow their
+/// triangle, ends keep their loops; an end without a loop is removed. Returns the new index of each
+/// old end, or -1. The binding is then out of date: call bind_again().
 std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edited,
                              const VertexSources& sources);
 

@@ -15,6 +15,8 @@ struct PreparedVessel {
   LoadedSurface loaded;                ///< arrays and report; its surface has moved to `vessel`
   Vessel vessel;                       ///< an obstacle has only a surface; its rod is empty
   std::vector<double> node_thickness;  ///< wall thickness at each rod node, length
+  /// Of the wall's prestress (wall/wall_energy.h), n x 3, length; empty: none.
+  Points prestress_displacement;
 
   bool obstacle() const { return spec.role == Role::obstacle; }
   double thickness() const { return spec.wall ? spec.wall->thickness : 0; }

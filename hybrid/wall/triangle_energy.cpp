@@ -69,8 +69,9 @@ Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& st
 
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state) {
   const Vec6 y = triangle_strains(law, rest, state);
-  if (rest.large) return large_strain_energy(*rest.large, y, false).value;
-  return y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
+  const double before = rest.stored + rest.prestress.dot(y);
+  if (rest.large) return before + large_strain_energy(*rest.large, y, false).value;
+  return before + y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
          collapse_stiffness(rest) * CollapseBarrier(state.metric).value;
 }
 
@@ -91,6 +92,8 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     e.stress.noalias() = rest.stiffness * e.strains;
     e.value = e.stress.dot(e.strains) / 2;
   }
+  e.value += rest.stored + rest.prestress.dot(e.strains);
+  e.stress += rest.prestress;
   if (rest.relief > 0) {
     e.value -= relieved(rest, state, e.strains);
     e.stress[2] -= rest.relief * (e.strains[2] - state.partner_shear);
@@ -101,7 +104,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   e.gradient.head<3>() = membrane.derivative.transpose() * e.stress.head<3>() +
                          collapse_stiffness(rest) * stop.gradient;
 
-  Eigen::Matrix<double, 6, 9> d;  // of y with respect to the nine scalars
+  Eigen::Matrix<double, 6, 9>& d = e.strain_slopes;
   if (with_hessian) {
     d.setZero();
     d.topLeftCorner<3, 3>() = membrane.derivative;

@@ -26,6 +26,9 @@
 //
 // is subtracted, half of it from each.
 //
+// A prestress s (wall_prestress.cpp) adds s . y and a constant, which makes the energy of a linear
+// wall that of the strains K^-1 s + y.
+//
 // A wall with a law for large strains has E(y) of large_strain_wall.h, of which K is the Hessian at
 // rest, in place of 1/2 y^T K y.
 #pragma once
@@ -52,6 +55,8 @@ struct TriangleRest {
   Mat6 stiffness = Mat6::Zero();  ///< K on (e11, e22, 2 e12, b_0, b_1, b_2), times the area
   /// Shear stiffness that the triangle and its partner give up, times the area.
   double relief = 0;
+  Vec6 prestress = Vec6::Zero();  ///< s: dE/dy at rest, times the area
+  double stored = 0;              ///< the prestress' energy at rest, s . K^-1 s / 2
   /// The wall of a law for large strains; null: the energy is quadratic in y.
   std::shared_ptr<const LargeStrainWall> large;
 };
@@ -74,7 +79,8 @@ struct TriangleEnergy {
   Vec6 stress;   ///< dE/dy: K y, minus the relief
   double value;
   Vec9 gradient;
-  Mat9 hessian;  ///< only if requested
+  Mat9 hessian;                               ///< only if requested
+  Eigen::Matrix<double, 6, 9> strain_slopes;  ///< of y by the nine scalars; only if requested
 };
 
 TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,

@@ -156,6 +156,15 @@ void WallEnergy::see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& b
   }
 }
 
+namespace {
+
+Vec6 prestrain(const TriangleRest& rest) {
+  if (rest.prestress.isZero(0)) return Vec6::Zero();
+  return rest.stiffness.ldlt().solve(rest.prestress);
+}
+
+}  // namespace
+
 WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
   const Geometry g = geometry(q);
   WallReport report;
@@ -163,14 +172,20 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), false);
     const Vec3 strain = e.strains.head<3>(), bending = e.strains.tail<3>();
-    double bend = bending.dot(rest.stiffness.bottomRightCorner<3, 3>() * bending) / 2;
-    double coupling = strain.dot(rest.stiffness.topRightCorner<3, 3>() * bending);
+    // A prestress is that of strains in the state of no stress, of which these are the sum.
+    const Vec6 whole = e.strains + prestrain(rest);
+    double bend =
+        whole.tail<3>().dot(rest.stiffness.bottomRightCorner<3, 3>() * whole.tail<3>()) / 2;
+    double coupling = whole.head<3>().dot(rest.stiffness.topRightCorner<3, 3>() * whole.tail<3>());
     if (rest.large) {
       Vec6 alone = Vec6::Zero();
       alone.tail<3>() = bending;
-      bend = large_strain_energy(*rest.large, alone, false).value;
+      bend = large_strain_energy(*rest.large, alone, false).value +
+             rest.prestress.tail<3>().dot(bending);
       alone << strain, Vec3::Zero();
-      coupling = e.value - bend - large_strain_energy(*rest.large, alone, false).value;
+      coupling = large_strain_energy(*rest.large, e.strains, false).value -
+                 large_strain_energy(*rest.large, alone, false).value -
+                 (bend - rest.prestress.tail<3>().dot(bending));
     }
     report.membrane += e.value - bend - coupling;
     report.bending += bend;

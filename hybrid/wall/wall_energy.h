@@ -30,15 +30,19 @@
 
 namespace vasorod {
 
-/// A stress-free wall at rest. Lengths in one unit, moduli in one unit.
+/// A wall at rest, free of stress unless a prestress is given. Lengths in one unit, moduli in one
+/// unit.
 struct WallInput {
   TriangleSurface rest;       ///< the given surface, outward orientation
   Eigen::VectorXd thickness;  ///< per vertex
   double mid_offset = 0;      ///< from the given surface along its outward normal to mid-wall
   std::vector<Vec3> axis;     ///< per triangle: the fibre, any length, not normal to the triangle
   Material material;
-  std::vector<char> glued;    ///< per vertex: on a rigid section; empty: none
-  std::string name = "wall";  ///< begins the sentence of an error
+  std::vector<char> glued;  ///< per vertex: on a rigid section; empty: none
+  /// The wall at rest carries the stress of this linear displacement, n x 3, length; empty: none.
+  Points prestress_displacement;
+  double axial_prestretch = 1;  ///< and that of this stretch along the fibre
+  std::string name = "wall";    ///< begins the sentence of an error
 };
 
 /// An edge and the position of its unknown in q.
@@ -79,7 +83,7 @@ class WallEnergy {
   int unknowns() const { return static_cast<int>(rest_.size()); }
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
 
-  /// q at rest: energy and gradient are zero.
+  /// q at rest: without a prestress, energy and gradient are zero.
   const Eigen::VectorXd& rest() const { return rest_; }
 
   /// The energy at q, force * length.
@@ -90,7 +94,8 @@ class WallEnergy {
   /// in place.
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
-  /// Replaces the material of the wall. The pattern, the rest state and all unknowns stay.
+  /// Replaces the material of the wall. The pattern, the rest state, all unknowns and the prestress
+  /// stay.
   void set_material(const Material& material);
 
   /// Energies, strains and stresses at q.
@@ -125,6 +130,10 @@ class WallEnergy {
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
   void set_relief(double share);
+  void set_prestress(const WallInput& input);
+  void set_stored();
+  // Per triangle the derivative of y at q in the direction `change`.
+  std::vector<Vec6> strain_change(const Eigen::VectorXd& q, const Eigen::VectorXd& change) const;
   void see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& bend,
                  FaceExtremes& extremes) const;
   // Parts of the Hessian.

@@ -150,6 +150,32 @@ WallEnergy::TriangleDerivatives WallEnergy::derivatives(const Eigen::VectorXd& q
   return d;
 }
 
+std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
+                                            const Eigen::VectorXd& change) const {
+  const Geometry g = geometry(q);
+  std::vector<Vec6> all;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const Deformation f = deformation(q, t);
+    const TriangleEnergy e =
+        triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
+    const TriangleDerivatives d = derivatives(q, g, t, f);
+    Vec9 own;
+    for (int k = 0; k < 3; ++k) own.segment<3>(3 * k) = point(change, triangles_(t, k));
+    Vec9 scalars;
+    scalars.head<6>() = d.own * own;
+    const Sides& sides = sides_[static_cast<size_t>(t)];
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<size_t>(k);
+      const WallEdge& edge = edges_[static_cast<size_t>(sides.edge[at])];
+      const int outer = edge.glued ? edge.unknown : 3 * sides.neighbour[at];
+      if (outer >= 0) scalars[3 + k] += d.across[at].dot(change.segment<3>(outer));
+      scalars[6 + k] = edge.glued ? 0 : sides.sign[k] * change[edge.unknown];
+    }
+    all.push_back(e.strain_slopes * scalars);
+  }
+  return all;
+}
+
 const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q) {
   const Geometry g = geometry(q);
   double* values = hessian_.valuePtr();

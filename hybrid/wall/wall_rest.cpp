@@ -31,6 +31,14 @@ void check(const WallInput& in) {
            in.rest.triangles.rows(), ")");
   if (!in.glued.empty() && in.glued.size() != static_cast<size_t>(n))
     refuse(in.name, "found ", in.glued.size(), " glued marks, expected one per vertex (", n, ")");
+  const auto displaced = in.prestress_displacement.rows();
+  if (displaced != 0 && displaced != n)
+    refuse(in.name, "found ", displaced,
+           " displacements of the prestress, expected one per vertex (", n, ")");
+  if (!in.prestress_displacement.allFinite())
+    refuse(in.name, "found a displacement of the prestress that is not finite");
+  if (!(in.axial_prestretch > 0) || !std::isfinite(in.axial_prestretch))
+    refuse(in.name, "axial prestretch = ", in.axial_prestretch, ", expected a positive number");
   for (int i = 0; i < n; ++i)
     if (!(in.thickness[i] > 0) || !std::isfinite(in.thickness[i]))
       refuse(in.name, "vertex ", i, ": thickness = ", in.thickness[i],
@@ -62,6 +70,7 @@ WallEnergy::WallEnergy(const WallInput& input)
   number_edges(input);
   set_rest(input);
   set_pattern();
+  set_prestress(input);
 }
 
 void WallEnergy::number_edges(const WallInput& input) {
@@ -196,6 +205,7 @@ void WallEnergy::set_material(const Material& material) {
                         material.poisson_tt, piece.strains, piece.area});
   }
   set_relief(1 - ordinary_shear(material) / material.shear_axial);
+  set_stored();
 }
 
 // Reduces the stiffness of partners against a difference of their shears by the fraction `share`;

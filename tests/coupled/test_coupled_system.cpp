@@ -3,6 +3,7 @@
 
 #include "coupled/coupled_system.h"
 #include "coupled/held_tubes.h"
+#include "coupled/wall_lumen.h"
 
 namespace vasorod {
 namespace {
@@ -44,6 +45,7 @@ struct Everything {
         for (const int v : s->ring) wall.glued[static_cast<size_t>(v)] = 1;
     energy = std::make_unique<WallEnergy>(wall);
     system.add_wall(*energy, tube.surface.points, {start, end}, 3);
+    system.set_lumen(0, wall_lumen(wall, {start, end}, {}, {0.01, 0.05}));
     system.finish();
     system.joins = {{0, 12, Vec3(0.1, 0.2, 0.3)}, {13, 20, Vec3(-0.1, 0.1, 0)}};
     system.k_j = 0.7;

@@ -41,6 +41,35 @@ TEST(Crossings, TubesThatOnlyTouchDoNotCross) {
   }
 }
 
+// Contact ends with vertices that are inside by less than a millionth of an edge.
+TEST(Crossings, AVertexOnTheOtherWallDoesNotCross) {
+  const TriangleSurface a = tube(10, 40, 24, 48);
+  TriangleSurface rest = a;
+  rest.points = moved(a, Mat3::Identity(), {100, 0, 0});
+  const Points b = moved(a, about(Vec3::UnitZ(), 7), {20.5, 0.3, 0.2});
+  Eigen::Index nearest = 0;
+  (a.points.rowwise() - Vec3(10, 0, 20).transpose()).rowwise().norm().minCoeff(&nearest);
+  const Vec3 out = Vec3::UnitX(), from = a.points.row(nearest);
+  double gap = 1e9;
+  for (int t = 0; t < a.triangles.rows(); ++t) {  // along x to the other wall
+    Mat3 m;
+    const Vec3 p = b.row(a.triangles(t, 0)), q = b.row(a.triangles(t, 1)),
+               r = b.row(a.triangles(t, 2));
+    m << p - q, p - r, out;
+    const Vec3 s = m.inverse() * (p - from);
+    if (s[0] >= 0 && s[1] >= 0 && s[0] + s[1] <= 1 && s[2] > 0) gap = std::min(gap, s[2]);
+  }
+  ASSERT_LT(gap, 2);
+  for (const double inside : {-1e-9, 1e-9, 1e-7, 1e-5, 1e-3}) {
+    Points pulled = a.points;
+    pulled.row(nearest) += (gap + inside) * out.transpose();
+    EXPECT_TRUE(crossings({{&a, &pulled, 10}, {&rest, &b, 10}}, {}).empty()) << inside;
+  }
+  Points pulled = a.points;
+  pulled.row(nearest) += (gap + 2) * out.transpose();
+  EXPECT_EQ(crossings({{&a, &pulled, 10}, {&rest, &b, 10}}, {}).size(), 1U);
+}
+
 TEST(Crossings, TubesThatEnterEachOtherDoByTheirDepth) {
   for (const int around : {24, 48}) {
     const TriangleSurface a = tube(10, 40, around, 2 * around);

@@ -190,8 +190,17 @@ TEST(Predict, NoThreadsAreRefused) {
 // What the reader of scene files would have refused is refused here too.
 TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
   Scene scene = stretched_tube(1e-3, "skin");
-  scene.vessels[0].pressure = 0.01;
-  EXPECT_NE(refusal([&] { predict(scene); }).find("vessel aorta: found a pressure"),
+  scene.vessels[0].pressure = LumenPressure{0, 0.01};
+  EXPECT_NE(refusal([&] {
+              predict(scene);
+            }).find("vessel aorta: found a pressure at fidelity skin, expected fidelity coupled"),
+            std::string::npos);
+
+  scene = stretched_tube(1e-3, "paper");
+  scene.vessels[0].axial_prestretch = 1.1;
+  EXPECT_NE(refusal([&] {
+              predict(scene);
+            }).find("vessel aorta: found an axial prestretch at fidelity paper"),
             std::string::npos);
 
   scene = stretched_tube(1e-3, "skin");

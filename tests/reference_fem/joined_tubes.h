@@ -37,7 +37,7 @@ inline Scene scene_of_text(const std::string& text) {
       (std::string("vasorod_join_") +
        ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
   std::ofstream(file) << text;
-  Scene scene = read_scene(file, {.accept_pressure = true});
+  Scene scene = read_scene(file);
   std::filesystem::remove(file);
   return scene;
 }

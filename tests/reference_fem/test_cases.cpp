@@ -66,7 +66,7 @@ Result solid_of(const std::string& name, LawKind law) {
   options.law = law;
   options.refine = 0;
   options.around = 8;
-  const Scene scene = read_scene(folder + name + ".yaml", {.accept_pressure = true});
+  const Scene scene = read_scene(folder + name + ".yaml");
   options.along = static_cast<int>(std::lround(scene.vessels[0].tube->length / 10));
   Result r = solve_scene(scene, options);
   EXPECT_TRUE(r.status == Status::converged || r.status == Status::equilibrium_only) << name;

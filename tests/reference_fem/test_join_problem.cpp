@@ -160,8 +160,8 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
           "found the bent tube \"vein\"");
   refused("{length: 14, radius: 2}", "{length: 14, radius: 2, tangent: [0, 0.1, 1]}",
           "found an axis of the vein at 5.711 degrees to the incision's normal");
-  refused("    law: neo-hookean\n  - name: artery", "    pressure: 0.001\n  - name: artery",
-          "found a pressure in \"vein\"");
+  refused("    law: neo-hookean\n  - name: artery", "    pressure: {scan: 0.001}\n  - name: artery",
+          "vein: found a pressure of the scan, expected none");
   refused("incision: [0, 0, 8]", "incision: [8, 0, 8]",
           "found an incision of length 6.283 that runs into an end of the artery");
   refused("rotation_deg: 0", "incision_shape: {ellipse: {length: 4, width: 5}}",

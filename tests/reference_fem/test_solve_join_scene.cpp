@@ -63,6 +63,32 @@ TEST(SolveJoinScene, TakesTheEllipseOutThatTheSceneAsksFor) {
   EXPECT_NEAR(wall(slit) - wall(hole), incision.removed_area, 0.05 * incision.removed_area);
 }
 
+// Pressure in both lumens widens the mouth and pulls at the ends, in the shell as in the solid.
+TEST(SolveJoinScene, APressureOpensTheMouth) {
+  const std::string hole =
+      with(joined_tubes_text, "rotation_deg: 0", "incision_shape: {ellipse: 0.5}, rotation_deg: 0");
+  std::string pressed = hole;
+  for (const std::string name : {"vein", "artery"})
+    pressed = with(pressed, "  - name: " + name + "\n",
+                   "  - name: " + name + "\n    pressure: {after: 0.01}\n");
+  SolveOptions options = coarse();
+  const Result shell = solved(pressed, options);
+  options.model = ModelKind::solid;
+  const Result solid = solved(pressed, options), free = solved(hole, options);
+  ASSERT_EQ(shell.status, Status::equilibrium_only);
+  ASSERT_EQ(solid.status, Status::equilibrium_only);
+  EXPECT_GT(solid.glenn->mouth->area, 1.05 * free.glenn->mouth->area);
+  EXPECT_NEAR(shell.glenn->mouth->area / solid.glenn->mouth->area, 1, 0.02);
+  ASSERT_EQ(shell.ends.size(), solid.ends.size());
+  double largest = 0;
+  for (const EndReaction& end : solid.ends) largest = std::max(largest, end.force.norm());
+  for (std::size_t e = 0; e < solid.ends.size(); ++e) {
+    EXPECT_LT((shell.ends[e].force - solid.ends[e].force).norm(), 0.03 * largest) << e;
+    // The vessel's own tension, 2 nu p pi r_i^2 in a straight tube, pulls the ends outwards.
+    EXPECT_GT((solid.ends[e].force - free.ends[e].force).norm(), 0.01) << e;
+  }
+}
+
 TEST(SolveJoinScene, ReportsTheOperation) {
   SolveOptions options = coarse();
   options.degree = 3;

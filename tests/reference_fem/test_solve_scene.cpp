@@ -27,7 +27,7 @@ Scene scene_of(const std::string& text) {
       (std::string("vasorod_fem_") +
        ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
   std::ofstream(file) << text;
-  Scene scene = read_scene(file, {.accept_pressure = true});
+  Scene scene = read_scene(file);
   std::filesystem::remove(file);
   return scene;
 }
@@ -127,7 +127,7 @@ TEST(SolveScene, PressureWidensTheTube) {
       "scene: lame\nfidelity: coupled\nunits: {length: mm, stress: MPa}\nvessels:\n"
       "  - {name: tube, tube: {length: 40, radius: 10}, wall: {thickness: 2, young: 1, poisson: "
       "0.3}, "
-      "pressure: 1e-6}\nends:\n"
+      "pressure: {after: 1e-6}}\nends:\n"
       "  - {vessel: tube, end: start, hold: true, section: soft}\n";
   // the shell with t / R = 0.2 has a linear strain through the thickness, Lame's solution has not
   for (const auto& [model, bound] :
@@ -144,9 +144,10 @@ TEST(SolveScene, PressureWidensTheTube) {
 // Inflated by a third of its modulus times t / R and bent: solid and shell under the same follower
 // pressure.
 TEST(SolveScene, SolidAndShellAgreeUnderPressure) {
-  const Scene scene = scene_of(with(with(with(bend, "thickness: 2", "thickness: 0.5"),
-                                         "poisson: 0.3}", "poisson: 0.3}, pressure: 0.004"),
-                                    "radius: 10}", "radius: 10}"));
+  const Scene scene =
+      scene_of(with(with(with(bend, "thickness: 2", "thickness: 0.5"), "poisson: 0.3}",
+                         "poisson: 0.3}, pressure: {after: 0.004}"),
+                    "radius: 10}", "radius: 10}"));
   const Result solid = solve_scene(scene, coarse()),
                shell = solve_scene(scene, coarse(ModelKind::shell));
   EXPECT_LT((shell.vessels[0].current - solid.vessels[0].current).cwiseAbs().maxCoeff(),

@@ -173,13 +173,25 @@ TEST_F(ReadScene, SetsEAndGFreeOfEachOther) {
   EXPECT_EQ(free.material.young_transverse, 2);
 }
 
-TEST_F(ReadScene, KeepsPressureForTheReferenceOnly) {
-  std::string text = tubes;
-  text.insert(text.find("    law: svk"), "    pressure: 0.01\n");
-  EXPECT_EQ(
-      *read_scene(write("scene.yaml", text), {.accept_pressure = true}).vessel("tube").pressure,
-      0.01);
-  EXPECT_THROW(read(text), InputError);
+TEST_F(ReadScene, PressuresAreInStressUnits) {
+  const auto pressure = [&](const std::string& unit) {
+    std::string text = tubes;
+    text.insert(text.find("    law: svk"),
+                "    pressure: {scan: 5, after: -12}\n    axial_prestretch: 1.2\n");
+    const std::string stress = "stress: kPa";
+    text.replace(text.find(stress), stress.size(), stress + unit);
+    const Scene scene = read(text);
+    EXPECT_EQ(scene.vessel("tube").axial_prestretch, 1.2);
+    return *scene.vessel("tube").pressure;
+  };
+  EXPECT_EQ(pressure("").scan, 5);
+  EXPECT_EQ(pressure("").after, -12);
+  EXPECT_EQ(pressure(", pressure: kPa").scan, 5);
+  EXPECT_NEAR(pressure(", pressure: MPa").scan, 5e3, 1e-9);
+  EXPECT_NEAR(pressure(", pressure: Pa").scan, 5e-3, 1e-15);
+  EXPECT_NEAR(pressure(", pressure: mmHg").scan, 5 * 0.133322387415, 1e-12);
+  EXPECT_FALSE(read(tubes).vessel("tube").pressure);
+  EXPECT_EQ(read(tubes).vessel("tube").axial_prestretch, 1);
 }
 
 }  // namespace

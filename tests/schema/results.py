@@ -22,6 +22,7 @@ with tempfile.TemporaryDirectory() as scratch:
         "tubes at skin": ["solve", here / "pressed.yaml", "--fidelity", "skin"],
         "tubes at paper": ["solve", here / "pressed.yaml", "--fidelity", "paper"],
         "tubes at coupled": ["solve", here / "pressed.yaml", "--certify"],
+        "a tube under pressure": ["solve", here / "inflated.yaml"],
         "stopped": ["solve", here / "pressed.yaml", "--time-limit", "1e-6"],
         "the infant Glenn at rod": ["solve", infant, "--fidelity", "rod"],
         "the infant Glenn at skin": ["solve", infant, "--fidelity", "skin"],

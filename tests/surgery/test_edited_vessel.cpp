@@ -83,6 +83,7 @@ TEST(EditedVessel, TrianglesKnowWhereTheyComeFrom) {
 TEST(EditedVessel, ArraysEndsAndLabelsFollow) {
   PreparedVessel vessel = prepared();
   const std::vector<VesselEnd> ends = vessel.vessel.ends;
+  vessel.prestress_displacement = 2 * vessel.vessel.surface.points;
   const Edit edit = shortened(vessel.vessel.surface, 60);
   const std::vector<int> now = follow_edit(vessel, edit.surface, edit.sources);
   EXPECT_EQ(now, (std::vector<int>{0, -1})) << "the far end is gone";
@@ -96,6 +97,7 @@ TEST(EditedVessel, ArraysEndsAndLabelsFollow) {
   const NamedArray &height = vessel.loaded.point_arrays[0], &label = vessel.loaded.point_arrays[1];
   ASSERT_EQ(height.values.rows(), edit.surface.points.rows());
   EXPECT_LT((height.values - edit.surface.points.col(2)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((vessel.prestress_displacement - 2 * edit.surface.points).cwiseAbs().maxCoeff(), 1e-12);
   // A label is one of those there were: that of the heaviest corner.
   const auto last = label.values.rows() - 1;
   EXPECT_EQ(label.values(last, 0), edit.sources.back().vertex[0]);

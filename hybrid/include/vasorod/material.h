@@ -57,6 +57,12 @@ struct Coefficients {
   double stretching = 0;  ///< k_s of [9], force / length
 };
 
+/// Pressure in a vessel's lumen above that around the vessel, stress.
+struct LumenPressure {
+  double scan = 0;   ///< when the vessel was seen: its shape is in equilibrium with it
+  double after = 0;  ///< at the end of motions, loads and operation
+};
+
 /// A vessel's wall.
 struct Wall {
   double thickness = 0;  ///< t, length

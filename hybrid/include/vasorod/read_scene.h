@@ -8,16 +8,9 @@
 
 namespace vasorod {
 
-/// How a scene file is read.
-struct ReadOptions {
-  /// Accept `pressure:`. True in the finite-element reference only: the hybrid model has no lumen
-  /// pressure.
-  bool accept_pressure = false;
-};
-
 /// Reads and checks a scene file. Throws InputError ("FILE:LINE: KEY: found ..., expected ..."), a
 /// missing file too; FileError if the file cannot be read.
-Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
+Scene read_scene(const std::filesystem::path& file);
 
 /// The files that a scene comes from: its own and those of its surfaces.
 std::vector<std::filesystem::path> input_files(const Scene& scene);

@@ -58,7 +58,7 @@ struct EndReaction {
 };
 
 /// Sums of the forces on one vessel, space axes, stress length^2. support + load + join + contact +
-/// binding is zero up to `residual`.
+/// pressure + binding is zero up to `residual`.
 struct Balance {
   std::string vessel;           ///< name of the vessel
   Vec3 support = Vec3::Zero(),  ///< of the supports
@@ -66,6 +66,8 @@ struct Balance {
       join = Vec3::Zero(),      ///< of the seam
       contact = Vec3::Zero();   ///< of the contacts
   double residual = 0;          ///< length of the sum over the largest of the forces
+  /// Of the pressure in the lumen on the wall, up to where the vessel ends; empty: none.
+  std::optional<Vec3> pressure;
   /// Fidelity `paper` only: force of the rod on the surface through the binding.
   std::optional<Vec3> binding;
   /// Fidelity `paper` only: force of the surface on the rod, the opposite of `binding`. The rod is

@@ -74,9 +74,9 @@ struct VesselSpec {
   std::optional<Wall> wall;                      ///< required unless obstacle or bare rod
   std::optional<Coefficients> coefficients;      ///< of `paper`; empty: derived from the wall
   Role role = Role::deformable;                  ///< deformable or obstacle
-  /// Lumen pressure, stress. Accepted by the finite-element reference only.
-  std::optional<double> pressure;
-  int line = 0;  ///< line in the scene file, for messages
+  std::optional<LumenPressure> pressure;         ///< in the lumen; empty: none
+  double axial_prestretch = 1;                   ///< of the wall as seen, along its axis
+  int line = 0;                                  ///< line in the scene file, for messages
 };
 
 /// Selects one end of a vessel.

@@ -36,8 +36,8 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
     if (vessel.prepared.obstacle()) continue;
     sections.back() =
         sections_of(vessel.prepared.vessel, vessel.conditions, mouth_of(prediction, vessel));
-    problem.vessels.back() = std::make_unique<CoupledVessel>(
-        CoupledVessel{wall_of(vessel.prepared), sections.back().sections});
+    problem.vessels.back() = std::make_unique<CoupledVessel>(CoupledVessel{
+        wall_of(vessel.prepared), sections.back().sections, vessel.prepared.spec.pressure});
   }
   // A seam starts closed: a linear solve of the paper's quadratic energies deforms the carried
   // sections as little as possible.
@@ -99,6 +99,8 @@ void take(CoupledSolution&& solution, const std::vector<VesselSections>& section
   surfaces.smallest_curvature_positive = solution.smallest_curvature_positive;
   surfaces.notes = solution.notes;
   surfaces.terms = {"bending", "stretching"};
+  for (const PredictedVessel& vessel : prediction.vessels)
+    if (vessel.prepared.spec.pressure) surfaces.terms.emplace_back("pressure");
   surfaces.carry_everything = true;
   surfaces.faces = solution.faces;
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {

@@ -281,7 +281,9 @@ TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
            {"length: mm", "length: inch", "mm, cm or m"},
            {"scene: small-glenn", "scene: [", "YAML"},
            {"radius: 3.3", "radius: 3.3, bend_deg: 1e9", "bend_deg"},
-           {"wall:", "pressure: 0.002\n    wall:", "vasorod-fem"}})
+           {"wall:", "pressure: 0.002\n    wall:", "a map of scan or after"},
+           {"wall:", "pressure: {scan: 5}\n    wall:", "expected fidelity coupled"},
+           {"wall:", "axial_prestretch: 2.5\n    wall:", "2.5"}})
     expect_refused(changed(glenn, from, to), words);
 }
 

@@ -1,0 +1,57 @@
+// The prestress of a wall: the first step of the modified updated Lagrangian formulation (Gee,
+// Foerster and Wall, Int. J. Numer. Meth. Biomed. Engng. 26, 2010) in the additive form of Hsu and
+// Bazilevs (Finite Elem. Anal. Des. 47, 2011). The stress s = K B u of a linear displacement u
+// balances the load that causes u, and the wall at rest is in equilibrium under that load. On
+// another mesh of the same wall, u is interpolated and s made again.
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "wall/wall_energy.h"
+
+namespace vasorod {
+
+void WallEnergy::set_prestress(const WallInput& input) {
+  const Points& displacement = input.prestress_displacement;
+  if (displacement.rows() == 0 && input.axial_prestretch == 1) return;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(rest_.size());
+  for (Eigen::Index i = 0; i < displacement.rows(); ++i)
+    change.segment<3>(3 * i) = displacement.row(i).transpose();
+  Eigen::SparseMatrix<double> stiffness = hessian(rest_).selfadjointView<Eigen::Lower>();
+
+  // The fibre's tension; the wall is free to contract across it.
+  const Mat3 plane = plane_stress(input.material);
+  Vec6 stretch = Vec6::Zero();
+  stretch[0] = input.axial_prestretch - 1;
+  stretch[1] = -plane(0, 1) / plane(1, 1) * stretch[0];
+  for (TriangleRest& rest : triangle_rest_) rest.prestress = rest.stiffness * stretch;
+
+  // The normals of free edges follow in equilibrium.
+  Eigen::VectorXd force;
+  gradient(rest_, force);
+  force += stiffness * change;
+  const Eigen::Index first = 3 * Eigen::Index{vertices_};
+  const Eigen::SparseMatrix<double> of_edges =
+      stiffness.block(first, first, free_edges_, free_edges_);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(of_edges);
+  change.segment(first, free_edges_) = -factor.solve(force.segment(first, free_edges_));
+
+  const std::vector<Vec6> strain = strain_change(rest_, change);
+  for (size_t t = 0; t < triangle_rest_.size(); ++t) {
+    TriangleRest& rest = triangle_rest_[t];
+    rest.prestress += rest.stiffness * strain[t];
+    if (rest.relief > 0)
+      rest.prestress[2] -=
+          rest.relief * (strain[t][2] - strain[static_cast<size_t>(partner_[t])][2]);
+  }
+  set_stored();
+}
+
+void WallEnergy::set_stored() {
+  for (TriangleRest& rest : triangle_rest_)
+    rest.stored = rest.prestress.isZero(0)
+                      ? 0
+                      : rest.prestress.dot(rest.stiffness.ldlt().solve(rest.prestress)) / 2;
+}
+
+}  // namespace vasorod

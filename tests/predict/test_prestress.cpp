@@ -1,0 +1,96 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "predict/prestress.h"
+#include "predict/small_scenes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+constexpr double mmhg = 133.322387415e-6;  // MPa
+constexpr auto start = EndSelector::Kind::start, end = EndSelector::Kind::end;
+
+// A tube of an infant's size, held at both ends. Lengths in `length` mm, stresses in `stress` MPa.
+Scene held_tube(LumenPressure pressure, double prestretch, double length = 1, double stress = 1) {
+  Scene scene;
+  scene.name = "held";
+  if (length != 1) scene.units = {"m", "Pa", 1, 1};
+  VesselSpec vessel = tube("svc", 24 / length, {0, 0, 0}, 24);
+  vessel.tube->radius = 3.3 / length;
+  vessel.tube->along = 30;
+  vessel.tube->bend_deg = 20;
+  vessel.wall = Wall{0.4 / length, Material::isotropic(0.5 / stress, 0.45)};
+  vessel.pressure = LumenPressure{pressure.scan / stress, pressure.after / stress};
+  vessel.axial_prestretch = prestretch;
+  scene.vessels = {vessel};
+  scene.ends = {held("svc", start), held("svc", end)};
+  scene.fidelity = "coupled";
+  return scene;
+}
+
+double moved_by(const Result& result) {
+  const VesselResult& vessel = result.vessels.at(0);
+  return (vessel.current - vessel.rest).rowwise().norm().maxCoeff();
+}
+
+TEST(Prestress, AVesselAsSeenStaysAsItIs) {
+  const Result result = predict(held_tube({10 * mmhg, 10 * mmhg}, 1.05));
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_LT(moved_by(result), 1e-9 * 3.3);
+  ASSERT_TRUE(result.balance.at(0).pressure);
+  EXPECT_NE(result.certificate.notes.at(0).find("10 mmHg (0.001333 MPa) as scanned, 10 mmHg"),
+            std::string::npos)
+      << result.certificate.notes[0];
+  // Without the prestress it would not.
+  EXPECT_GT(moved_by(predict(held_tube({0, 10 * mmhg}, 1))), 0.06);
+}
+
+TEST(Prestress, MillimetresOrMetresGiveTheSame) {
+  const Result one = predict(held_tube({5 * mmhg, 15 * mmhg}, 1)),
+               other = predict(held_tube({5 * mmhg, 15 * mmhg}, 1, 1e3, 1e-6));
+  EXPECT_EQ(one.status, Status::converged);
+  EXPECT_LT((1e3 * other.vessels[0].current - one.vessels[0].current).rowwise().norm().maxCoeff(),
+            1e-11);
+  EXPECT_NEAR(other.ends[0].force.norm(), one.ends[0].force.norm(),
+              1e-9 * one.ends[0].force.norm());
+}
+
+// Between the ends the walls feel what the supports do not carry: the pressure on the bend.
+TEST(Prestress, ThePressureIsInTheBalance) {
+  const Result result = predict(held_tube({0, 10 * mmhg}, 1));
+  const Balance& balance = result.balance.at(0);
+  EXPECT_LT((balance.support + *balance.pressure).norm(), 1e-6 * balance.support.norm());
+  // p pi r_i^2 times the change of the axis' direction; the ends are rigid.
+  const double expected = 10 * mmhg * M_PI * 3.1 * 3.1 * 2 * std::sin(M_PI / 18);
+  EXPECT_NEAR(balance.pressure->norm(), expected, 0.02 * expected);
+}
+
+TEST(Prestress, JoinedVesselsHaveOnePressure) {
+  Scene scene = held_tube({5 * mmhg, 12 * mmhg}, 1);
+  scene.vessels.push_back(tube("rpa"));
+  scene.glenn.emplace();
+  scene.glenn->svc = "svc";
+  scene.glenn->rpa = "rpa";
+  const std::string said = refusal([&] { require_one_pressure(scene); });
+  EXPECT_NE(said.find("12 mmHg (0.0016 MPa) in svc and 0 mmHg (0 MPa) in rpa"), std::string::npos)
+      << said;
+  scene.vessels[1].pressure = LumenPressure{15 * mmhg, 12 * mmhg};
+  EXPECT_EQ(refusal([&] { require_one_pressure(scene); }), "");
+}
+
+TEST(Prestress, APressureBeyondTheWallIsRefused) {
+  const std::string said = refusal([] { predict(held_tube({0, 1300 * mmhg}, 1)); });
+  EXPECT_NE(said.find("vessel svc: pressure.after: found 1300 mmHg"), std::string::npos) << said;
+}
+
+TEST(Prestress, ALargeFirstStepIsNamed) {
+  const Result result = predict(held_tube({60 * mmhg, 60 * mmhg}, 1));
+  EXPECT_NE(result.certificate.notes.at(1).find("prestress of svc: it is that of a linear"),
+            std::string::npos);
+  EXPECT_LT(moved_by(result), 1e-9 * 3.3);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include "wall/walls.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::VectorXd;
+
+WallInput short_tube(Law law) {
+  Material material = Material::isotropic(2, 0.3, law);
+  if (law == Law::svk) material.shear_axial = 0.3;  // a fibre, with partners in shear
+  return tube_wall(tube(8, 3, 9, 5), 0.3, material, true);
+}
+
+// The stress of a small displacement is the wall's own: E(u) of the wall without prestress has the
+// gradient that the prestressed one has at rest, up to the square of u.
+TEST(WallPrestress, IsTheStressOfItsDisplacement) {
+  for (const Law law : {Law::biot, Law::svk, Law::neo_hookean}) {
+    WallInput input = short_tube(law);
+    const WallEnergy plain(input);
+    Points u(input.rest.points.rows(), 3);
+    const VectorXd random = noise(u.size(), 4);
+    u = Eigen::Map<const Points>(random.data(), u.rows(), 3);
+    for (int v = 0; v < u.rows(); ++v)
+      if (input.glued[static_cast<size_t>(v)] != 0) u.row(v).setZero();
+    double before = 0;
+    for (const double size : {1e-3, 1e-4}) {
+      input.prestress_displacement = size * u;
+      WallEnergy stressed(input);
+      VectorXd at_rest, displaced;
+      const double stored = stressed.gradient(stressed.rest(), at_rest);
+      // The free edges of the plain wall relaxed by Newton's steps.
+      VectorXd q = plain.rest();
+      for (Eigen::Index v = 0; v < u.rows(); ++v)
+        q.segment<3>(3 * v) += size * u.row(v).transpose();
+      WallEnergy moving(short_tube(law));
+      const auto first = 3 * Eigen::Index{moving.vertices()};
+      for (int step = 0; step < 6; ++step) {
+        moving.gradient(q, displaced);
+        const Eigen::MatrixXd lower =
+            Eigen::MatrixXd(moving.hessian(q))
+                .block(first, first, moving.free_edges(), moving.free_edges());
+        const Eigen::MatrixXd h = lower.selfadjointView<Eigen::Lower>();
+        q.segment(first, moving.free_edges()) -=
+            h.ldlt().solve(displaced.segment(first, moving.free_edges()));
+      }
+      const double energy = moving.gradient(q, displaced);
+      const double apart = (at_rest - displaced).head(first).norm() / displaced.head(first).norm();
+      EXPECT_LT(apart, 30 * size) << to_string(law);
+      EXPECT_NEAR(stored / energy, 1, 30 * size) << to_string(law);
+      if (before > 0) {
+        EXPECT_NEAR(apart / before, 0.1, 0.05) << to_string(law);
+      }
+      before = apart;
+      EXPECT_LT(at_rest.segment(first, moving.free_edges()).norm(), 1e-12 * at_rest.norm());
+    }
+  }
+}
+
+TEST(WallPrestress, DerivativesMatchDifferences) {
+  for (const Law law : {Law::biot, Law::svk, Law::neo_hookean}) {
+    WallInput input = short_tube(law);
+    const VectorXd random = noise(input.rest.points.size(), 4);
+    input.prestress_displacement =
+        0.1 * Eigen::Map<const Points>(random.data(), input.rest.points.rows(), 3);
+    input.axial_prestretch = 1.1;
+    WallEnergy wall(input);
+    const VectorXd q = wall.rest() + 0.1 * noise(wall.unknowns(), 5);
+    VectorXd g, up, down;
+    wall.gradient(q, g);
+    EXPECT_NEAR(wall.value(q), wall.gradient(q, g), 1e-12 * std::abs(wall.value(q)));
+    const Eigen::MatrixXd lower = wall.hessian(q);
+    const Eigen::MatrixXd h = lower.selfadjointView<Eigen::Lower>();
+    const VectorXd along = noise(wall.unknowns(), 6);
+    const double step = 1e-5;
+    const double energy =
+        wall.gradient(q + step * along, up) - wall.gradient(q - step * along, down);
+    EXPECT_NEAR(energy / (2 * step), g.dot(along), 1e-6 * g.norm() * along.norm());
+    EXPECT_LT(((up - down) / (2 * step) - h * along).norm(), 1e-6 * (h * along).norm());
+    // The parts of a report are those of the energy.
+    const WallReport report = wall.report(q);
+    EXPECT_NEAR(report.membrane + report.bending + report.coupling, wall.value(q),
+                1e-10 * std::abs(wall.value(q)));
+  }
+}
+
+// A tube stretched along its fibre pulls at its ends with E t times the strain.
+TEST(WallPrestress, APrestretchPullsAtTheEnds) {
+  WallInput input = tube_wall(tube(30, 5, 48, 30), 0.25, Material::isotropic(2, 0.3), true);
+  input.axial_prestretch = 1.02;
+  const WallEnergy wall(input);
+  VectorXd g;
+  wall.gradient(wall.rest(), g);
+  Vec3 end = Vec3::Zero();
+  double inside = 0;
+  for (int v = 0; v < wall.vertices(); ++v) {
+    if (input.rest.points(v, 2) > 30 - 1e-9) end += g.segment<3>(3 * v);
+    if (input.glued[static_cast<size_t>(v)] == 0)
+      inside = std::max(inside, g.segment<3>(3 * v).norm());
+  }
+  const double force = 2 * 0.02 * 0.25 * 48 * 2 * 5 * std::sin(M_PI / 48);
+  EXPECT_NEAR(end.z(), force, 2e-3 * force);
+  EXPECT_LT(inside, 2e-3 * force / 48);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -39,10 +39,11 @@ struct Arguments {
 
 /// Whether mpirun (Open MPI, MPICH) started this process as one of several.
 bool launched_by_mpi() {
-  for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-    if (const char* value = std::getenv(size); value != nullptr && std::atoi(value) > 1)
-      return true;
-  return false;
+  const auto asks_for_several = [](const char* size) {
+    const char* value = std::getenv(size);
+    return value != nullptr && std::atoi(value) > 1;
+  };
+  return asks_for_several("OMPI_COMM_WORLD_SIZE") || asks_for_several("PMI_SIZE");
 }
 
 int solve(Arguments& arguments) {

@@ -24,7 +24,7 @@ using std::size_t;
 /// it.
 constexpr double slack = 1e-6;
 
-constexpr unsigned start_tag = 1, end_tag = 2, inner_tag = 3, outer_tag = 4;
+enum Tag : unsigned { start_tag = 1, end_tag = 2, inner_tag = 3, outer_tag = 4 };
 
 std::string written(const Vec3& v) {
   std::ostringstream s;
@@ -90,7 +90,7 @@ void check_tags(const dealii::Triangulation<dim, 3>& tria, const std::vector<Vec
       for (const auto v : face->vertex_indices())
         on = on && vertices[face->vertex_index(v)][direction] == side;
       if (on) continue;
-      const Vec3 p = vertices[face->vertex_index(0)];
+      const Vec3& p = vertices[face->vertex_index(0)];
       throw InputError(file.path + ": found the physical tag " + std::to_string(tag) +
                        " on a face at the fraction " + std::to_string(p[1]) +
                        " of the length; expected 1 at the start, 2 at the end" +

@@ -118,7 +118,7 @@ void check_msh(const std::string& path, int dim) {
       refuse(path, std::to_string(n) + " " + element_name(type),
              element_name(wanted) +
                  " of first order only (curved walls come from the scene's tube, exactly)");
-  if (count.count(wanted) == 0 || count.at(wanted) == 0)
+  if (!count.contains(wanted) || count.at(wanted) == 0)
     refuse(path, "no " + element_name(wanted),
            "some (where gmsh has physical groups it writes grouped elements only: group the " +
                std::string(dim == 3 ? "volume" : "surface") + " too)");

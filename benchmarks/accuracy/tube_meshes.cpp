@@ -57,7 +57,7 @@ class Darts {
         rows_(static_cast<int>(height / least) + 1),
         cells_(static_cast<std::size_t>(columns_ * rows_)) {}
 
-  bool free(const Vec2& p) const {
+  bool is_free(const Vec2& p) const {
     for (int a = -1; a <= 1; ++a)
       for (int b = -1; b <= 1; ++b) {
         const int row = row_of(p) + b;
@@ -142,7 +142,7 @@ TubeMesh blue_noise(double length, double radius, int around) {
   for (int misses = 0; misses < 20000;) {
     const double x = across(engine);
     const Vec2 p(x, along(engine));
-    if (darts.free(p)) {
+    if (darts.is_free(p)) {
       darts.add(p);
       misses = 0;
     } else {

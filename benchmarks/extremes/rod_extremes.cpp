@@ -210,7 +210,7 @@ int main() {
           conditions.loads.clear();
           for (std::size_t i = 0; i < tips.size(); i += 5) {
             conditions.supports.push_back(clamp(tips[i]));
-            const double t = static_cast<double>(i);
+            const auto t = static_cast<double>(i);
             conditions.supports.back().motion = {{.3 * std::cos(t), .2, .3 * std::sin(t)},
                                                  {.02, .05 * std::sin(t), -.05}};
           }

@@ -272,7 +272,7 @@ class Arap {
       if (body.fixed[i]) deformation_->insert_control_vertex(vertex[i]);
     if (!deformation_->preprocess()) throw std::runtime_error("CGAL's matrix is singular");
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {
-      const Eigen::Index row = static_cast<Eigen::Index>(i);
+      const auto row = static_cast<Eigen::Index>(i);
       if (body.fixed[i])
         deformation_->set_target_position(
             vertex[i], {body.carried(row, 0), body.carried(row, 1), body.carried(row, 2)});
@@ -299,7 +299,7 @@ class Arap {
            then = laplacian_ * after;
     for (std::size_t i = 0; i < fixed_.size(); ++i)
       if (fixed_[i]) {
-        const Eigen::Index row = static_cast<Eigen::Index>(i);
+        const auto row = static_cast<Eigen::Index>(i);
         step.row(row).setZero();
         now.row(row).setZero();
         then.row(row).setZero();

@@ -236,9 +236,10 @@ TEST(Commands, FitNamesItsVesselAsASceneCould) {
 
 TEST(Commands, SurfacesOfOneNameInTwoFoldersAreBothListed) {
   const ScratchFolder scratch;
+  const std::filesystem::path infant = source + "/meshes/infant";
   for (const std::string name : {"svc", "aorta"}) {
     std::filesystem::create_directory(scratch / name);
-    std::filesystem::copy(source + "/meshes/infant/" + name + ".vtp", scratch / name / "wall.vtp");
+    std::filesystem::copy(infant / (name + ".vtp"), scratch / name / "wall.vtp");
   }
   std::ofstream(scratch / "scene.yaml")
       << "scene: two\nunits: {length: mm, stress: MPa}\nvessels:\n"

@@ -53,7 +53,7 @@ class FolderFaults : public ::testing::Test {
   }
   // A copy of the whole result of a fidelity, as the old result.
   fs::path old_result(const std::string& fidelity, const std::string& name = "out/result") const {
-    const fs::path folder = scratch / name;
+    fs::path folder = scratch / name;
     fs::remove_all(folder.parent_path());
     fs::create_directories(folder.parent_path());
     fs::copy(scratch / ("whole-" + fidelity), folder, fs::copy_options::recursive);
@@ -67,7 +67,7 @@ class FolderFaults : public ::testing::Test {
       ADD_FAILURE() << folder << ": a damaged result.json";
       return "";
     }
-    const std::string fidelity = json.at("fidelity");
+    std::string fidelity = json.at("fidelity");
     const fs::path reference = scratch / ("whole-" + fidelity);
     EXPECT_EQ(names_in(folder), names_in(reference));
     for (const std::string& name : names_in(reference)) {
@@ -131,8 +131,9 @@ TEST_F(FolderFaults, AFileThatGrowsTooLargeLeavesTheOldResult) {
 // The command for a shell whose mounts end with it: root may mount, others in a namespace of users
 // of their own. Empty where neither is allowed.
 std::string own_mounts() {
-  for (const std::string command : {"unshare -m", "unshare -rm"})
-    if (run_program(command + " sh -c 'mount -t tmpfs none /mnt'").exit_code == 0) return command;
+  for (const char* command : {"unshare -m", "unshare -rm"})
+    if (run_program(std::string(command) + " sh -c 'mount -t tmpfs none /mnt'").exit_code == 0)
+      return command;
   return "";
 }
 

@@ -134,8 +134,9 @@ void expect_same(const json& a, const json& b, const std::string& where) {
         << where;
   } else if (a.is_structured()) {
     ASSERT_EQ(a.size(), b.size()) << where;
+    const std::string inside = where + "/";
     for (const auto& [key, value] : a.items())
-      expect_same(value, a.is_array() ? b.at(std::stoul(key)) : b.at(key), where + "/" + key);
+      expect_same(value, a.is_array() ? b.at(std::stoul(key)) : b.at(key), inside + key);
   } else {
     EXPECT_EQ(a, b) << where;
   }
@@ -144,7 +145,7 @@ void expect_same(const json& a, const json& b, const std::string& where) {
 // Converts lengths, areas and pressures to the original's units and frame, by name.
 json in_original_units(json value, const std::string& name, const GlennScene& scene) {
   if (value.is_object()) {
-    for (auto& [key, item] : value.items()) item = in_original_units(item, key, scene);
+    for (const auto& [key, item] : value.items()) item = in_original_units(item, key, scene);
     return value;
   }
   if (value.is_array() && value.size() == 3 && value[0].is_number()) {

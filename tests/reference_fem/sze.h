@@ -173,8 +173,8 @@ inline Rows semi_cylinder(const std::vector<double>& loads, const std::array<int
 /// The solids: one layer of cells through the thickness, the third parameter.
 inline Solid make_body(const Block& block, const Chart& chart, double young, double nu,
                        LawKind law) {
-  return Solid(make_solid(block, chart), MaterialLaw(law, Moduli::isotropic(young, nu)),
-               [](const Vec3&) { return Mat3(Mat3::Identity()); });
+  return {make_solid(block, chart), MaterialLaw(law, Moduli::isotropic(young, nu)),
+          [](const Vec3&) { return Mat3(Mat3::Identity()); }};
 }
 
 inline Solid solid_cantilever(double length, const std::array<int, 3>& cells, int degree,

@@ -42,9 +42,10 @@ Outcome solved(const std::string& name, ModelKind model) {
 TEST(Cases, SolidAndShellAgreeTheBetterTheThinnerTheWall) {
   const auto expected = nlohmann::json::parse(std::ifstream(folder + "expected.json"));
   for (const std::string kind : {"stretch", "twist", "bend"}) {
+    const std::string thickness = kind + "-t";
     double before = 1;
-    for (const std::string t : {"2", "1", "05"}) {
-      const std::string name = kind + "-t" + t;
+    for (const char* t : {"2", "1", "05"}) {
+      const std::string name = thickness + t;
       const Outcome solid = solved(name, ModelKind::solid), shell = solved(name, ModelKind::shell);
       EXPECT_NEAR(solid.reaction / expected[name]["solid"].get<double>(), 1, 1e-6) << name;
       EXPECT_NEAR(shell.reaction / expected[name]["shell"].get<double>(), 1, 1e-6) << name;

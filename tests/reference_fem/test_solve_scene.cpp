@@ -159,7 +159,7 @@ TEST(SolveScene, SolidAndShellAgreeUnderPressure) {
 
 TEST(SolveScene, RefusesWhatItCannotDo) {
   const auto refused = [](const std::string& text, const std::string& part,
-                          SolveOptions options = coarse()) {
+                          const SolveOptions& options = coarse()) {
     try {
       solve_scene(scene_of(text), options);
       ADD_FAILURE() << "accepted: " << part;

@@ -40,7 +40,7 @@ std::string decoded(const std::string& text) {
 }
 
 nlohmann::json scene_of(const std::string& page) {
-  const std::string opening = "<script type=\"application/json\" id=\"scene\">";
+  const std::string opening = R"(<script type="application/json" id="scene">)";
   const std::size_t begin = page.find(opening) + opening.size();
   return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }

@@ -30,7 +30,7 @@ void write(const Result& result, const fs::path& folder) {
 
 class Compare : public testing::Test {
  protected:
-  Comparison compare(const Result& a, const Result& b) {
+  Comparison compare(const Result& a, const Result& b) const {
     write(a, base_.path / "a");
     write(b, base_.path / "b");
     return compare_results(base_.path / "a", base_.path / "b");

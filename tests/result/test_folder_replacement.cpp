@@ -86,7 +86,7 @@ TEST(FolderReplacement, LeavesAForeignFolderAlone) {
   write(base.path / "out/thesis.tex", "years of work");
   EXPECT_THROW(require_replaceable(base.path / "out"), FileError);
   EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
-  write(base.path / "out/result.json", "{\"schema\": 1, \"program\": \"other 1.0\"}");
+  write(base.path / "out/result.json", R"({"schema": 1, "program": "other 1.0"})");
   EXPECT_THROW(FolderReplacement(base.path / "out"), FileError);
   EXPECT_EQ(text_of(base.path / "out/thesis.tex"), "years of work");
   EXPECT_EQ(entries(base.path), 1u);

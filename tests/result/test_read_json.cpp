@@ -46,8 +46,8 @@ TEST(ReadJson, WhatIsNotOursIsRefusedInASentence) {
   const auto file = folder.path / "result.json";
   EXPECT_THROW(read_json(file), InputError);
   for (const char* text :
-       {"", "{", "[]", "{\"schema\": 1}", "{\"schema\": 1, \"program\": \"other 2\"}",
-        "{\"schema\": 1, \"program\": \"vasorod 0.1.0\"}"}) {
+       {"", "{", "[]", R"({"schema": 1})", R"({"schema": 1, "program": "other 2"})",
+        R"({"schema": 1, "program": "vasorod 0.1.0"})"}) {
     write(file, text);
     EXPECT_THROW(read_json(file), InputError) << text;
   }
@@ -70,10 +70,10 @@ TEST(ReadJson, NamesThatAreNoFilesOrSpanLinesAreRefusedOnOneLine) {
     return "";
   };
   for (const auto& [before, after, word] :
-       {std::tuple("\"name\": \"svc\"", "\"name\": \"../svc\"", "../svc"),
-        std::tuple("\"name\": \"svc\"", "\"name\": \"a\\nb\"", "a\\nb"),
-        std::tuple("\"status\": \"", "\"status\": \"\\n", "the status"),
-        std::tuple("\"surface\": \"", "\"surface\": \"\\n", "found no \\n")}) {
+       {std::tuple(R"("name": "svc")", R"("name": "../svc")", "../svc"),
+        std::tuple(R"("name": "svc")", R"("name": "a\nb")", R"(a\nb)"),
+        std::tuple(R"("status": ")", R"("status": "\n)", "the status"),
+        std::tuple(R"("surface": ")", R"("surface": "\n)", R"(found no \n)")}) {
     const std::string found = refusal(before, after);
     EXPECT_NE(found.find(word), std::string::npos) << found;
     EXPECT_EQ(found.find('\n'), std::string::npos) << found;
@@ -83,7 +83,7 @@ TEST(ReadJson, NamesThatAreNoFilesOrSpanLinesAreRefusedOnOneLine) {
 TEST(ReadJson, KnowsAFolderOfOurs) {
   const test::TemporaryFolder folder;
   EXPECT_FALSE(holds_our_result(folder.path));
-  write(folder.path / "result.json", "{\"schema\": 1, \"program\": \"other 2\"}");
+  write(folder.path / "result.json", R"({"schema": 1, "program": "other 2"})");
   EXPECT_FALSE(holds_our_result(folder.path));
   write(folder.path / "result.json", to_json(test::example_result()));
   EXPECT_TRUE(holds_our_result(folder.path));

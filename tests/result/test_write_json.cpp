@@ -104,7 +104,7 @@ TEST(WriteJson, DoublesReadBackToTheSameBits) {
   std::uint64_t state = 1;
   for (int k = 0; k < 2000; ++k) {
     state = state * 6364136223846793005u + 1442695040888963407u;
-    const double value = std::bit_cast<double>(state);
+    const auto value = std::bit_cast<double>(state);
     if (std::isfinite(value)) result.seconds["x" + std::to_string(k)] = value;
   }
   const Json seconds = Json::parse(to_json(result)).at("seconds");
@@ -179,7 +179,7 @@ TEST(WriteJson, AFitHasItsEndsAndNoRange) {
                          {{"start", "3", {1, 2, 3}, {0, 0, -1}, 4}, {"end", "", {}, {}, 6}}};
   const Json value = Json::parse(to_json(result));
   EXPECT_TRUE(value.at("validity").at("in_range").is_null());
-  const Json fit = value.at("fit");
+  const Json& fit = value.at("fit");
   EXPECT_EQ(fit.at("length"), 60);
   EXPECT_EQ(fit.at("mean_radius"), 5);
   EXPECT_EQ(fit.at("branches").size(), 1U);

@@ -145,8 +145,8 @@ TEST(WriteVtp, ReadsTheSameWithoutVtk) {
     types[section + name] = type;
     for (double& value : seen[section + name]) lines >> value;
   }
-  const double n = static_cast<double>(vessel.rest.rows()),
-               m = static_cast<double>(vessel.triangles.rows());
+  const auto n = static_cast<double>(vessel.rest.rows()),
+             m = static_cast<double>(vessel.triangles.rows());
   const auto last = vessel.rest.rows() - 1;
   using Row = std::array<double, 4>;
   EXPECT_EQ(seen["PointsPoints"], (Row{3, n, vessel.current(0, 0), vessel.current(last, 2)}));

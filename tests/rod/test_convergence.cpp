@@ -33,15 +33,18 @@ RodSolution elastica(int elements, double alpha, double stiff = 1e8) {
 }
 
 TEST(Convergence, Elastica) {  // B1: Mattiasson 1981, EA L^2 / EI = 1e8
-  for (const auto& [alpha, w, u] : {std::array{1., 0.3017207738, 0.0564332362834},
-                                    {5., 0.713791523612, 0.387628360724},
-                                    {10., 0.81060902488, 0.554995597754}})
+  struct Case {
+    double alpha, w, u;
+  };
+  for (const Case& c : {Case{1, 0.3017207738, 0.0564332362834},
+                        {5, 0.713791523612, 0.387628360724},
+                        {10, 0.81060902488, 0.554995597754}})
     expect_order(
         [&](int n) {
-          const RodSolution s = elastica(n, alpha);
+          const RodSolution s = elastica(n, c.alpha);
           EXPECT_EQ(s.summary.status, Status::converged);
-          EXPECT_LE(s.summary.iterations, 8) << alpha;
-          return (s.poses.back().position - Vec3(1 - u, w, 0)).norm();
+          EXPECT_LE(s.summary.iterations, 8) << c.alpha;
+          return (s.poses.back().position - Vec3(1 - c.u, c.w, 0)).norm();
         },
         2, 0.05);
 }
@@ -180,7 +183,7 @@ TEST(Convergence, PrescribedEndPoses) {  // B12
       RodConditions conditions;
       conditions.supports = {clamp(0), clamp(n)};
       conditions.supports[1].motion = {Vec3(1, 1, 0.3).normalized() * c.degrees * pi / 180, c.move};
-      const RodSolution s = solve_rod(tree, conditions);
+      RodSolution s = solve_rod(tree, conditions);
       EXPECT_EQ(s.summary.status, Status::converged);
       return s;
     };

@@ -24,7 +24,7 @@ struct Fixture {
     append(tree, tree.rest[2], 2, 0.8, {0, -0.5, 0}, 2, c);
     append(tree, tree.rest[2], 2, 0.7, {1, 0, 0.4}, 2, c);
     for (std::size_t i = 0; i < tree.rest.size(); ++i) {
-      const double x = static_cast<double>(i);
+      const auto x = static_cast<double>(i);
       poses.push_back(tree.rest[i] * exp_motion(0.1 * vec6(std::sin(x), std::cos(2 * x), 0.3,
                                                            std::sin(3 * x), -0.6, std::cos(x))));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <sstream>
 
 #include <vasorod/error.h>
 #include <vasorod/read_scene.h>
@@ -231,7 +232,7 @@ const std::vector<Bad> bads = {
     {"yaml_control_byte", "scene: bad", "scene: b\x01", {":1:", "the control byte 0x01"}},
     {"yaml_escape_byte", "scene: bad", "scene: \x1b[2J", {":1:", "the control byte 0x1b"}},
     {"yaml_ring", "scene: bad", "scene: &a [*a]", {":1:", "alias within"}},
-    {"escaped_in_the_sentence", "{length: mm", "{length: \"\\e\\n\"", {"\"\\x1b\\n\""}},
+    {"escaped_in_the_sentence", "{length: mm", R"({length: "\e\n")", {R"("\x1b\n")"}},
     {"young_too_large", "young: 1.0", "young: 1e31", {"wall.young: found 1e+31", "1e+30"}},
     {"young_denormal", "young: 1.0", "young: 1e-320", {"wall.young: found ", "1e-30"}},
     {"thickness_denormal", "thickness: 1.0", "thickness: 1e-320", {"thickness: found ", "1e-09"}},
@@ -373,15 +374,13 @@ TEST_F(BadFile, WhatWouldNeverEndOrFillTheMemory) {
     for (int k = 0; k < 100000; ++k) text += part;
     EXPECT_NE(refusal(write("deep.yaml", text)).find(", expected "), std::string::npos);
   }
-  std::string doubled = "a0: &a0 [x, x]\n";  // 2^40 values where it is written in full
-  for (int k = 1; k < 40; ++k) {
-    const std::string before = "*a" + std::to_string(k - 1);
-    doubled += "a" + std::to_string(k) + ": &a" + std::to_string(k) + " [" + before + ", " +
-               before + "]\n";
-  }
-  EXPECT_NE(refusal(write("doubled.yaml", doubled)).find("more than 2000000 values"),
+  std::ostringstream doubled;  // 2^40 values where it is written in full
+  doubled << "a0: &a0 [x, x]\n";
+  for (int k = 1; k < 40; ++k)
+    doubled << "a" << k << ": &a" << k << " [*a" << k - 1 << ", *a" << k - 1 << "]\n";
+  EXPECT_NE(refusal(write("doubled.yaml", doubled.str())).find("more than 2000000 values"),
             std::string::npos);
-  EXPECT_NE(refusal(write("large.yaml", std::string(17'000'000, '#'))).find("bytes"),
+  EXPECT_NE(refusal(write("large.yaml", std::string{}.append(17'000'000, '#'))).find("bytes"),
             std::string::npos);
   EXPECT_NE(refusal(write("zero.yaml", std::string("scene: a\0b", 10))).find("0x00"),
             std::string::npos);

@@ -168,12 +168,12 @@ TEST_F(ReadSurface, CutsPolygonsAndStripsIntoTriangles) {
   }
   auto array = [](const std::string& name, const std::string& type, const std::string& data,
                   int components) {
-    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-           std::to_string(components) + "\" format=\"ascii\">" + data + "</DataArray>";
+    return R"(<DataArray type=")" + type + R"(" Name=")" + name + R"(" NumberOfComponents=")" +
+           std::to_string(components) + R"(" format="ascii">)" + data + "</DataArray>";
   };
   write("mixed.vtp",
-        "<VTKFile type=\"PolyData\" version=\"1.0\"><PolyData><Piece NumberOfPoints=\"" +
-            std::to_string(count) + "\" NumberOfPolys=\"16\" NumberOfStrips=\"8\"><Points>" +
+        R"(<VTKFile type="PolyData" version="1.0"><PolyData><Piece NumberOfPoints=")" +
+            std::to_string(count) + R"(" NumberOfPolys="16" NumberOfStrips="8"><Points>)" +
             array("Points", "Float64", points, 3) + "</Points><Polys>" +
             array("connectivity", "Int32", connectivity, 1) +
             array("offsets", "Int32", offsets, 1) + "</Polys><Strips>" +

@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> sheet() {
       cells->InsertNextCell({a - n - 1, a - 1, a});
       cells->InsertNextCell({a - n - 1, a, a - n});
     }
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(cells);
   data->GetPointData()->AddArray(normals);

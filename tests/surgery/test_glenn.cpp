@@ -103,22 +103,24 @@ TEST(GlennSeam, ALongerOrShorterIncisionIsDividedInTheSameProportions) {
 
 // An ellipse without a length has a rim as long as the vein's mouth, up to the chords of its edges.
 TEST(GlennSeam, AnEllipseIsDividedInTheSameProportions) {
-  for (const auto& [length, ratio, width] :
-       {std::tuple(1.0, 0.5, 0.0), {1.25, 0.3, 0.0}, {1.0, 0.0, 4.0}}) {
-    const auto all = expect_equal_seam("infant.yaml", length, 6e-3, [&](GlennSpec& spec) {
-      spec.incision_length = length;
+  struct Case {
+    double length, ratio, width;  // either a ratio or a width
+  };
+  for (const Case& c : {Case{1, 0.5, 0}, {1.25, 0.3, 0}, {1, 0, 4}}) {
+    const auto all = expect_equal_seam("infant.yaml", c.length, 6e-3, [&](GlennSpec& spec) {
+      spec.incision_length = c.length;
       spec.ellipse.emplace();
-      if (width > 0)
-        spec.ellipse->width = width;
+      if (c.width > 0)
+        spec.ellipse->width = c.width;
       else
-        spec.ellipse->ratio = ratio;
+        spec.ellipse->ratio = c.ratio;
     });
     const auto& incision = all.operation.report.incision;
     EXPECT_EQ(incision.shape, "ellipse");
-    if (width > 0)
-      EXPECT_NEAR(incision.width, width, 0.02 * width);
+    if (c.width > 0)
+      EXPECT_NEAR(incision.width, c.width, 0.02 * c.width);
     else
-      EXPECT_NEAR(incision.width / incision.length, ratio, 0.02 * ratio);
+      EXPECT_NEAR(incision.width / incision.length, c.ratio, 0.02 * c.ratio);
     const double wanted = M_PI / 4 * incision.length * incision.width;
     EXPECT_NEAR(incision.removed_area / wanted, 1, 0.02);
     // Beside the mouth only what was taken out is missing, and the artery's ends are still its own.

@@ -167,7 +167,8 @@ TEST_F(ReadScene, SetsEAndGFreeOfEachOther) {
   const std::string wall = "wall: {thickness: 1.0, young: 2.0, poisson: 0.25}";
   text.replace(text.find(wall), wall.size(),
                "wall: {thickness: 1.0, young: 2.0, poisson: 0.25, shear: 0.1}");
-  const Wall& free = *read(text).vessel("plain").wall;
+  const Scene scene = read(text);
+  const Wall& free = *scene.vessel("plain").wall;
   EXPECT_FALSE(free.material.is_isotropic());
   EXPECT_EQ(free.material.shear_axial, 0.1);
   EXPECT_EQ(free.material.young_transverse, 2);

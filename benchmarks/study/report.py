@@ -6,6 +6,7 @@ from chapters.accuracy import accuracy_section
 from chapters.irregular import irregular_section
 from chapters.join import join_section
 from chapters.laws import laws_section
+from chapters.pressure import pressure_section
 from chapters.promise import promise_section
 from chapters.sensitivity import sensitivity_section
 from chapters.trade import front_of, trade_section
@@ -51,4 +52,7 @@ def write_report(baselines, docs):
     join = table_if_there(baselines / "join.csv")
     if join:
         text.append(join_section(*join))
+    pressure = table_if_there(baselines / "pressure.csv")
+    if pressure:
+        text.append(pressure_section(*pressure))
     (docs / "comparison.md").write_text("\n".join(part for part in text if part).rstrip() + "\n")

@@ -21,6 +21,7 @@ import extremes  # noqa: E402
 import irregular  # noqa: E402
 import join  # noqa: E402
 import laws  # noqa: E402
+import pressure  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import sensitivity  # noqa: E402
@@ -49,6 +50,7 @@ WHOLE = {
     "extremes": extremes.all_runs,
     "shear-gap": shear_gap.all_runs,
     "join": join.all_runs,
+    "pressure": pressure.all_runs,
 }  # of no case
 
 
@@ -116,6 +118,7 @@ def tables(arguments):
     promise.make_table(store, all_cases(), arguments.baselines / "promise.csv")
     shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     join.make_table(store, arguments.baselines / join.FILE)
+    pressure.make_table(store, arguments.baselines / pressure.FILE)
     extremes.make_tables(store, arguments.baselines)
     if not (
         arguments.baselines / regression.FILE

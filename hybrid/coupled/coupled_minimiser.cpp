@@ -9,7 +9,7 @@ namespace {
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e4;
+constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e10;
 // A factorisation at a residual below this value is valid for the minimum.
 constexpr double near_enough = 1e-4;
 constexpr double worn_order = 1.3;

@@ -66,8 +66,8 @@ def all_runs():
 
 
 def solved(store, record):
-    """Whether a run has a solution: a pressure that follows the wall has no energy in the reference,
-    which therefore certifies no minimum."""
+    """Whether a run has a solution. In the reference a pressure that follows the wall has no energy,
+    and so no minimum to certify."""
     if converged(store, record):
         return True
     return record["exit"] == 1 and failure_of(store, record) == "status equilibrium_only"

@@ -66,8 +66,8 @@ def all_runs():
 
 
 def solved(store, record):
-    """Whether a run has a solution. In the reference a pressure that follows the wall has no energy,
-    and so no minimum to certify."""
+    """Whether a run has a solution. A pressure that follows the wall has no energy in the
+    reference, and so no minimum to certify."""
     if converged(store, record):
         return True
     return record["exit"] == 1 and failure_of(store, record) == "status equilibrium_only"

@@ -137,26 +137,24 @@ COLUMNS = (
 )
 
 
-def make_table(store, path):
+def measured(store, named_pairs, solved=converged):
+    """Rows and records of the finished pairs. named_pairs: (what a row begins with, run, shell)."""
     rows, records = [], []
-    for opening, thickness, law, length, fidelity, around, run, shell in pairs():
+    for names, run, shell in named_pairs:
         both = [store.record(one.identity) for one in (run, shell)]
         if None in both:
             continue
         records += both
-        failed = next((one for one in both if not converged(store, one)), None)
-        rows.append(
-            {
-                "opening": opening,
-                "thickness": thickness,
-                "law": law,
-                "length": length,
-                "fidelity": fidelity,
-                "around": around,
-                **(numbers(store, run, shell) if failed is None else dict.fromkeys(COLUMNS)),
-                "failure": None if failed is None else failure_of(store, failed),
-            }
-        )
+        failed = next((one for one in both if not solved(store, one)), None)
+        found = numbers(store, run, shell) if failed is None else dict.fromkeys(COLUMNS)
+        failure = None if failed is None else failure_of(store, failed)
+        rows.append({**names, **found, "failure": failure})
+    return rows, records
+
+
+def make_table(store, path):
+    keys = ("opening", "thickness", "law", "length", "fidelity", "around")
+    rows, records = measured(store, ((dict(zip(keys, pair)), *pair[-2:]) for pair in pairs()))
     if rows:
         write_table(
             path,

@@ -74,27 +74,9 @@ def solved(store, record):
 
 
 def make_table(store, path):
-    rows, records = [], []
-    for opening, length, pressure, around, run, shell in pairs():
-        both = [store.record(one.identity) for one in (run, shell)]
-        if None in both:
-            continue
-        records += both
-        failed = next((one for one in both if not solved(store, one)), None)
-        rows.append(
-            {
-                "opening": opening,
-                "length": length,
-                "pressure": pressure,
-                "around": around,
-                **(
-                    join.numbers(store, run, shell)
-                    if failed is None
-                    else dict.fromkeys(join.COLUMNS)
-                ),
-                "failure": None if failed is None else failure_of(store, failed),
-            }
-        )
+    keys = ("opening", "length", "pressure", "around")
+    named = ((dict(zip(keys, pair)), *pair[-2:]) for pair in pairs())
+    rows, records = join.measured(store, named, solved)
     if not rows:
         return
     note = "The T-join from walls without stress to a pressure (mmHg) in both lumens, neo-hookean,"

@@ -43,6 +43,8 @@ if(VASOROD_PRECOMPILED)
   vasorod_precompiled_headers(vasorod_precompiled HEADERS ${headers})
   vasorod_precompiled_headers(vasorod_precompiled_rounding OPTIONS -frounding-math
     HEADERS ${headers})
-  vasorod_precompiled_headers(vasorod_precompiled_tests LINKS GTest::gtest
-    HEADERS ${headers} <Eigen/Dense> <fstream> <gtest/gtest.h> <random>)
+  if(VASOROD_TESTS)
+    vasorod_precompiled_headers(vasorod_precompiled_tests LINKS GTest::gtest
+      HEADERS ${headers} <Eigen/Dense> <fstream> <gtest/gtest.h> <random>)
+  endif()
 endif()

@@ -1,4 +1,5 @@
 // predict() called from C++ on scenes that were never files.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iomanip>
@@ -140,9 +141,9 @@ TEST(Predict, ProgressIsTold) {
   options.progress = [&](const std::string& line) { told.push_back(line); };
   predict(stretched_tube(1e-3, "paper"), options);
   const auto has = [&](const std::string& text) {
-    for (const std::string& line : told)
-      if (line.find(text) != std::string::npos) return true;
-    return false;
+    return std::any_of(told.begin(), told.end(), [&](const std::string& line) {
+      return line.find(text) != std::string::npos;
+    });
   };
   EXPECT_TRUE(has("vessel aorta"));
   EXPECT_TRUE(has("rod of aorta"));

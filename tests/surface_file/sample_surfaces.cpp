@@ -37,7 +37,7 @@ vtkSmartPointer<vtkDataArray> to_vtk(const NamedArray& array) {
 }
 
 vtkSmartPointer<vtkPolyData> to_vtk(const TriangleSurface& surface) {
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   for (int i = 0; i < surface.points.rows(); ++i)

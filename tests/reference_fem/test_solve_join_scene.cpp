@@ -67,10 +67,11 @@ TEST(SolveJoinScene, TakesTheEllipseOutThatTheSceneAsksFor) {
 TEST(SolveJoinScene, APressureOpensTheMouth) {
   const std::string hole =
       with(joined_tubes_text, "rotation_deg: 0", "incision_shape: {ellipse: 0.5}, rotation_deg: 0");
-  std::string pressed = hole;
-  for (const std::string name : {"vein", "artery"})
-    pressed = with(pressed, "  - name: " + name + "\n",
-                   "  - name: " + name + "\n    pressure: {after: 0.01}\n");
+  const auto under_pressure = [](const std::string& text, const std::string& vessel) {
+    return with(text, vessel, vessel + "    pressure: {after: 0.01}\n");
+  };
+  const std::string pressed =
+      under_pressure(under_pressure(hole, "  - name: vein\n"), "  - name: artery\n");
   SolveOptions options = coarse();
   const Result shell = solved(pressed, options);
   options.model = ModelKind::solid;

@@ -137,6 +137,12 @@ COLUMNS = (
 )
 
 
+def failed_of(store, records, solved=converged):
+    """Why the first of these runs that has no solution has none; None where all have one."""
+    failed = next((record for record in records if not solved(store, record)), None)
+    return None if failed is None else failure_of(store, failed)
+
+
 def measured(store, named_pairs, solved=converged):
     """Rows and records of the finished pairs. named_pairs: (what a row begins with, run, shell)."""
     rows, records = [], []
@@ -145,9 +151,8 @@ def measured(store, named_pairs, solved=converged):
         if None in both:
             continue
         records += both
-        failed = next((one for one in both if not solved(store, one)), None)
-        found = numbers(store, run, shell) if failed is None else dict.fromkeys(COLUMNS)
-        failure = None if failed is None else failure_of(store, failed)
+        failure = failed_of(store, both, solved)
+        found = numbers(store, run, shell) if failure is None else dict.fromkeys(COLUMNS)
         rows.append({**names, **found, "failure": failure})
     return rows, records
 

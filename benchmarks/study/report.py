@@ -3,6 +3,7 @@ is typed. A chapter without its table is absent."""
 
 import figures
 from chapters.accuracy import accuracy_section
+from chapters.inflated import bends_section, loads_section
 from chapters.irregular import irregular_section
 from chapters.join import join_section
 from chapters.laws import laws_section
@@ -49,6 +50,12 @@ def write_report(baselines, docs):
             images / "trade.png",
             front_of([row for row in rows if row["rms"] is not None]),
         )
+    inflated = table_if_there(baselines / "inflated.csv")
+    if inflated:
+        text.append(loads_section(*inflated))
+    bends = table_if_there(baselines / "inflated_bends.csv")
+    if bends:
+        text.append(bends_section(*bends))
     join = table_if_there(baselines / "join.csv")
     if join:
         text.append(join_section(*join))

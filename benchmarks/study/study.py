@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accuracy  # noqa: E402
 import calculix  # noqa: E402
 import extremes  # noqa: E402
+import inflated  # noqa: E402
 import irregular  # noqa: E402
 import join  # noqa: E402
 import laws  # noqa: E402
@@ -51,6 +52,7 @@ WHOLE = {
     "shear-gap": shear_gap.all_runs,
     "join": join.all_runs,
     "pressure": pressure.all_runs,
+    "inflated": inflated.all_runs,
 }  # of no case
 
 
@@ -119,6 +121,7 @@ def tables(arguments):
     shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     join.make_table(store, arguments.baselines / join.FILE)
     pressure.make_table(store, arguments.baselines / pressure.FILE)
+    inflated.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
     if not (
         arguments.baselines / regression.FILE

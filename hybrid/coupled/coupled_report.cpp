@@ -22,11 +22,21 @@ bool carries_lid(const CoupledWall& wall, int behind) {
   return fixed[0] || fixed[1] || fixed[2];
 }
 
-// The pressure's force on each vertex through the lid over an end.
-Points lid_forces(const CoupledWall& wall, const CoupledState& s, int fan) {
-  return wall.lumen->now *
-         wall.lumen->volume.lid_force(
-             s.positions.middleRows(wall.first_vertex, wall.energy->vertices()), fan);
+// The pressure's force on each vertex through a lid that a support or a seam carries.
+struct Lid {
+  int behind = 0;  // WallLumen::behind_fan
+  Points force;    // n x 3
+};
+
+std::vector<Lid> carried_lids(const CoupledWall& wall, const CoupledState& s) {
+  std::vector<Lid> lids;
+  if (!wall.lumen) return lids;
+  const WallLumen& lumen = *wall.lumen;
+  const Points x = s.positions.middleRows(wall.first_vertex, wall.energy->vertices());
+  for (int fan = 0; fan < std::ssize(lumen.behind_fan); ++fan)
+    if (const int behind = lumen.behind_fan[index(fan)]; carries_lid(wall, behind))
+      lids.push_back({behind, lumen.now * lumen.volume.lid_force(x, fan)});
+  return lids;
 }
 
 // The scaled wrench of each section on its wall: the gradient that it must balance, without what
@@ -53,14 +63,11 @@ std::vector<SectionSolution> section_forces(const CoupledSystem& system, int w,
     mine.moment += (mine.rotation * c.arm).cross(force);
     if (!c.normal) mine.force += force;
   }
-  const int fans = wall.lumen ? static_cast<int>(wall.lumen->behind_fan.size()) : 0;
-  for (int fan = 0; fan < fans; ++fan) {
-    const int behind = wall.lumen->behind_fan[index(fan)];
-    if (behind < 0 || !carries_lid(wall, behind)) continue;
-    SectionSolution& mine = sections[index(behind)];
-    const Points lid = lid_forces(wall, s, fan);
-    for (const int v : wall.lumen->volume.fans()[index(fan)].loop) {
-      const Vec3 force = lid.row(v), x = s.positions.row(wall.first_vertex + v);
+  for (const Lid& lid : carried_lids(wall, s)) {
+    if (lid.behind == WallLumen::seam) continue;
+    SectionSolution& mine = sections[index(lid.behind)];
+    for (const int v : wall.sections[index(lid.behind)].section().ring) {
+      const Vec3 force = lid.force.row(v), x = s.positions.row(wall.first_vertex + v);
       mine.force += force;
       mine.moment += (x - mine.center).cross(force);
     }
@@ -99,13 +106,10 @@ Sums sums_of(const CoupledSystem& system, int w, const CoupledState& s,
   }
   sums.joining = -f.joining.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
   sums.contact = -f.contact.middleRows(wall.first_vertex, vertices).colwise().sum().transpose();
-  const int fans = wall.lumen ? static_cast<int>(wall.lumen->behind_fan.size()) : 0;
-  for (int fan = 0; fan < fans; ++fan) {
-    const int behind = wall.lumen->behind_fan[index(fan)];
-    if (!carries_lid(wall, behind)) continue;
-    const Vec3 lid = lid_forces(wall, s, fan).colwise().sum().transpose();
-    sums.pressure -= lid;
-    if (behind == WallLumen::seam) sums.joining += lid;
+  for (const Lid& lid : carried_lids(wall, s)) {
+    const Vec3 force = lid.force.colwise().sum().transpose();
+    sums.pressure -= force;
+    if (lid.behind == WallLumen::seam) sums.joining += force;
   }
   // Seam and contact forces at a rigid ring are part of the force of its section. They occur in
   // both sums with opposite signs, and the wall's own forces sum to zero.

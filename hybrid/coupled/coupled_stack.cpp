@@ -41,7 +41,8 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
     ScaledBody& body = scaled.bodies[b];
     body.modelled = body.moved;
     if (!problem.vessels[b]) continue;
-    body.modelled |= problem.vessels[b]->pressure.has_value();
+    // Stress as it was seen is part of the result even where nothing moves.
+    body.modelled |= problem.vessels[b]->pressure || problem.vessels[b]->wall.axial_prestretch != 1;
     for (const HeldSection& section : problem.vessels[b]->sections) body.modelled |= acts(section);
   }
   for (const SeamPair& seam : problem.surfaces.seams)
@@ -78,19 +79,10 @@ void CoupledStack::set_material(int b, const Material& material) {
 }
 
 WallInput CoupledStack::scaled_wall(size_t b) const {
-  WallInput wall = problem.vessels[b]->wall;
-  wall.rest = scaled.bodies[b].rest;
-  wall.prestress_displacement /= scaled.length;
-  wall.thickness /= scaled.length;
-  wall.mid_offset /= scaled.length;
-  for (double* modulus :
-       {&wall.material.young_axial, &wall.material.young_transverse, &wall.material.shear_axial})
-    *modulus /= scaled.pressure();
+  WallInput wall = vasorod::scaled(problem.vessels[b]->wall, scaled.bodies[b].rest, scaled.length,
+                                   scaled.pressure());
   wall.name = "vessel " + problem.surfaces.bodies[b].name;
-  wall.glued.assign(index(wall.rest.points.rows()), 0);
-  for (const HeldSection& section : problem.vessels[b]->sections)
-    if (section.rigid)
-      for (const int v : section.ring) wall.glued[index(v)] = 1;
+  wall.glued = glued_marks(problem.vessels[b]->sections, wall.rest.points.rows());
   return wall;
 }
 

@@ -73,8 +73,9 @@ void CoupledSystem::set_lumen(int w, WallLumen lumen) {
 void CoupledSystem::set_time(double t) {
   for (CoupledWall& wall : walls_) {
     for (SectionPose& pose : wall.sections) pose.set_time(t);
-    if (WallLumen* lumen = wall.lumen ? &*wall.lumen : nullptr)
-      lumen->now = lumen->scan + t * (lumen->after - lumen->scan);
+    if (!wall.lumen) continue;
+    WallLumen& lumen = *wall.lumen;
+    lumen.now = lumen.scan + t * (lumen.after - lumen.scan);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "data/index.h"
 #include "geometry/rigid_motion.h"
 
 namespace vasorod {
@@ -143,6 +144,14 @@ bool SectionPose::loaded() const {
 bool SectionPose::has_potential() const {
   return free_rotations_ <= 1 ||
          (section_.moment == Vec3::Zero() && section_.body_moment == Vec3::Zero());
+}
+
+std::vector<char> glued_marks(const std::vector<HeldSection>& sections, Eigen::Index vertices) {
+  std::vector<char> glued(index(vertices), 0);
+  for (const HeldSection& section : sections)
+    if (section.rigid)
+      for (const int v : section.ring) glued[index(v)] = 1;
+  return glued;
 }
 
 HeldSection scaled(const HeldSection& section, double length, double force, const Vec3& origin) {

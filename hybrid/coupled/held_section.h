@@ -99,6 +99,9 @@ class SectionPose {
   Vec3 effective_moment_ = Vec3::Zero();  // conjugate to the rotation vector
 };
 
+/// Per vertex of a wall with `vertices`: 1 on a rigid section, as WallInput::glued.
+std::vector<char> glued_marks(const std::vector<HeldSection>& sections, Eigen::Index vertices);
+
 /// The section with lengths divided by `length` about `origin`, and forces by `force`.
 HeldSection scaled(const HeldSection& section, double length, double force, const Vec3& origin);
 

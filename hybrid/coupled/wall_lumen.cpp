@@ -23,17 +23,6 @@ int section_at(const std::vector<HeldSection>& sections, int vertex) {
   return WallLumen::free_end;
 }
 
-// The wall with lengths divided by `length` about `origin`, and moduli by `stress`.
-WallInput scaled(WallInput wall, double length, double stress, const Vec3& origin) {
-  wall.rest.points = (wall.rest.points.rowwise() - origin.transpose()) / length;
-  wall.thickness /= length;
-  wall.mid_offset /= length;
-  for (double* modulus :
-       {&wall.material.young_axial, &wall.material.young_transverse, &wall.material.shear_axial})
-    *modulus /= stress;
-  return wall;
-}
-
 }  // namespace
 
 WallLumen wall_lumen(const WallInput& wall, const std::vector<HeldSection>& sections,
@@ -43,7 +32,7 @@ WallLumen wall_lumen(const WallInput& wall, const std::vector<HeldSection>& sect
   for (std::vector<int>& loop : boundary_loops(wall.rest.triangles)) {
     const auto first = seam.empty() ? loop.end() : std::find(loop.begin(), loop.end(), seam[0]);
     const bool joined = first != loop.end();
-    std::rotate(loop.begin(), joined ? first : loop.begin(), loop.end());
+    if (joined) std::rotate(loop.begin(), first, loop.end());
     lumen.behind_fan.push_back(joined ? WallLumen::seam : section_at(sections, loop[0]));
     fans.push_back({std::move(loop), joined});
   }
@@ -58,21 +47,20 @@ Points scan_displacement(const WallInput& given, std::vector<HeldSection> sectio
                          double scan_pressure) {
   const double length = mean_edge_length(given.rest), stress = given.material.young_axial;
   const Vec3 origin = given.rest.points.colwise().mean().transpose();
-  WallInput wall = scaled(given, length, stress, origin);
+  TriangleSurface rest = given.rest;
+  rest.points = (rest.points.rowwise() - origin.transpose()) / length;
+  WallInput wall = scaled(given, std::move(rest), length, stress);
   wall.prestress_displacement.resize(0, 3);
-  const double stretch = std::exchange(wall.axial_prestretch, 1);
-  wall.glued.assign(index(wall.rest.points.rows()), 0);
   for (HeldSection& section : sections) {
-    section = vasorod::scaled(section, length, stress * length * length, origin);
+    section = scaled(section, length, stress * length * length, origin);
     section.fixed.fill(true);
     section.motion = {};
     section.force = section.moment = section.body_moment = Vec3::Zero();
-    if (section.rigid)
-      for (const int v : section.ring) wall.glued[index(v)] = 1;
   }
-  WallEnergy free_of_stress(wall);
-  wall.axial_prestretch = stretch;
+  wall.glued = glued_marks(sections, wall.rest.points.rows());
   WallEnergy stretched(wall);
+  wall.axial_prestretch = 1;
+  WallEnergy free_of_stress(wall);
 
   CoupledSystem system;
   system.add_wall(free_of_stress, wall.rest.points, sections,

@@ -1,14 +1,19 @@
-// Pressures in millimetres of mercury, the unit of the clinic.
+// Units of pressure, millimetres of mercury (the clinic's) among them.
 #pragma once
 
 #include <string>
 
 namespace vasorod {
 
-/// Millimetres of mercury (133.322387415 Pa each) per stress unit: Pa, kPa or MPa.
+/// Pascals per unit: mmHg, Pa, kPa or MPa.
+inline double pascals_per(const std::string& unit) {
+  if (unit == "mmHg") return 133.322387415;
+  return unit == "MPa" ? 1e6 : unit == "kPa" ? 1e3 : 1;
+}
+
+/// Millimetres of mercury per stress unit: Pa, kPa or MPa.
 inline double mmhg_per(const std::string& stress_unit) {
-  const double pascals = stress_unit == "MPa" ? 1e6 : stress_unit == "kPa" ? 1e3 : 1;
-  return pascals / 133.322387415;
+  return pascals_per(stress_unit) / pascals_per("mmHg");
 }
 
 }  // namespace vasorod

@@ -9,4 +9,8 @@ std::string place_in(const Scene& scene, int line) {
   return scene.file.string() + (line > 0 ? ":" + std::to_string(line) : "");
 }
 
+std::string place_of(const Scene& scene, const VesselSpec& vessel) {
+  return place_in(scene, vessel.line) + ": vessel " + vessel.name + ": ";
+}
+
 }  // namespace vasorod

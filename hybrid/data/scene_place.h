@@ -11,4 +11,7 @@ namespace vasorod {
 /// `scene "NAME"`.
 std::string place_in(const Scene& scene, int line = 0);
 
+/// "FILE:LINE: vessel NAME: ", as far as known.
+std::string place_of(const Scene& scene, const VesselSpec& vessel);
+
 }  // namespace vasorod

@@ -1,11 +1,9 @@
 #include "judge/lumen_pressure.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <vasorod/error.h>
 
 #include "data/mmhg.h"
+#include "data/scene_place.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -26,7 +24,8 @@ std::string mmhg_text(double pressure, const Units& units) {
          " " + units.stress + ")";
 }
 
-void require_bearable(const PreparedVessel& vessel, const Units& units) {
+void require_bearable(const PreparedVessel& vessel, const Scene& scene) {
+  const Units& units = scene.units;
   const Wall& wall = *vessel.spec.wall;
   const double inner = vessel.vessel.mean_radius - wall.thickness / 2,
                per_stretch = wall.material.young_transverse * wall.thickness / inner;
@@ -34,9 +33,10 @@ void require_bearable(const PreparedVessel& vessel, const Units& units) {
        {std::pair("scan", vessel.spec.pressure->scan), {"after", vessel.spec.pressure->after}}) {
     const double stretch = pressure / per_stretch;
     if (stretch <= largest_stretch) continue;
-    throw InputError("pressure." + std::string(key) + ": found " + mmhg_text(pressure, units) +
-                     ", which would stretch the wall by " + number_text(100 * stretch, 3) +
-                     " %, expected at most " + mmhg_text(largest_stretch * per_stretch, units) +
+    throw InputError(place_of(scene, vessel.spec) + "pressure." + key + ": found " +
+                     mmhg_text(pressure, units) + ", which would stretch the wall by " +
+                     number_text(100 * stretch, 3) + " %, expected at most " +
+                     mmhg_text(largest_stretch * per_stretch, units) +
                      ": are its unit (units.pressure) and the wall's right?");
   }
 }

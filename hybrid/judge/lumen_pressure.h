@@ -19,7 +19,7 @@ std::string mmhg_text(double pressure, const Units& units);
 
 /// Throws InputError (one sentence) for a pressure that would stretch the wall by more than half:
 /// it is beyond what vessels bear, or its unit is another.
-void require_bearable(const PreparedVessel& vessel, const Units& units);
+void require_bearable(const PreparedVessel& vessel, const Scene& scene);
 
 /// A sentence with the vessel's two pressures, for the result's notes.
 std::string lumen_note(const VesselSpec& vessel, const Units& units);

@@ -25,10 +25,6 @@ std::string line_of(const Scene& scene, const VesselSpec& vessel) {
   return place_in(scene, vessel.line) + ": ";
 }
 
-std::string place(const Scene& scene, const VesselSpec& vessel) {
-  return line_of(scene, vessel) + "vessel " + vessel.name + ": ";
-}
-
 // Adds the place to the error of a part that does not know the scene file.
 template <class Work>
 auto placed(const std::string& where, Work&& work) {
@@ -74,19 +70,27 @@ const Fidelity& dearest() {
   return *std::find_if(all.rbegin(), all.rend(), [](const Fidelity& f) { return f.choosable; });
 }
 
+std::vector<std::string> with_lumen() {
+  std::vector<std::string> names;
+  for (const Fidelity& fidelity : fidelities())
+    if (fidelity.lumen) names.push_back(fidelity.name);
+  return names;
+}
+
 // What the reader of scene files sees to, for scenes made in C++.
 void check_vessels(const Scene& scene) {
   const bool bare_rods = has_bare_rods(scene);
   for (const VesselSpec& vessel : scene.vessels) {
     if (vessel.rod) continue;
     if (!vessel.surface && !vessel.tube)
-      throw InputError(place(scene, vessel) +
+      throw InputError(place_of(scene, vessel) +
                        "found no shape, expected a surface, a tube or a bare rod");
     if (bare_rods)
-      throw InputError(place(scene, vessel) +
+      throw InputError(place_of(scene, vessel) +
                        "found a surface beside bare rods, expected bare rods alone");
     if (vessel.role == Role::deformable && !vessel.wall)
-      throw InputError(place(scene, vessel) + "found no wall, expected its thickness and material");
+      throw InputError(place_of(scene, vessel) +
+                       "found no wall, expected its thickness and material");
   }
   for (const EndCondition& end : scene.ends) scene.vessel(end.vessel);
   require_one_pressure(scene);
@@ -103,13 +107,12 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
   for (const VesselSpec& vessel : scene.vessels) {
     const bool pressed = vessel.pressure.has_value();
     if ((pressed || vessel.axial_prestretch != 1) && !fidelity.lumen)
-      throw InputError(place(scene, vessel) + "found " +
+      throw InputError(place_of(scene, vessel) + "found " +
                        (pressed ? "a pressure" : "an axial prestretch") + " at fidelity " +
-                       fidelity.name +
-                       ", expected fidelity coupled: only its walls enclose a lumen and carry "
-                       "stress as they were seen");
+                       fidelity.name + ", expected fidelity " + listed(with_lumen()) +
+                       ", whose walls enclose a lumen and carry stress as they were seen");
     if (vessel.rod && fidelity.surfaces)
-      throw InputError(place(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
+      throw InputError(place_of(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
                        ", expected fidelity rod");
   }
   check_vessels(scene);
@@ -150,7 +153,7 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
       continue;
     }
     options.progress("rod of " + vessel.prepared.spec.name);
-    vessel.rod = placed(place(*prediction.scene, vessel.prepared.spec), [&] {
+    vessel.rod = placed(place_of(*prediction.scene, vessel.prepared.spec), [&] {
       return solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
     });
     vessel.rod_solved = true;
@@ -191,7 +194,7 @@ void require_one_space(const Prediction& prediction) {
     if (first == nullptr) first = &vessel;
     const LoadedSurface& other = first->prepared.loaded;
     if (other.space != space)
-      throw InputError(place(*prediction.scene, vessel.prepared.spec) +
+      throw InputError(place_of(*prediction.scene, vessel.prepared.spec) +
                        "found a surface in the space " + space + " (SPACE in its file) where " +
                        first->prepared.spec.name + " is in " + other.space +
                        ", expected all surfaces in one space: export them from 3D Slicer again");

@@ -15,10 +15,6 @@ namespace {
 // Beyond this, over the radius, the first linear step is a rough prestress.
 constexpr double largest_displacement = 0.1;
 
-std::string place(const Scene& scene, const VesselSpec& vessel) {
-  return place_in(scene, vessel.line) + ": vessel " + vessel.name + ": ";
-}
-
 }  // namespace
 
 void require_one_pressure(const Scene& scene) {
@@ -31,8 +27,8 @@ void require_one_pressure(const Scene& scene) {
   const auto text = [&](const VesselSpec& vessel) {
     return mmhg_text(after(vessel), scene.units) + " in " + vessel.name;
   };
-  throw InputError(place(scene, svc) + "pressure.after: found " + text(svc) + " and " + text(rpa) +
-                   ", expected one pressure, as the operation joins them to one lumen");
+  throw InputError(place_of(scene, svc) + "pressure.after: found " + text(svc) + " and " +
+                   text(rpa) + ", expected one pressure, as the operation joins them to one lumen");
 }
 
 void prestress(Prediction& prediction, const std::function<void(const std::string&)>& begin) {
@@ -42,15 +38,15 @@ void prestress(Prediction& prediction, const std::function<void(const std::strin
     const VesselSpec& spec = prepared.spec;
     if (prepared.obstacle() || (!spec.pressure && spec.axial_prestretch == 1)) continue;
     begin("prestress of " + spec.name);
+    if (spec.pressure) {
+      require_bearable(prepared, scene);
+      prediction.notes.push_back(lumen_note(spec, scene.units));
+    }
+    const bool cut = scene.glenn && scene.glenn->svc == spec.name;
     try {
-      if (spec.pressure) {
-        require_bearable(prepared, scene.units);
-        prediction.notes.push_back(lumen_note(spec, scene.units));
-      }
-      const bool cut = scene.glenn && scene.glenn->svc == spec.name;
       prepared.prestress_displacement = displacement_of_scan(prepared, vessel.conditions, cut);
-    } catch (const InputError& error) {
-      throw InputError(place(scene, spec) + error.what());
+    } catch (const InputError& error) {  // which names the vessel
+      throw InputError(place_in(scene, spec.line) + ": " + error.what());
     }
     if (prepared.prestress_displacement.rows() == 0) continue;
     const double share =

@@ -32,17 +32,11 @@ void read_fidelity(const Field& root, Scene& scene) {
                        "rod, as it has no surface");
 }
 
-double pascals(const std::string& unit) {
-  return unit == "MPa" ? 1e6 : unit == "kPa" ? 1e3 : 1;
-}
-
 // One unit of the scene's pressures in stress units.
 double pressure_unit(const Field& field, const Units& units) {
   const auto unit = field.find("pressure");
   if (!unit) return 1;
-  const std::string name = unit->one_of({"mmHg", "Pa", "kPa", "MPa"});
-  if (name == "mmHg") return 1 / mmhg_per(units.stress);
-  return pascals(name) / units.pascals;
+  return pascals_per(unit->one_of({"mmHg", "Pa", "kPa", "MPa"})) / units.pascals;
 }
 
 }  // namespace
@@ -53,7 +47,7 @@ Units read_units(const Field& field) {
   units.length = field.at("length", "mm, cm or m").one_of({"mm", "cm", "m"});
   units.stress = field.at("stress", "Pa, kPa or MPa").one_of({"Pa", "kPa", "MPa"});
   units.metres = units.length == "mm" ? 1e-3 : units.length == "cm" ? 1e-2 : 1;
-  units.pascals = pascals(units.stress);
+  units.pascals = pascals_per(units.stress);
   return units;
 }
 
@@ -65,9 +59,10 @@ Scene read_scene(const std::filesystem::path& file) {
   Scene scene;
   scene.file = file;
   scene.name = root.at("scene", "the scene's name").text("the scene's name");
-  scene.units = read_units(root.at("units", "{length: mm, stress: MPa} or other units"));
+  const Field units = root.at("units", "{length: mm, stress: MPa} or other units");
+  scene.units = read_units(units);
   scene.vessels = read_vessels(root.at("vessels", "a list of vessels"), file.parent_path(),
-                               pressure_unit(root.at("units", ""), scene.units));
+                               pressure_unit(units, scene.units));
   if (const auto ends = root.find("ends")) scene.ends = read_ends(*ends, scene.vessels);
   if (const auto contact = root.find("contact"))
     scene.contact = read_contact(*contact, scene.vessels);

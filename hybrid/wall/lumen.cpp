@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "data/index.h"
+#include "geometry/rigid_motion.h"
 #include "geometry/triangle_surface.h"
 #include "wall/plane_stress.h"
 
@@ -13,12 +14,6 @@ namespace vasorod {
 namespace {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
-  return m;
-}
 
 Vec3 at(const Points& x, int vertex) {
   return x.row(vertex);
@@ -37,22 +32,22 @@ void add_block(int a, int b, const Mat3& block, int first, Entries& entries) {
     }
 }
 
-// The tetrahedron of a triangle and the origin: det(x0, x1, x2) / 6.
-double tetrahedron(const Points& x, const std::array<int, 3>& v) {
-  return at(x, v[0]).dot(at(x, v[1]).cross(at(x, v[2]))) / 6;
-}
-
-void add_tetrahedron_gradient(const Points& x, const std::array<int, 3>& v, double factor,
-                              Points& g) {
-  for (size_t k = 0; k < 3; ++k)
-    g.row(v[k]) += factor / 6 * at(x, v[(k + 1) % 3]).cross(at(x, v[(k + 2) % 3])).transpose();
+// The tetrahedron of a triangle and the origin: det(x0, x1, x2) / 6. Adds `factor` times its
+// gradient and returns it.
+double add_tetrahedron_gradient(const Points& x, const std::array<int, 3>& v, double factor,
+                                Points& g) {
+  const std::array<Vec3, 3> p{at(x, v[0]), at(x, v[1]), at(x, v[2])};
+  const Vec3 opposite = p[1].cross(p[2]) / 6;
+  g.row(v[0]) += factor * opposite.transpose();
+  g.row(v[1]) += factor / 6 * p[2].cross(p[0]).transpose();
+  g.row(v[2]) += factor / 6 * p[0].cross(p[1]).transpose();
+  return p[0].dot(opposite);
 }
 
 void add_tetrahedron_hessian(const Points& x, const std::array<int, 3>& v, double factor, int first,
                              Entries& entries) {
   for (size_t k = 0; k < 3; ++k)  // d/dx_l of x_l x x_m at the row of x_k
-    add_block(v[k], v[(k + 1) % 3], factor / 6 * -cross_matrix(at(x, v[(k + 2) % 3])), first,
-              entries);
+    add_block(v[k], v[(k + 1) % 3], factor / 6 * -hat(at(x, v[(k + 2) % 3])), first, entries);
 }
 
 // The triangles of a fan whose tip is the loop's first vertex. The fan looks out of the vessel,
@@ -99,10 +94,9 @@ struct Area {
   Vec3 gradient(size_t k) const { return normal.cross(opposite[k]) / 2; }
   Mat3 hessian(size_t k, size_t l) const {
     const Mat3 across = Mat3::Identity() - normal * normal.transpose();
-    Mat3 h =
-        cross_matrix(opposite[k]).transpose() * across * cross_matrix(opposite[l]) / (2 * area2);
-    if (l == (k + 1) % 3) h -= cross_matrix(normal) / 2;
-    if (k == (l + 1) % 3) h += cross_matrix(normal) / 2;
+    Mat3 h = hat(opposite[k]).transpose() * across * hat(opposite[l]) / (2 * area2);
+    if (l == (k + 1) % 3) h -= hat(normal) / 2;
+    if (k == (l + 1) % 3) h += hat(normal) / 2;
     return h;
   }
 };
@@ -137,39 +131,24 @@ Lumen::Lumen(const TriangleSurface& rest, const Eigen::VectorXd& depth, double t
   }
 }
 
-double Lumen::fan_volume(const Points& x, const LumenFan& fan) {
-  if (!fan.from_first) {
-    const CentralFan central(x, fan.loop);
-    return central.tip.dot(central.area2) / 6;
-  }
-  double volume = 0;
-  each_triangle(fan, [&](const std::array<int, 3>& v) { volume += tetrahedron(x, v); });
-  return volume;
-}
-
 double Lumen::volume(const Points& x) const {
-  double volume = 0;
-  for (int t = 0; t < triangles_.rows(); ++t) {
-    const auto v = vertices(triangles_, t);
-    volume += tetrahedron(x, v);
-    const Area area(x, v, least_area * rest_area_[t]);
-    volume -= tissue_[t] * std::pow(area.value / rest_area_[t], thinning_);
-  }
-  for (const LumenFan& fan : fans_) volume += fan_volume(x, fan);
-  return volume;
+  Points unused = Points::Zero(x.rows(), 3);
+  return add_gradient(x, 0, unused);
 }
 
 double Lumen::add_gradient(const Points& x, double factor, Points& g) const {
+  double volume = 0;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const auto v = vertices(triangles_, t);
-    add_tetrahedron_gradient(x, v, factor, g);
+    volume += add_tetrahedron_gradient(x, v, factor, g);
     const Area area(x, v, least_area * rest_area_[t]);
-    const double slope = factor * tissue_[t] * thinning_ *
-                         std::pow(area.value / rest_area_[t], thinning_ - 1) / rest_area_[t];
+    const double tissue = tissue_[t] * std::pow(area.value / rest_area_[t], thinning_);
+    volume -= tissue;
+    const double slope = factor * thinning_ * tissue / area.value;
     for (size_t k = 0; k < 3; ++k) g.row(v[k]) -= slope * area.gradient(k).transpose();
   }
-  for (const LumenFan& fan : fans_) add_fan_gradient(x, fan, factor, g);
-  return volume(x);
+  for (const LumenFan& fan : fans_) volume += add_fan_gradient(x, fan, factor, g);
+  return volume;
 }
 
 Points Lumen::lid_force(const Points& x, int f) const {
@@ -199,11 +178,13 @@ Points Lumen::lid_force(const Points& x, int f) const {
   return force;
 }
 
-void Lumen::add_fan_gradient(const Points& x, const LumenFan& fan, double factor, Points& g) {
+double Lumen::add_fan_gradient(const Points& x, const LumenFan& fan, double factor, Points& g) {
   if (fan.from_first) {
-    each_triangle(fan,
-                  [&](const std::array<int, 3>& v) { add_tetrahedron_gradient(x, v, factor, g); });
-    return;
+    double volume = 0;
+    each_triangle(fan, [&](const std::array<int, 3>& v) {
+      volume += add_tetrahedron_gradient(x, v, factor, g);
+    });
+    return volume;
   }
   const CentralFan central(x, fan.loop);
   const Vec3 by_tip = central.area2 / static_cast<double>(fan.loop.size());
@@ -211,17 +192,17 @@ void Lumen::add_fan_gradient(const Points& x, const LumenFan& fan, double factor
     const Vec3 across = at(x, after(fan.loop, k)) - at(x, before(fan.loop, k));
     g.row(fan.loop[k]) += factor / 6 * (central.tip.cross(across) + by_tip).transpose();
   }
+  return central.tip.dot(central.area2) / 6;
 }
 
 void Lumen::add_hessian(const Points& x, double factor, int first, Entries& entries) const {
   for (int t = 0; t < triangles_.rows(); ++t) {
     const auto v = vertices(triangles_, t);
     add_tetrahedron_hessian(x, v, factor, first, entries);
-    const double share = factor * tissue_[t] * thinning_ / rest_area_[t];
-    if (share == 0) continue;
+    if (thinning_ == 0) continue;
     const Area area(x, v, least_area * rest_area_[t]);
-    const double ratio = area.value / rest_area_[t];
-    const double slope = share * std::pow(ratio, thinning_ - 1),
+    const double slope = factor * thinning_ * tissue_[t] *
+                         std::pow(area.value / rest_area_[t], thinning_) / area.value,
                  bend = slope * (thinning_ - 1) / area.value;
     for (size_t k = 0; k < 3; ++k)
       for (size_t l = 0; l <= k; ++l)
@@ -242,14 +223,13 @@ void Lumen::add_hessian(const Points& x, double factor, int first, Entries& entr
     const double share = factor / (6 * static_cast<double>(n));
     std::vector<Mat3> turn;  // d w / d x_k
     for (size_t k = 0; k < n; ++k)
-      turn.push_back(cross_matrix(at(x, after(fan.loop, k)) - at(x, before(fan.loop, k))));
+      turn.push_back(hat(at(x, after(fan.loop, k)) - at(x, before(fan.loop, k))));
     for (size_t k = 0; k < n; ++k)
       for (size_t l = 0; l <= k; ++l)
         add_block(fan.loop[k], fan.loop[l], share * (turn[l] + turn[k].transpose()), first,
                   entries);
     for (size_t k = 0; k < n; ++k)
-      add_block(after(fan.loop, k), fan.loop[k], -factor / 6 * cross_matrix(central.tip), first,
-                entries);
+      add_block(after(fan.loop, k), fan.loop[k], -factor / 6 * hat(central.tip), first, entries);
   }
 }
 

@@ -7,8 +7,8 @@
 //
 // where A is a triangle's area (A_0 at rest) and e_3 = -(c_1 e_1 + c_2 e_2) the wall's thinning
 // under plane stress. For isotropic walls m = (1 - 2 nu) / (1 - nu): the tissue between surface and
-// inner face keeps its volume if nu = 1/2. Without the thinning, a tube of t / R = 0.1 would widen
-// by 4.5 % too little (Lame's solution). Terms in (h / R)^2 are left out.
+// inner face keeps its volume if nu = 1/2. Without the thinning, a tube would widen too little by a
+// share of the order of t / R (Lame's solution). Terms in (h / R)^2 are left out.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -40,8 +40,6 @@ class Lumen {
   Lumen(const TriangleSurface& rest, const Eigen::VectorXd& depth, double thinning,
         std::vector<LumenFan> fans);
 
-  const std::vector<LumenFan>& fans() const { return fans_; }
-
   /// V_in, length^3.
   double volume(const Points& x) const;
   /// Adds `factor` dV_in/dx to g and returns V_in.
@@ -56,8 +54,7 @@ class Lumen {
                    std::vector<Eigen::Triplet<double>>& entries) const;
 
  private:
-  static double fan_volume(const Points& x, const LumenFan& fan);
-  static void add_fan_gradient(const Points& x, const LumenFan& fan, double factor, Points& g);
+  static double add_fan_gradient(const Points& x, const LumenFan& fan, double factor, Points& g);
 
   Triangles triangles_;
   Eigen::VectorXd depth_;      // per vertex

@@ -1,5 +1,6 @@
 #include "wall/triangle_energy.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +56,11 @@ double slope(const TriangleState& s, int k) {
 }
 
 }  // namespace
+
+Vec6 prestrain(const TriangleRest& rest) {
+  if (rest.prestress.isZero(0)) return Vec6::Zero();
+  return rest.stiffness.ldlt().solve(rest.prestress);
+}
 
 Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& state) {
   Vec6 y;

@@ -61,6 +61,9 @@ struct TriangleRest {
   std::shared_ptr<const LargeStrainWall> large;
 };
 
+/// K^-1 s: the strains of the rest shape in the state without stress.
+Vec6 prestrain(const TriangleRest& rest);
+
 /// The nine scalars of a deformed triangle.
 struct TriangleState {
   Vec3 metric;                  ///< C11, C22, C12 in the rest frame

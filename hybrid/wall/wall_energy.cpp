@@ -156,15 +156,6 @@ void WallEnergy::see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& b
   }
 }
 
-namespace {
-
-Vec6 prestrain(const TriangleRest& rest) {
-  if (rest.prestress.isZero(0)) return Vec6::Zero();
-  return rest.stiffness.ldlt().solve(rest.prestress);
-}
-
-}  // namespace
-
 WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
   const Geometry g = geometry(q);
   WallReport report;
@@ -180,12 +171,11 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
     if (rest.large) {
       Vec6 alone = Vec6::Zero();
       alone.tail<3>() = bending;
-      bend = large_strain_energy(*rest.large, alone, false).value +
-             rest.prestress.tail<3>().dot(bending);
+      const double only_bend = large_strain_energy(*rest.large, alone, false).value;
       alone << strain, Vec3::Zero();
-      coupling = large_strain_energy(*rest.large, e.strains, false).value -
-                 large_strain_energy(*rest.large, alone, false).value -
-                 (bend - rest.prestress.tail<3>().dot(bending));
+      coupling = e.value - rest.stored - rest.prestress.dot(e.strains) - only_bend -
+                 large_strain_energy(*rest.large, alone, false).value;
+      bend = only_bend + rest.prestress.tail<3>().dot(bending);
     }
     report.membrane += e.value - bend - coupling;
     report.bending += bend;

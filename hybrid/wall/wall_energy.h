@@ -45,6 +45,10 @@ struct WallInput {
   std::string name = "wall";    ///< begins the sentence of an error
 };
 
+/// The wall in other units: lengths but those of `rest` divided by `length`, moduli by `stress`.
+/// Its rest surface becomes `rest`, which is in these units.
+WallInput scaled(WallInput wall, TriangleSurface rest, double length, double stress);
+
 /// An edge and the position of its unknown in q.
 struct WallEdge {
   int a = 0, b = 0;  ///< a < b

@@ -4,8 +4,6 @@
 // balances the load that causes u, and the wall at rest is in equilibrium under that load. On
 // another mesh of the same wall, u is interpolated and s made again.
 #include <Eigen/SparseCholesky>
-#include <algorithm>
-#include <cmath>
 
 #include "wall/wall_energy.h"
 
@@ -48,10 +46,7 @@ void WallEnergy::set_prestress(const WallInput& input) {
 }
 
 void WallEnergy::set_stored() {
-  for (TriangleRest& rest : triangle_rest_)
-    rest.stored = rest.prestress.isZero(0)
-                      ? 0
-                      : rest.prestress.dot(rest.stiffness.ldlt().solve(rest.prestress)) / 2;
+  for (TriangleRest& rest : triangle_rest_) rest.stored = rest.prestress.dot(prestrain(rest)) / 2;
 }
 
 }  // namespace vasorod

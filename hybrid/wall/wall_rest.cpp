@@ -61,6 +61,17 @@ constexpr double least_share = 1e-9;
 
 }  // namespace
 
+WallInput scaled(WallInput wall, TriangleSurface rest, double length, double stress) {
+  wall.rest = std::move(rest);
+  wall.thickness /= length;
+  wall.mid_offset /= length;
+  wall.prestress_displacement /= length;
+  for (double* modulus :
+       {&wall.material.young_axial, &wall.material.young_transverse, &wall.material.shear_axial})
+    *modulus /= stress;
+  return wall;
+}
+
 WallEnergy::WallEnergy(const WallInput& input)
     : name_(input.name),
       law_(input.material.law),

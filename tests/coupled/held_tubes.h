@@ -44,6 +44,11 @@ struct HeldTube {
   }
 };
 
+inline HeldSection soft(HeldSection section) {
+  section.rigid = false;
+  return section;
+}
+
 /// The tube carried rigidly section by section by a straight axis with constant strain (v, u).
 inline CarriedBody carried_by(const HeldTube& t, const Vec6& strain,
                               const std::vector<double>& sections) {

@@ -10,11 +10,6 @@ namespace {
 
 using namespace testing;
 
-HeldSection soft(HeldSection section) {
-  section.rigid = false;
-  return section;
-}
-
 HeldSection free_of_all(HeldSection section) {
   section.fixed.fill(false);
   return section;

@@ -13,11 +13,6 @@ namespace {
 
 using namespace testing;
 
-HeldSection soft(HeldSection section) {
-  section.rigid = false;
-  return section;
-}
-
 CoupledProblem pressed(const HeldTube& tube, LumenPressure pressure, HeldSection start,
                        HeldSection end) {
   CoupledProblem problem = bent(tube, Vec6::Zero(), std::move(start), std::move(end));

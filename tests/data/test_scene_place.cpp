@@ -13,6 +13,15 @@ TEST(ScenePlace, IsTheFileAndTheLineAsFarAsTheyAreKnown) {
   EXPECT_EQ(place_in(scene), "cases/glenn.yaml");
 }
 
+TEST(ScenePlace, OfAVesselEndsWithItsName) {
+  Scene scene;
+  scene.file = "cases/glenn.yaml";
+  VesselSpec vessel;
+  vessel.name = "svc";
+  vessel.line = 7;
+  EXPECT_EQ(place_of(scene, vessel), "cases/glenn.yaml:7: vessel svc: ");
+}
+
 TEST(ScenePlace, IsTheNameOfASceneWithoutAFile) {
   Scene scene;
   scene.name = "in\nfant";

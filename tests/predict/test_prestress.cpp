@@ -47,6 +47,20 @@ TEST(Prestress, AVesselAsSeenStaysAsItIs) {
   EXPECT_GT(moved_by(predict(held_tube({0, 10 * mmhg}, 1))), 0.06);
 }
 
+// A stretched vessel pulls at its ends though nothing moves: E t times its circumference and
+// strain.
+TEST(Prestress, AStretchAloneIsModelled) {
+  Scene scene = held_tube({}, 1.05);
+  scene.vessels[0].pressure.reset();
+  scene.vessels[0].tube->bend_deg = 0;
+  const Result result = predict(scene);
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_LT(moved_by(result), 1e-9 * 3.3);
+  EXPECT_FALSE(result.balance.at(0).pressure);
+  const double force = 0.5 * 0.4 * 2 * M_PI * 3.3 * 0.05;
+  EXPECT_NEAR(result.ends.at(1).force.z(), force, 0.01 * force);
+}
+
 TEST(Prestress, MillimetresOrMetresGiveTheSame) {
   const Result one = predict(held_tube({5 * mmhg, 15 * mmhg}, 1)),
                other = predict(held_tube({5 * mmhg, 15 * mmhg}, 1, 1e3, 1e-6));

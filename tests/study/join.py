@@ -2,7 +2,6 @@
 the chapter says what its table says, and a mouth that moved is named.
 Usage: join.py SOURCE_FOLDER VASOROD."""
 
-import json
 import sys
 import tempfile
 from pathlib import Path
@@ -12,6 +11,7 @@ import yaml
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
 from chapters.join import join_section  # noqa: E402
+from finished import comparing, leave  # noqa: E402
 from measure import converged, result_of  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
@@ -50,14 +50,11 @@ def result(fidelity, mouth, energy, force, own_error=None):
 # A compare that answers; results and records as the programs leave them.
 with tempfile.TemporaryDirectory() as scratch:
     folder = Path(scratch)
-    compare = folder / "compare"
     vessels = [
         {"vessel": "vein", "surface": {"rms": 0.01}},
         {"vessel": "artery", "surface": {"rms": 0.02}},
     ]
-    compare.write_text(f"#!/bin/sh\necho '{json.dumps({'vessels': vessels})}'\n")
-    compare.chmod(0o755)
-    store = Store(folder / "runs", {"vasorod": compare})
+    store = Store(folder / "runs", {"vasorod": comparing(folder, vessels)})
     truth = join.shell_run("slit", 1.0, "biot")
     finished = [
         (truth, result("shell", 8.0, 0.04, 10.0, 0.002), 0),
@@ -66,12 +63,7 @@ with tempfile.TemporaryDirectory() as scratch:
         (join.hybrid_run("slit", 1.0, "biot", "paper"), result("paper", 9.0, 7.0, 1.0), 0),
     ]
     finished[2][1]["status"] = "iteration_limit"
-    for run, content, code in finished:
-        (store.folder(run.identity) / "result").mkdir(parents=True)
-        (store.folder(run.identity) / "result" / "result.json").write_text(json.dumps(content))
-        record = {"identity": run.identity, "program": run.program, "program_sha256": "0" * 64}
-        record |= {"commit": "c", "exit": code, "processor_seconds": 2.0, "sentence": ""}
-        (store.folder(run.identity) / "record.json").write_text(json.dumps(record))
+    leave(store, finished)
     join.make_table(store, folder / "join.csv")
     rows, notes = read_table(folder / "join.csv")
 assert [(row["fidelity"], row["around"]) for row in rows] == [

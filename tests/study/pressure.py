@@ -1,7 +1,6 @@
 """The study of joins under pressure: scenes are what their names say, the table's numbers are those
 of the results, the chapter says what its table says. Usage: pressure.py SOURCE_FOLDER VASOROD."""
 
-import json
 import sys
 import tempfile
 from pathlib import Path
@@ -12,6 +11,7 @@ sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
 import pressure  # noqa: E402
 from chapters.pressure import pressure_section  # noqa: E402
+from finished import comparing, leave  # noqa: E402
 from measure import result_of  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
@@ -43,23 +43,15 @@ def result(fidelity, status, mouth, energy, own_error=None):
 # minimum under a pressure; at `iteration_limit` there is no solution.
 with tempfile.TemporaryDirectory() as scratch:
     folder = Path(scratch)
-    compare = folder / "compare"
     vessels = [{"vessel": name, "surface": {"rms": 0.002}} for name in ("vein", "artery")]
-    compare.write_text(f"#!/bin/sh\necho '{json.dumps({'vessels': vessels})}'\n")
-    compare.chmod(0o755)
-    store = Store(folder / "runs", {"vasorod": compare})
+    store = Store(folder / "runs", {"vasorod": comparing(folder, vessels)})
     finished = [
         (pressure.shell_run("slit", 1.0, 5), result("shell", "equilibrium_only", 20, 0.2, 1e-3), 1),
         (pressure.hybrid_run("slit", 1.0, 5), result("coupled", "converged", 21, 0.21), 0),
         (pressure.shell_run("slit", 1.0, 10), result("shell", "iteration_limit", 9, 0.9), 1),
         (pressure.hybrid_run("slit", 1.0, 10), result("coupled", "converged", 9, 0.9), 0),
     ]
-    for run, content, code in finished:
-        (store.folder(run.identity) / "result").mkdir(parents=True)
-        (store.folder(run.identity) / "result" / "result.json").write_text(json.dumps(content))
-        record = {"identity": run.identity, "program": run.program, "program_sha256": "0" * 64}
-        record |= {"commit": "c", "exit": code, "processor_seconds": 2.0, "sentence": ""}
-        (store.folder(run.identity) / "record.json").write_text(json.dumps(record))
+    leave(store, finished)
     pressure.make_table(store, folder / "pressure.csv")
     rows, notes = read_table(folder / "pressure.csv")
 assert [(row["pressure"], row["failure"]) for row in rows] == [

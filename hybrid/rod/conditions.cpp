@@ -128,8 +128,8 @@ void check_tree(const RodTree& tree, const std::string& where) {
     if (!(element.length > 0) || !std::isfinite(element.length))
       fail(name() + " has length " + number_text(element.length) + ", expected a positive number");
     if (!element.natural_strain.allFinite() || !element.rest_strain.allFinite() ||
-        !element.stiffness.allFinite())
-      fail(name() + " has a strain or stiffness that is not finite");
+        !element.stiffness.allFinite() || !element.lumen.allFinite())
+      fail(name() + " has a strain, stiffness or lumen that is not finite");
     const double turn = element.length * element.natural_strain.tail<3>().norm();
     if (turn >= std::numbers::pi)
       fail(name() + " turns by " + number_text(turn * 180 / std::numbers::pi) +

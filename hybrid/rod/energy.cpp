@@ -9,12 +9,12 @@ Vec6 element_strain(const RodElement& element, const Pose& first, const Pose& se
 }
 
 Vec6 element_stress(const RodElement& element, const Vec6& strain) {
-  return element.stiffness * (strain - element.natural_strain);
+  return element.stiffness * (strain - element.natural_strain) - element.lumen;
 }
 
 double element_energy(const RodElement& element, const Pose& first, const Pose& second) {
-  const Vec6 e = element_strain(element, first, second) - element.natural_strain;
-  return 0.5 * element.length * e.dot(element.stiffness * e);
+  const Vec6 strain = element_strain(element, first, second), e = strain - element.natural_strain;
+  return element.length * (0.5 * e.dot(element.stiffness * e) - element.lumen.dot(strain));
 }
 
 Vec12 element_energy_gradient(const RodElement& element, const Pose& first, const Pose& second) {

@@ -1,7 +1,10 @@
 // Elastic energy of one rod element [3-5] as a function of its two frames: value, gradient,
 // Hessian. With xi = log(start^-1 g_first^-1 g_second) = length * strain and n the natural strain:
 //
-//   U = (xi - L n)^T C (xi - L n) / (2 L)
+//   U = (xi - L n)^T C (xi - L n) / (2 L) - p . xi
+//
+// p is the element's lumen: the pressure's energy -p V is linear in the strain, so that p adds to
+// the stress and enters the Hessian through the geometric term alone.
 //
 // Derivatives are with respect to body increments g -> g exp(eta), with eta = (first node, second
 // node), 12 numbers:
@@ -18,7 +21,8 @@ using Mat12 = Eigen::Matrix<double, 12, 12>;
 
 /// Strain (v, u) of an element between two frames.
 Vec6 element_strain(const RodElement& element, const Pose& first, const Pose& second);
-/// Stress (n, m) in body axes, force and moment resultants: C (strain - natural).
+/// Stress (n, m) in body axes, force and moment resultants of wall and lumen together:
+/// C (strain - natural) - lumen.
 Vec6 element_stress(const RodElement& element, const Vec6& strain);
 
 /// U, force * length (stress * length^3).

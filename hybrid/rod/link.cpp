@@ -1,8 +1,14 @@
 #include "rod/link.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace vasorod {
+
+Vec6 elastic_strain(const RodLink& link, const Vec6& stress) {
+  if (link.stiffness.isDiagonal(0)) return stress.cwiseQuotient(link.stiffness.diagonal());
+  return link.stiffness.ldlt().solve(stress);
+}
 
 Vec6 NodeCondition::load(const Pose& pose) const {
   Vec6 sum;

@@ -14,9 +14,13 @@ struct RodLink {
   double length = 0;
   bool starts_at_node = true;  ///< false: `start` is the link's own frame at its parent
   Pose start;
-  Vec6 natural = Vec6::Zero();    ///< length * natural strain
+  Vec6 natural = Vec6::Zero();    ///< length * natural strain, that under `lumen` included
   Mat6 stiffness = Mat6::Zero();  ///< C / length
+  Vec6 lumen = Vec6::Zero();      ///< RodElement::lumen
 };
+
+/// The link's strain under a stress: stiffness^-1 stress.
+Vec6 elastic_strain(const RodLink& link, const Vec6& stress);
 
 /// The frame a link starts from.
 inline Pose link_start(const RodLink& link, const Pose& parent) {

@@ -38,7 +38,7 @@ struct RodSummary {
   /// The larger of: out-of-balance nodal force over the largest force; misfit of strain and stress.
   double residual = 0;
   double last_step = 0;  ///< as in RodOptions::tolerance
-  double energy = 0;     ///< elastic energy, stress * length^3
+  double energy = 0;     ///< elastic energy of the wall, stress * length^3
   /// Of the energy's Hessian at the result.
   int negative_directions = 0;
   /// Directions along which the energy does not change; symmetries if `converged`.
@@ -60,7 +60,8 @@ struct RodReaction {
 /// Result of solve_rod(), in the units of the tree.
 struct RodSolution {
   RodPoses poses;
-  std::vector<Vec6> stress;            ///< (n, m) per element, conjugate to its strain, body axes
+  /// (n, m) per element, conjugate to its strain, body axes: of wall and lumen together.
+  std::vector<Vec6> stress;
   std::vector<RodReaction> reactions;  ///< one per support, in their order
   RodSummary summary;
 };

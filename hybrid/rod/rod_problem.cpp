@@ -105,17 +105,20 @@ void RodProblem::set_time(double t) {
 
 void RodProblem::soften(double cap) {
   for (std::size_t k = 0; k < links().size(); ++k) {
-    const Mat6 c = rod_.stiffness(tree_.elements[index(rod_.element_of[k])]);
+    const RodElement& element = tree_.elements[index(rod_.element_of[k])];
+    const Mat6 c = rod_.stiffness(element);
     const double limit = cap * std::min(c(3, 3), c(4, 4));
     Vec6 d = Vec6::Ones();
     for (int i = 0; i < 3; ++i) d[i] = std::min(1., std::sqrt(limit / c(i, i)));
-    elimination_.links()[k].stiffness = d.asDiagonal() * c * d.asDiagonal();
+    rod_.set_stiffness(element, d.asDiagonal() * c * d.asDiagonal(), elimination_.links()[k]);
   }
 }
 
 void RodProblem::harden() {
-  for (std::size_t k = 0; k < links().size(); ++k)
-    elimination_.links()[k].stiffness = rod_.stiffness(tree_.elements[index(rod_.element_of[k])]);
+  for (std::size_t k = 0; k < links().size(); ++k) {
+    const RodElement& element = tree_.elements[index(rod_.element_of[k])];
+    rod_.set_stiffness(element, rod_.stiffness(element), elimination_.links()[k]);
+  }
 }
 
 double RodProblem::stiffness_ratio() const {

@@ -1,17 +1,8 @@
 #include "rod/rod_solution.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace vasorod {
-namespace {
-
-Vec6 strain_of(const Mat6& stiffness, const Vec6& stress) {
-  if (stiffness.isDiagonal(0)) return stress.cwiseQuotient(stiffness.diagonal());
-  return stiffness.ldlt().solve(stress);
-}
-
-}  // namespace
 
 RodSolution report_solution(RodProblem& problem, const RodState& state, const RodSummary& summary) {
   RodSolution solution;
@@ -27,8 +18,9 @@ RodSolution report_solution(RodProblem& problem, const RodState& state, const Ro
     sum[k + 1] += second;
     sum[index(links[k].parent)] += wrench_on_first(links, poses, k, second);
     largest = std::max(largest, second.squaredNorm());
-    const Vec6 strain = strain_of(links[k].stiffness, state.stress[k]);
-    energy += 0.5 * strain.dot(state.stress[k]);
+    const Vec6 strain = elastic_strain(links[k], state.stress[k]);
+    const Vec6 of_wall = state.stress[k] + links[k].lumen;
+    energy += 0.5 * elastic_strain(links[k], of_wall).dot(of_wall);
     misfit = std::max(misfit, (state.strain[k] - links[k].natural - strain).squaredNorm());
   }
   largest = std::sqrt(largest);

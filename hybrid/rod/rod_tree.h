@@ -24,6 +24,9 @@ struct RodElement {
   Pose start;
   /// C: energy per length is 1/2 (strain - natural)^T C (strain - natural).
   Mat6 stiffness = Mat6::Zero();
+  /// Of the pressure in the lumen: the energy -lumen . (length * strain). Forces and moments
+  /// conjugate to the strain (lumen_section.h); zero: no pressure.
+  Vec6 lumen = Vec6::Zero();
 };
 
 /// A branch: a run of nodes and the elements between them, from the parent's end (or the root) to

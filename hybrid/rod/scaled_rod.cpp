@@ -60,6 +60,16 @@ Mat6 ScaledRod::stiffness(const RodElement& element) const {
   return unit.asDiagonal() * element.stiffness * unit.asDiagonal();
 }
 
+// The lumen's energy -p . xi is linear: with it the link is at ease at n + C^-1 p.
+void ScaledRod::set_stiffness(const RodElement& element, const Mat6& stiffness,
+                              RodLink& link) const {
+  link.stiffness = stiffness;
+  link.natural << link.length * element.natural_strain.head<3>(),
+      element.length * element.natural_strain.tail<3>();
+  link.lumen << element.lumen.head<3>() / force(), element.lumen.tail<3>() / moment;
+  if (!link.lumen.isZero(0)) link.natural += elastic_strain(link, link.lumen);
+}
+
 std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod) {
   std::vector<RodLink> links;
   links.reserve(rod.element_of.size());
@@ -70,9 +80,7 @@ std::vector<RodLink> scaled_links(const RodTree& tree, const ScaledRod& rod) {
     link.length = element.length / rod.length;
     link.start = {element.start.rotation, element.start.position / rod.length};
     link.starts_at_node = element.start.rotation.isIdentity(0) && element.start.position.isZero(0);
-    link.natural << link.length * element.natural_strain.head<3>(),
-        element.length * element.natural_strain.tail<3>();
-    link.stiffness = rod.stiffness(element);
+    rod.set_stiffness(element, rod.stiffness(element), link);
   }
   return links;
 }

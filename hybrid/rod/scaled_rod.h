@@ -24,6 +24,8 @@ struct ScaledRod {
   Pose original(const Pose& p) const;
   /// C / length of an element.
   Mat6 stiffness(const RodElement& element) const;
+  /// Gives a link another stiffness, and the natural strain that its element has with it.
+  void set_stiffness(const RodElement& element, const Mat6& stiffness, RodLink& link) const;
 };
 
 /// Units and numbering for a tree.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "geometry/rigid_motion.h"
@@ -28,6 +29,7 @@ struct Fixture {
     Vec6 xi = vec6(0.1, -0.2, 0.8, 0.6, -0.7, 0.4);
     xi.tail<3>() *= angle / xi.tail<3>().norm();
     second = first * element.start * exp_motion(xi);
+    element.lumen = vec6(0.3, -0.2, 1.7, 0.1, -0.6, 0.4);
   }
   double energy(const Vec12& eta) const {
     return element_energy(element, first * exp_motion(eta.head<6>()),
@@ -88,7 +90,7 @@ TEST(Energy, RigidMotionsCostNothing) {
   const Fixture f(1.3);
   const Pose g = exp_motion(vec6(-30, 20, 5, 1.0, 2.0, -0.5));
   const double e = element_energy(f.element, f.first, f.second);
-  EXPECT_NEAR(element_energy(f.element, g * f.first, g * f.second), e, 1e-13 * e);
+  EXPECT_NEAR(element_energy(f.element, g * f.first, g * f.second), e, 1e-13 * std::abs(e));
   // the gradient does no work on a rigid motion, expressed in both body frames
   const Vec6 twist = vec6(0.3, -0.5, 0.2, 0.7, 0.1, -0.9);
   Vec12 rigid;
@@ -100,6 +102,11 @@ TEST(Energy, RigidMotionsCostNothing) {
 TEST(Energy, StressFreeAtTheNaturalStrain) {
   Fixture f(0);
   f.second = f.first * f.element.start * exp_motion(f.element.length * f.element.natural_strain);
+  // all that is left is the lumen's
+  EXPECT_NEAR(element_energy(f.element, f.first, f.second),
+              -f.element.length * f.element.lumen.dot(f.element.natural_strain), 1e-14);
+  EXPECT_LT((element_stress(f.element, f.element.natural_strain) + f.element.lumen).norm(), 1e-14);
+  f.element.lumen.setZero();
   EXPECT_LT(element_energy(f.element, f.first, f.second), 1e-28);
   EXPECT_LT(element_energy_gradient(f.element, f.first, f.second).norm(), 1e-13);
 }

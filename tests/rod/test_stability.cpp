@@ -93,6 +93,51 @@ TEST(Stability, TwistedClampedRodUnderTension) {  // shooting; T = 0: twice the 
   }
 }
 
+// A tube with held ends whose lumen pushes with P: 4 pi^2 EI / L^2 = P (1 + P / GA) (Haringx 1948),
+// as the wall between held ends is not shortened.
+RodTree pressed_tube(double thrust, const Vec6& stiffness) {
+  RodTree tree = chain(along_x, 1, Vec3::Zero(), 64, stiffness);
+  for (RodElement& e : tree.elements) e.lumen[2] = thrust;
+  return tree;
+}
+
+double haringx(double ga) {
+  const double euler = 4 * pi * pi;
+  return ga / 2 * (std::sqrt(1 + 4 * euler / ga) - 1);
+}
+
+TEST(Stability, PressureBowsAHeldTube) {
+  for (const double ga : {50., 400., 1e6})
+    for (const double factor : {0.99, 1.01}) {
+      const RodTree tree = pressed_tube(factor * haringx(ga), isotropic(ga, 2000, 1, 0.8));
+      RodConditions conditions;
+      conditions.supports = {clamp(0), clamp(64)};
+      RodOptions options;
+      options.leave_saddle = false;
+      const RodSolution s = solve_rod(tree, conditions, options);
+      EXPECT_EQ(s.summary.status, factor < 1 ? Status::converged : Status::unstable)
+          << ga << ' ' << factor;
+      EXPECT_NEAR(s.stress[30][2], -factor * haringx(ga), 1e-9);
+      EXPECT_NEAR(s.summary.energy, 0, 1e-20) << "the wall is at ease";
+    }
+}
+
+// Beyond it the tube bows until its wall's tension takes up what is above the critical thrust.
+TEST(Stability, ABowedTubeKeepsTheCriticalThrust) {
+  for (const double ea : {1000., 1e5}) {
+    const double ga = 1e6;
+    const RodTree tree = pressed_tube(1.05 * haringx(ga), isotropic(ga, ea, 1, 0.8));
+    RodConditions conditions;
+    conditions.supports = {clamp(0), clamp(64)};
+    const RodSolution s = solve_rod(tree, conditions);
+    EXPECT_EQ(s.summary.status, Status::converged) << ea << ' ' << s.summary.message;
+    const Vec3 middle = s.poses[32].position;
+    const double bow = std::hypot(middle.y(), middle.z());
+    // mean stretch of w = bow (1 - cos 2 pi x) / 2
+    EXPECT_NEAR(ea * bow * bow * pi * pi / 4, 0.05 * haringx(ga), 0.05 * 0.05 * haringx(ga)) << ea;
+  }
+}
+
 TEST(Stability, TwistedRing) {  // Zajac 1962: 2 pi sqrt(3) EI / GJ
   for (const double gj : {0.587, 2. / 3, 1.}) {
     const double ga = 1e6;

@@ -9,14 +9,14 @@ namespace {
 
 std::vector<Fidelity>& registry() {
   static std::vector<Fidelity> all = {
-      {"rod", "the rods alone, no surface", false, false, solve_rod_only},
-      {"skin", "the rods, sections carried rigidly", true, true, solve_skin},
+      {"rod", "the rods alone, no surface", false, false, solve_rod_only, Lumen::rod},
+      {"skin", "the rods, sections carried rigidly", true, true, solve_skin, Lumen::rod},
       {"paper",
        "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
        true, solve_paper_surfaces},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
-       true, solve_coupled, true},
+       true, solve_coupled, Lumen::wall},
   };
   return all;
 }

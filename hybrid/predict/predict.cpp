@@ -73,7 +73,7 @@ const Fidelity& dearest() {
 std::vector<std::string> with_lumen() {
   std::vector<std::string> names;
   for (const Fidelity& fidelity : fidelities())
-    if (fidelity.lumen) names.push_back(fidelity.name);
+    if (fidelity.lumen != Lumen::none) names.push_back(fidelity.name);
   return names;
 }
 
@@ -106,11 +106,15 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
                                                     : dearest();
   for (const VesselSpec& vessel : scene.vessels) {
     const bool pressed = vessel.pressure.has_value();
-    if ((pressed || vessel.axial_prestretch != 1) && !fidelity.lumen)
+    if ((pressed || vessel.axial_prestretch != 1) && fidelity.lumen == Lumen::none)
       throw InputError(place_of(scene, vessel) + "found " +
                        (pressed ? "a pressure" : "an axial prestretch") + " at fidelity " +
                        fidelity.name + ", expected fidelity " + listed(with_lumen()) +
-                       ", whose walls enclose a lumen and carry stress as they were seen");
+                       ", whose rods or walls enclose a lumen and carry stress as they were seen");
+    if (vessel.rod && (pressed || vessel.axial_prestretch != 1))
+      throw InputError(place_of(scene, vessel) + "found " +
+                       (pressed ? "a pressure" : "an axial prestretch") +
+                       " on a bare rod, expected a vessel with a surface or a tube and its wall");
     if (vessel.rod && fidelity.surfaces)
       throw InputError(place_of(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
                        ", expected fidelity rod");
@@ -276,8 +280,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   prediction.watch.lap("fit");
-  if (fidelity->lumen)
-    prestress(prediction, [&](const std::string& stage) { stages.begin(stage); });
+  prestress(prediction, fidelity->lumen, [&](const std::string& stage) { stages.begin(stage); });
   prediction.stages.push_back(rest_stage(prediction));
   if (scene.glenn) operate_on(prediction, options, stages);
   prediction.watch.lap("surgery");

@@ -7,6 +7,7 @@
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
+#include "predict/rod_lumen.h"
 #include "predict/vessel_wall.h"
 
 namespace vasorod {
@@ -31,8 +32,49 @@ void require_one_pressure(const Scene& scene) {
                    text(rpa) + ", expected one pressure, as the operation joins them to one lumen");
 }
 
-void prestress(Prediction& prediction, const std::function<void(const std::string&)>& begin) {
+namespace {
+
+void prestress_wall(PreparedVessel& prepared, const VesselConditions& conditions, bool cut,
+                    Prediction& prediction) {
+  try {
+    prepared.prestress_displacement = displacement_of_scan(prepared, conditions, cut);
+  } catch (const InputError& error) {  // which names the vessel
+    throw InputError(place_in(*prediction.scene, prepared.spec.line) + ": " + error.what());
+  }
+  if (prepared.prestress_displacement.rows() == 0) return;
+  const double share =
+      prepared.prestress_displacement.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius;
+  if (share > largest_displacement)
+    prediction.notes.push_back(
+        "prestress of " + prepared.spec.name + ": it is that of a linear displacement of up to " +
+        number_text(100 * share, 2) +
+        " % of the radius; beyond 10 % this first step is rough, though the shape as seen is in "
+        "equilibrium with it");
+}
+
+void prestress_rod(PredictedVessel& vessel, bool cut, Prediction& prediction) {
+  const std::string& name = vessel.prepared.spec.name;
+  const double wider = press_rod(vessel.prepared, vessel.conditions, cut);
+  const RodConditions& held = vessel.conditions.rod;
+  vessel.conditions.acts |= !held.supports.empty() || !held.loads.empty();
+  if (vessel.prepared.vessel.rod.branches.size() > 1 && vessel.prepared.spec.pressure)
+    prediction.notes.push_back(
+        "pressure in the lumen of " + name +
+        ": it branches; the rods do not feel a trunk that becomes wider under its branches, and "
+        "forces at their ends may differ much from those of fidelity coupled");
+  if (wider != 0)
+    prediction.left_out["radius of " + name] =
+        "sections keep the radius they were seen with; the pressure changes it by " +
+        number_text(100 * wider, 2) +
+        " % away from held ends, which only the rod's stiffness counts";
+}
+
+}  // namespace
+
+void prestress(Prediction& prediction, Lumen lumen,
+               const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
+  if (lumen == Lumen::none) return;
   for (PredictedVessel& vessel : prediction.vessels) {
     PreparedVessel& prepared = vessel.prepared;
     const VesselSpec& spec = prepared.spec;
@@ -43,20 +85,10 @@ void prestress(Prediction& prediction, const std::function<void(const std::strin
       prediction.notes.push_back(lumen_note(spec, scene.units));
     }
     const bool cut = scene.glenn && scene.glenn->svc == spec.name;
-    try {
-      prepared.prestress_displacement = displacement_of_scan(prepared, vessel.conditions, cut);
-    } catch (const InputError& error) {  // which names the vessel
-      throw InputError(place_in(scene, spec.line) + ": " + error.what());
-    }
-    if (prepared.prestress_displacement.rows() == 0) continue;
-    const double share =
-        prepared.prestress_displacement.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius;
-    if (share > largest_displacement)
-      prediction.notes.push_back(
-          "prestress of " + spec.name + ": it is that of a linear displacement of up to " +
-          number_text(100 * share, 2) +
-          " % of the radius; beyond 10 % this first step is rough, though the shape as seen is in "
-          "equilibrium with it");
+    if (lumen == Lumen::wall)
+      prestress_wall(prepared, vessel.conditions, cut, prediction);
+    else
+      prestress_rod(vessel, cut, prediction);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "predict/prediction.h"
+#include "predict/fidelity.h"
 
 namespace vasorod {
 
@@ -12,9 +12,11 @@ namespace vasorod {
 /// pressures afterwards.
 void require_one_pressure(const Scene& scene);
 
-/// Fills PreparedVessel::prestress_displacement of the vessels with a pressure of the scan or an
-/// axial prestretch, and adds a note for each pressure. `begin` is called before each vessel.
-/// Throws InputError for a pressure that the wall cannot bear.
-void prestress(Prediction& prediction, const std::function<void(const std::string&)>& begin);
+/// Gives the vessels with a pressure or an axial prestretch the stress they were seen with, in what
+/// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod.
+/// Adds a note for each pressure. `begin` is called before each vessel. Throws InputError for a
+/// pressure that the wall cannot bear.
+void prestress(Prediction& prediction, Lumen lumen,
+               const std::function<void(const std::string&)>& begin);
 
 }  // namespace vasorod

@@ -12,6 +12,7 @@
 #include "judge/validity.h"
 #include "predict/result_of_vessel.h"
 #include "predict/result_parts.h"
+#include "predict/rod_lumen.h"
 #include "rod/conditions.h"
 
 namespace vasorod {
@@ -32,7 +33,7 @@ void add_rods(const Prediction& prediction, Result& result) {
       for (const RodReaction& reaction : vessel.rod.reactions)
         if (reaction.node == node)
           result.ends.push_back(
-              {name, end.label, reaction.force, reaction.moment, reaction.center});
+              {name, end.label, force_on_wall(vessel, reaction), reaction.moment, reaction.center});
     }
   }
 }
@@ -68,8 +69,9 @@ Balance wall_balance(const Prediction& prediction, size_t v) {
   return balance;
 }
 
-// support + load + join + contact + binding = 0 up to `residual`. The rod is solved first and does
-// not feel the reaction of the surface; the balance states this reaction as `rod_unbalanced`.
+// support + load + join + contact + pressure + binding = 0 up to `residual`. The rod is solved
+// first and does not feel the reaction of the surface; the balance states this reaction as
+// `rod_unbalanced`.
 Balance balance_of(const Prediction& prediction, size_t v) {
   const PredictedVessel& vessel = prediction.vessels[v];
   Balance balance;
@@ -77,11 +79,14 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   double largest = 0;
   const int mouth = mouth_of(prediction, vessel);
   Vec3 rod_gap = Vec3::Zero();
+  if (vessel.prepared.spec.pressure) balance.pressure = Vec3::Zero();
   for (const RodReaction& reaction : vessel.rod.reactions) {
+    const Vec3 force = force_on_wall(vessel, reaction);
     // The join keeps the vein's mouth in its pose, not a support.
-    (reaction.node == mouth ? balance.join : balance.support) += reaction.force;
+    (reaction.node == mouth ? balance.join : balance.support) += force;
+    if (balance.pressure) *balance.pressure -= carried_lid(vessel, reaction.node);
     rod_gap += reaction.force;
-    largest = std::max(largest, reaction.force.norm());
+    largest = std::max(largest, force.norm());
   }
   for (const RodLoad& load : vessel.conditions.rod.loads) {
     balance.load += load.force;
@@ -166,7 +171,10 @@ void describe_model(const Prediction& prediction, Result& result) {
     if (vessel.positions.rows() > 0)
       model.triangles += static_cast<int>(vessel.prepared.vessel.surface.triangles.rows());
     model.cleaning[vessel.prepared.spec.name] = vessel.prepared.loaded.report.text();
-    if (vessel.rod_solved && !start_only) terms.insert("rod");
+    if (vessel.rod_solved && !start_only) {
+      terms.insert("rod");
+      if (vessel.prepared.spec.pressure) terms.insert("pressure");
+    }
     has_surfaces |= vessel.positions.rows() > 0;
   }
   if (prediction.surfaces)

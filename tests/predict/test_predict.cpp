@@ -190,18 +190,26 @@ TEST(Predict, NoThreadsAreRefused) {
 
 // What the reader of scene files would have refused is refused here too.
 TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
-  Scene scene = stretched_tube(1e-3, "skin");
+  Scene scene = stretched_tube(1e-3, "paper");
   scene.vessels[0].pressure = LumenPressure{0, 0.01};
-  EXPECT_NE(refusal([&] {
-              predict(scene);
-            }).find("vessel aorta: found a pressure at fidelity skin, expected fidelity coupled"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal([&] { predict(scene); })
+          .find("vessel aorta: found a pressure at fidelity paper, expected fidelity rod, skin "
+                "or coupled, whose rods or walls"),
+      std::string::npos);
 
   scene = stretched_tube(1e-3, "paper");
   scene.vessels[0].axial_prestretch = 1.1;
   EXPECT_NE(refusal([&] {
               predict(scene);
             }).find("vessel aorta: found an axial prestretch at fidelity paper"),
+            std::string::npos);
+
+  scene = bent_cantilever(10, 1);
+  scene.vessels[0].axial_prestretch = 1.1;
+  EXPECT_NE(refusal([&] {
+              predict(scene);
+            }).find("vessel beam: found an axial prestretch on a bare rod, expected a vessel with"),
             std::string::npos);
 
   scene = stretched_tube(1e-3, "skin");

@@ -225,6 +225,20 @@ TEST(RodLumen, MillimetresOrMetresGiveTheSame) {
   EXPECT_LT((two.ends[0].force - one.ends[0].force).norm(), 1e-9 * one.ends[0].force.norm());
 }
 
+// The measured table is of tubes without a pressure: `accuracy:` keeps to the walls, and the rods
+// they start from are those without it.
+TEST(RodLumen, AccuracyWithAPressureTakesTheWalls) {
+  Scene scene = vein({5 * mmhg, 12 * mmhg}, "coupled", 24, 20);
+  const Result wanted = predict(scene);
+  scene.fidelity.reset();
+  scene.accuracy = 0.5;
+  const Result result = predict(scene);
+  EXPECT_EQ(result.fidelity, "coupled");
+  EXPECT_EQ(result.vessels[0].current, wanted.vessels[0].current);
+  EXPECT_NE(result.certificate.notes.back().find("tubes without a pressure"), std::string::npos)
+      << result.certificate.notes.back();
+}
+
 TEST(RodLumen, TheRadiusIsSaidToBeLeftOut) {
   const Result result = predict(vein({5 * mmhg, 12 * mmhg}, "skin"));
   const std::string said = result.model.left_out.at("radius of svc");

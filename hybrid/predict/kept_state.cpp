@@ -47,7 +47,7 @@ void keep_rods(const Prediction& prediction, const SolveOptions& options) {
   auto state = std::make_shared<Prediction>(prediction);
   for (PredictedVessel& vessel : state->vessels) {
     const Vessel& mine = vessel.prepared.vessel;
-    vessel.positions = vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.binding)
+    vessel.positions = vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.carry)
                                          : mine.surface.points;
   }
   state->watch.lap("solve");

@@ -73,7 +73,7 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   const Points current =
       vessel.positions.rows() > 0
           ? vessel.positions
-          : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
+          : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.carry);
   const std::vector<char> opened = opened_in(prediction, prepared);
   std::vector<JudgedSection> sections;
   if (vessel.positions.rows() > 0) {

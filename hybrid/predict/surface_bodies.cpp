@@ -36,9 +36,9 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
       body.fixed[static_cast<size_t>(vertex)] = 1;
   }
   if (vessel.rod_solved) {
-    body.carried = carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
+    body.carried = carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.carry);
     body.rotations =
-        carried_rotations(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.binding);
+        carried_rotations(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.carry);
   }
   return body;
 }

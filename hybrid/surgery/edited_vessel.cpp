@@ -6,6 +6,7 @@
 
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
+#include "vessel/fork_reach.h"
 
 namespace vasorod {
 namespace {
@@ -92,8 +93,7 @@ std::vector<int> follow_edit(PreparedVessel& vessel, const TriangleSurface& edit
 }
 
 void bind_again(PreparedVessel& vessel) {
-  vessel.vessel.binding =
-      vasorod::bind(vessel.vessel.rod, vessel.vessel.surface.points, vessel.vessel.branch_of);
+  bind_wall(vessel.vessel);
 }
 
 }  // namespace vasorod

@@ -243,7 +243,7 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   // Step 3: the pairs of the seam.
   options.progress("seam");
   const std::vector<int> loop = svc.vessel.ends.back().loop;
-  const Points carried = carried_points(svc.vessel.rod, operation.vein.poses, svc.vessel.binding);
+  const Points carried = carried_points(svc.vessel.rod, operation.vein.poses, svc.vessel.carry);
   Points mouth_start(static_cast<Eigen::Index>(loop.size()), 3);
   for (size_t k = 0; k < loop.size(); ++k)
     mouth_start.row(static_cast<Eigen::Index>(k)) = carried.row(loop[k]);

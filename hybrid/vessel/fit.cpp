@@ -8,6 +8,7 @@
 #include "rod/rod_search.h"
 #include "vessel/centerline.h"
 #include "vessel/check_fit.h"
+#include "vessel/fork_reach.h"
 #include "vessel/rest_rod.h"
 #include "vessel/vessel.h"
 
@@ -118,7 +119,7 @@ Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
   vessel.surface = surface;
   vessel.branch_of = branches_of(surface, centerline, rod);
   vessel.rod = std::move(rod.tree);
-  vessel.binding = vasorod::bind(vessel.rod, surface.points, vessel.branch_of);
+  bind_wall(vessel);
   vessel.mean_radius = mean_radius(vessel.rod);
   vessel.ends.resize(loops.size());
   for (size_t k = 0; k < loops.size(); ++k) {

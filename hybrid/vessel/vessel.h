@@ -21,10 +21,13 @@ struct VesselEnd {
 
 /// Geometry of a vessel: rest surface, fitted rod, binding. No material.
 struct Vessel {
-  TriangleSurface surface;      ///< at rest
-  RodTree rod;                  ///< stiffness still zero; rest_strain = natural_strain
-  std::vector<int> branch_of;   ///< branch index per vertex
-  Binding binding;              ///< rod coordinates of the vertices [6]
+  TriangleSurface surface;     ///< at rest
+  RodTree rod;                 ///< stiffness still zero; rest_strain = natural_strain
+  std::vector<int> branch_of;  ///< branch index per vertex
+  Binding binding;             ///< rod coordinates of the vertices [6]
+  /// Rod coordinates by which the rod carries the vertices: `binding`, except beside forks
+  /// (vessel/fork_reach.h), where the vertex lies outside the section that it follows.
+  Binding carry;
   std::vector<VesselEnd> ends;  ///< ends[0] is `start`: its loop has the lowest point index
   double mean_radius = 0;       ///< mean of RodTree::radius by arc length, length
 };

@@ -18,8 +18,8 @@ CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
                        const VesselSections& sections) {
   const Vessel& v = vessel.prepared.vessel;
   CarriedBody body;
-  body.points = carried_points(v.rod, poses, v.binding);
-  body.rotations = carried_rotations(v.rod, poses, v.binding);
+  body.points = carried_points(v.rod, poses, v.carry);
+  body.rotations = carried_rotations(v.rod, poses, v.carry);
   for (const int node : sections.nodes)
     body.sections.push_back(
         {poses[index(node)].rotation * v.rod.rest[index(node)].rotation.transpose(),

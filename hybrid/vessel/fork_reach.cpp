@@ -1,0 +1,153 @@
+#include "vessel/fork_reach.h"
+
+#include <algorithm>
+
+#include "data/index.h"
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+// Half width of a section's band, in mean edges.
+constexpr double band_edges = 1.2;
+// Reaches from the fork to where a branch follows its own sections again: strains 3/2 as large.
+constexpr double caught_up = 3;
+// The fastest that a short branch catches up; faster, its reaches are shortened.
+constexpr double fastest = 3;
+
+// Arc length of the section that a branch's section at s follows.
+class Catching {
+ public:
+  Catching(double length, std::array<double, 2> reach) : length_(length), reach_(reach) {
+    const double sum = reach[0] + reach[1], most = length * (1 - 1 / fastest);
+    const double shortened = sum > most ? most / sum : 1;
+    for (size_t k = 0; k < 2; ++k) {
+      reach_[k] = shortened * reach[k];
+      end_[k] = std::min(caught_up * reach_[k], sum > 0 ? length * reach[k] / sum : 0);
+    }
+  }
+  double operator()(double s) const {
+    if (s < end_[0]) return from_fork(s, 0);
+    if (length_ - s < end_[1]) return length_ - from_fork(length_ - s, 1);
+    return s;
+  }
+
+ private:
+  double from_fork(double s, size_t k) const {
+    return std::max(0.0, s - reach_[k]) * end_[k] / (end_[k] - reach_[k]);
+  }
+  double length_;
+  std::array<double, 2> reach_, end_{};
+};
+
+// The section of a branch at s that holds `point`, in the frame there.
+RodCoordinates section_at(const RodTree& rod, const RodBranch& branch, double s,
+                          const Vec3& point) {
+  for (const int e : branch.elements) {
+    const double length = rod.elements[index(e)].length;
+    if (s <= length || e == branch.elements.back()) {
+      s = std::min(s, length);
+      return {e, s, frame_at(rod, rod.rest, e, s).inverse() * point};
+    }
+    s -= length;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<ElementPlace> element_places(const RodTree& rod) {
+  std::vector<ElementPlace> places(rod.elements.size());
+  for (size_t b = 0; b < rod.branches.size(); ++b) {
+    double s = 0;
+    for (const int e : rod.branches[b].elements) {
+      places[index(e)] = {b, s};
+      s += rod.elements[index(e)].length;
+    }
+  }
+  return places;
+}
+
+std::vector<double> branch_lengths(const RodTree& rod) {
+  std::vector<double> lengths;
+  for (const RodBranch& branch : rod.branches) {
+    double length = 0;
+    for (const int e : branch.elements) length += rod.elements[index(e)].length;
+    lengths.push_back(length);
+  }
+  return lengths;
+}
+
+std::vector<std::array<double, 2>> fork_reach(const Vessel& vessel) {
+  const RodTree& rod = vessel.rod;
+  std::vector<std::array<double, 2>> reach(rod.branches.size(), {0, 0});
+  if (rod.branches.size() == 1) return reach;
+  const std::vector<ElementPlace> places = element_places(rod);
+  const std::vector<double> lengths = branch_lengths(rod);
+  const auto see = [&](int vertex, int neighbour) {
+    const auto b = index(vessel.branch_of[index(vertex)]),
+               other = index(vessel.branch_of[index(neighbour)]);
+    if (b == other) return;
+    const RodBranch &mine = rod.branches[b], &theirs = rod.branches[other];
+    const RodCoordinates& at = vessel.binding[index(vertex)];
+    const double s = places[index(at.element)].start + at.s;
+    const auto meets = [&](int node) {
+      return node == theirs.nodes.front() || node == theirs.nodes.back();
+    };
+    if (meets(mine.nodes.front()))
+      reach[b][0] = std::max(reach[b][0], s);
+    else if (meets(mine.nodes.back()))
+      reach[b][1] = std::max(reach[b][1], lengths[b] - s);
+  };
+  const Triangles& triangles = vessel.surface.triangles;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      see(triangles(t, k), triangles(t, (k + 1) % 3));
+      see(triangles(t, (k + 1) % 3), triangles(t, k));
+    }
+  return reach;
+}
+
+double section_band(const RodElement& element, double mean_edge) {
+  return std::max(band_edges * mean_edge, element.length);
+}
+
+std::vector<char> fork_elements(const Vessel& vessel) {
+  const RodTree& rod = vessel.rod;
+  if (rod.branches.size() == 1) return std::vector<char>(rod.elements.size(), 0);
+  const double mean_edge = mean_edge_length(vessel.surface);
+  const std::vector<std::array<double, 2>> reach = fork_reach(vessel);
+  const std::vector<double> lengths = branch_lengths(rod);
+  const std::vector<ElementPlace> places = element_places(rod);
+  std::vector<char> at_fork(rod.elements.size(), 0);
+  for (size_t e = 0; e < at_fork.size(); ++e) {
+    const auto [branch, start] = places[e];
+    const auto& [near, far] = reach[branch];
+    const double band = section_band(rod.elements[e], mean_edge);
+    at_fork[e] = (near > 0 && start - band < near) ||
+                 (far > 0 && start + rod.elements[e].length + band > lengths[branch] - far);
+  }
+  return at_fork;
+}
+
+void bind_wall(Vessel& vessel) {
+  const RodTree& rod = vessel.rod;
+  vessel.binding = vasorod::bind(rod, vessel.surface.points, vessel.branch_of);
+  vessel.carry = vessel.binding;
+  if (rod.branches.size() == 1) return;
+  const std::vector<ElementPlace> places = element_places(rod);
+  const std::vector<double> lengths = branch_lengths(rod);
+  const std::vector<std::array<double, 2>> reach = fork_reach(vessel);
+  std::vector<Catching> catching;
+  for (size_t b = 0; b < rod.branches.size(); ++b) catching.emplace_back(lengths[b], reach[b]);
+  for (size_t v = 0; v < vessel.carry.size(); ++v) {
+    const RodCoordinates& at = vessel.binding[v];
+    const ElementPlace& mine = places[index(at.element)];
+    const double s = mine.start + at.s, followed = catching[mine.branch](s);
+    if (followed == s) continue;
+    vessel.carry[v] = section_at(rod, rod.branches[mine.branch], followed,
+                                 vessel.surface.points.row(static_cast<Eigen::Index>(v)));
+  }
+}
+
+}  // namespace vasorod

@@ -5,6 +5,7 @@
 
 #include "geometry/triangle_surface.h"
 #include "rod/strain_change.h"
+#include "vessel/fork_reach.h"
 
 namespace vasorod {
 
@@ -44,9 +45,10 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
 
   bool first = true;
   const auto changes = element_changes(vessel.vessel.rod, poses);
+  const std::vector<char> at_fork = fork_elements(vessel.vessel);
   for (size_t e = 0; e < changes.size(); ++e) {
     const ElementChange& element = changes[e];
-    const double stretch = element.strain[2] / (element.strain[2] - element.change[2]);
+    const double stretch = element.stretch();
     if (first || stretch < metrics.stretch[0]) {
       metrics.stretch[0] = stretch;
       metrics.where["smallest_stretch"] = element.middle;
@@ -56,8 +58,7 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
       metrics.where["largest_stretch"] = element.middle;
     }
     if (const double curvature = element.strain.segment<2>(3).norm();
-        !element.at_fork && !(e < opened.size() && opened[e]) &&
-        curvature > metrics.largest_curvature) {
+        !at_fork[e] && !(e < opened.size() && opened[e]) && curvature > metrics.largest_curvature) {
       metrics.largest_curvature = curvature;
       metrics.where["largest_curvature"] = element.middle;
     }

@@ -1,12 +1,16 @@
 #include "judge/validity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "data/index.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
+#include "judge/triangle_strain.h"
 #include "rod/conditions.h"
 #include "rod/strain_change.h"
+#include "vessel/fork_reach.h"
 #include "wall/plane_stress.h"
 
 namespace vasorod {
@@ -44,6 +48,19 @@ void judge(const std::string& vessel, const Extreme& extreme, const std::string&
   if (extreme.value >= 0.9) validity.in_range = false;
 }
 
+// The strains of the triangles whose vertices all belong to the marked elements.
+void see_walls(const Vessel& vessel, const Points& current, const std::vector<char>& marked,
+               Extreme& strain) {
+  const Triangles& triangles = vessel.surface.triangles;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    const std::array<int, 3> corner{triangles(t, 0), triangles(t, 1), triangles(t, 2)};
+    if (std::all_of(corner.begin(), corner.end(),
+                    [&](int v) { return marked[index(vessel.binding[index(v)].element)]; }))
+      strain.see(triangle_strain(vessel.surface.points, current, corner),
+                 (current.row(corner[0]) + current.row(corner[1]) + current.row(corner[2])) / 3);
+  }
+}
+
 // Factors of a wall with a fibre on the limits of the isotropic wall (validity.h); 1 if isotropic.
 struct FibreFactors {
   double bending;    ///< on Brazier's curvature
@@ -62,7 +79,7 @@ FibreFactors fibre_factors(const VesselSpec& spec) {
 
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                   const std::vector<int>& rigid_nodes, Validity& validity,
-                  const std::vector<char>& opened) {
+                  const std::vector<char>& opened, const Points& walls) {
   const RodTree& rod = vessel.vessel.rod;
   const Material& material = vessel.spec.wall->material;
   const FibreFactors fibre = fibre_factors(vessel.spec);
@@ -72,14 +89,28 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
   const double pressure = vessel.spec.pressure ? vessel.spec.pressure->after : 0;
   Extreme brazier, wrinkling, twist, strain, softening;
   const auto changes = element_changes(rod, poses);
+  std::vector<char> at_fork = fork_elements(vessel.vessel);
   for (size_t e = 0; e < changes.size(); ++e) {
-    if (e < opened.size() && opened[e]) continue;
+    if (e < opened.size() && opened[e]) {
+      at_fork[e] = 0;
+      continue;
+    }
     const ElementChange& element = changes[e];
     const double r = element.radius;
     const bool at_rigid_end = std::any_of(rigid_nodes.begin(), rigid_nodes.end(), [&](int node) {
       return (rod.rest[static_cast<size_t>(node)].position - element.rest_middle).norm() < r;
     });
-    if (at_rigid_end) continue;
+    if (at_rigid_end) {
+      at_fork[e] = 0;
+      continue;
+    }
+    const double outer = r + t / 2;
+    if (!at_fork[e] || walls.rows() == 0) {
+      strain.see(std::abs(element.change[2]) + element.bending() * outer, element.middle);
+      strain.see(std::abs(element.twist()) * outer + element.change.head<2>().norm(),
+                 element.middle);
+    }
+    if (at_fork[e]) continue;
     const bool is_long = length / r * std::sqrt(t / r) >= 7;
     const double inflated = pressure / collapse_pressure(material, t, r);
     if (is_long && inflated > -1)
@@ -91,15 +122,13 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
         0.747 * material.young_axial * fibre.twist * std::pow(t / r, 1.25) * std::sqrt(r / length);
     twist.see(material.shear_axial * r * std::abs(element.twist()) / critical_shear,
               element.middle);
-    const double outer = r + t / 2;
-    strain.see(std::abs(element.change[2]) + element.bending() * outer, element.middle);
-    strain.see(std::abs(element.twist()) * outer + element.change.head<2>().norm(), element.middle);
     const double rest_curvature = (element.strain - element.change).segment<2>(3).norm();
     if (element.bending() > 0.1 * rest_curvature && rest_curvature * r > 1e-3) {
       const double l = t * fibre.bending / (rest_curvature * r * r * root);
       softening.see((12 * l * l + 10) / (12 * l * l + 1), element.middle);
     }
   }
+  if (walls.rows() > 0) see_walls(vessel.vessel, walls, at_fork, strain);
   const std::string& name = vessel.spec.name;
   validity.brazier_ratio = worst(validity.brazier_ratio, brazier.value);
   validity.wrinkling_ratio = worst(validity.wrinkling_ratio, wrinkling.value);

@@ -15,6 +15,11 @@ namespace vasorod {
 /// `opened`: per rod element, whether an incision opens the section there; left out too. Empty:
 /// none.
 ///
+/// Within the reach of a fork (vessel/fork_reach.h) sections are no tubes, and the ratios leave
+/// these elements out. `walls`: the deformed surface where walls were solved; there the wall itself
+/// gives largest_strain beside a fork, the largest |lambda - 1| of a triangle's principal
+/// stretches. Empty: the rod gives it everywhere.
+///
 /// brazier_ratio: k / k_cr, k the change of (u1, u2), k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)). Long
 /// vessels only, Omega = (L/R) sqrt(t/R) >= 7 (Brazier 1927; the range of the long-tube formula).
 ///
@@ -39,7 +44,7 @@ namespace vasorod {
 /// choice of material law alone changes the answer by 13 to 32 %.
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
                   const std::vector<int>& rigid_nodes, Validity& validity,
-                  const std::vector<char>& opened = {});
+                  const std::vector<char>& opened = {}, const Points& walls = {});
 
 /// Warns of a wall whose faces are strained past 0.2 at one place, if its law is biot or svk: these
 /// soften in compression where a wall stiffens. The strain of a face counts the folding that

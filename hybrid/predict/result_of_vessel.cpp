@@ -85,8 +85,8 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
                                           vessel.pressure, sections, opened));
   const std::size_t before = result.validity.warnings.size();
-  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity,
-               opened);
+  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity, opened,
+               prediction.surfaces ? current : Points());
   if (prediction.surfaces && !prediction.surfaces->faces.empty())
     warn_of_law(prepared.spec,
                 prediction.surfaces->faces[vessel_named(prediction, prepared.spec.name)],

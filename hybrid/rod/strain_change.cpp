@@ -4,6 +4,11 @@
 
 namespace vasorod {
 
+double ElementChange::stretch() const {
+  const Vec6 rest = strain - change;
+  return at_fork ? strain.head<3>().norm() / rest.head<3>().norm() : strain[2] / rest[2];
+}
+
 std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& poses) {
   std::vector<ElementChange> changes;
   for (const RodElement& element : rod.elements) {

@@ -20,6 +20,8 @@ struct ElementChange {
 
   double bending() const { return change.segment<2>(3).norm(); }  ///< change of (u1, u2), 1/length
   double twist() const { return change[5]; }                      ///< u3 - u3^0, 1/length
+  /// v3 over its rest value. At a fork, where the axis turns away from d3: length over rest length.
+  double stretch() const;
 };
 
 /// One entry per element.

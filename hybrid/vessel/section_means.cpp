@@ -9,16 +9,12 @@
 #include "data/index.h"
 #include "geometry/rigid_motion.h"
 #include "geometry/triangle_surface.h"
+#include "vessel/fork_reach.h"
 
 namespace vasorod {
 namespace {
 
 constexpr int passes = 2;  // the second pass fits relative to the poses of the first
-// Half width of a band in mean edges, if that is more than an element.
-constexpr double band_edges = 1.2;
-// Of a section with forks near: the part of its circumference that must be seen in one piece.
-constexpr int sectors = 12;
-constexpr int widest_gap = 3;  // unseen sectors next to each other: a quarter of the circumference
 // Relative extent below which a section covers one direction only and has no mean rotation.
 constexpr double thin = 1e-3;
 
@@ -71,28 +67,30 @@ std::optional<Pose> rigid_fit(const std::vector<WeightedPair>& pairs) {
 
 class Sections {
  public:
-  explicit Sections(const Vessel& vessel) : vessel_(vessel), area_(vertex_areas(vessel.surface)) {
+  explicit Sections(const Vessel& vessel)
+      : vessel_(vessel),
+        area_(vertex_areas(vessel.surface)),
+        reach_(fork_reach(vessel)),
+        length_(branch_lengths(vessel.rod)),
+        is_fork_(vessel.rod.rest.size(), 0) {
     const RodTree& rod = vessel.rod;
-    half_width_ = band_edges * mean_edge_length(vessel.surface);
-    std::vector<std::pair<int, double>> start(rod.elements.size());  // branch, arc length
-    for (size_t b = 0; b < rod.branches.size(); ++b) {
-      double s = 0;
-      for (const int e : rod.branches[b].elements) {
-        start[index(e)] = {static_cast<int>(b), s};
-        s += rod.elements[index(e)].length;
-      }
-    }
+    mean_edge_ = mean_edge_length(vessel.surface);
+    for (const RodBranch& branch : rod.branches)
+      if (branch.parent >= 0) is_fork_[index(branch.nodes.front())] = 1;
+    const std::vector<ElementPlace> places = element_places(rod);
     on_.resize(rod.branches.size());
     for (size_t v = 0; v < vessel.binding.size(); ++v) {
-      const auto& [branch, s] = start[index(vessel.binding[v].element)];
-      on_[index(branch)].push_back({s + vessel.binding[v].s, static_cast<int>(v)});
+      const auto& [branch, s] = places[index(vessel.binding[v].element)];
+      on_[branch].push_back({s + vessel.binding[v].s, static_cast<int>(v)});
     }
     for (auto& vertices : on_)
       std::sort(vertices.begin(), vertices.end(),
                 [](const OnBranch& a, const OnBranch& b) { return a.s < b.s; });
   }
 
-  RodPoses fit(const Points& current, const RodPoses& near, const std::vector<char>& unseen) const {
+  RodPoses fit(const Points& current, const RodPoses& near,
+               const std::vector<std::optional<Pose>>& known,
+               const std::vector<char>& unseen) const {
     const RodTree& rod = vessel_.rod;
     const Points local = in_frames(current, near);
     const std::vector<std::optional<Pose>> forks = fork_changes(current, near);
@@ -107,15 +105,19 @@ class Sections {
       double s = 0;
       for (size_t k = 0; k < branch.nodes.size(); ++k) {
         const size_t node = index(branch.nodes[k]);
-        double width = half_width_;
-        if (k > 0) width = std::max(width, rod.elements[index(branch.elements[k - 1])].length);
+        double width = 0;
+        if (k > 0) width = section_band(rod.elements[index(branch.elements[k - 1])], mean_edge_);
         if (k < branch.elements.size())
-          width = std::max(width, rod.elements[index(branch.elements[k])].length);
+          width =
+              std::max(width, section_band(rod.elements[index(branch.elements[k])], mean_edge_));
         const bool seen = (unseen.empty() || !unseen[node]) && is_whole(b, s, width);
         const std::optional<Pose> change = forks[node] ? forks[node]
                                            : seen      ? mean_change(b, s, width, local)
                                                        : std::nullopt;
-        found.push_back(change ? std::optional(near[node] * *change) : std::nullopt);
+        if (!known.empty() && known[node])
+          found.push_back(known[node]);
+        else
+          found.push_back(change ? std::optional(near[node] * *change) : std::nullopt);
         before.push_back(near[node]);
         along.push_back(s);
         if (k < branch.elements.size()) s += rod.elements[index(branch.elements[k])].length;
@@ -157,56 +159,36 @@ class Sections {
     }
   }
 
-  // Whether the band of vertices around s covers the whole circumference at rest. Only beside forks
-  // it may not: there the sections of one branch end where the other branch begins.
+  // Whether the band of vertices around s on a branch lies outside the reach of its forks.
   bool is_whole(size_t branch, double s, double width) const {
-    if (on_.size() == 1) return true;
-    std::array<bool, sectors> seen{};
-    const auto& vertices = on_[branch];
-    for (auto v = first_from(vertices, s - width); v != vertices.end() && v->s < s + width; ++v) {
-      const Vec3& local = vessel_.binding[index(v->vertex)].local;
-      if (std::abs(local.z()) > width) continue;  // beyond the branch's own sections
-      const double turn = std::atan2(local.y(), local.x()) / (2 * M_PI) + 0.5;
-      seen[std::min(static_cast<size_t>(turn * sectors), seen.size() - 1)] = true;
-    }
-    int gap = 0;
-    for (size_t k = 0; k < 2 * seen.size(); ++k) {
-      gap = seen[k % seen.size()] ? 0 : gap + 1;
-      if (gap >= widest_gap) return false;
-    }
-    return true;
+    const RodBranch& mine = vessel_.rod.branches[branch];
+    const bool from_fork = is_fork_[index(mine.nodes.front())],
+               to_fork = is_fork_[index(mine.nodes.back())];
+    return !(from_fork && s - width < reach_[branch][0]) &&
+           !(to_fork && length_[branch] - s - width < reach_[branch][1]);
   }
 
   // A node where branches meet has no section of its own. Its change is that of the wall around
-  // it: the rigid motion that fits the vertices of all branches within one radius along the axes.
+  // it: the rigid motion that fits the vertices within the fork's reach on all branches.
   std::vector<std::optional<Pose>> fork_changes(const Points& current, const RodPoses& near) const {
     const RodTree& rod = vessel_.rod;
-    std::vector<std::optional<Pose>> changes(near.size());
-    for (const RodBranch& child : rod.branches) {
-      if (child.parent < 0) continue;
-      const size_t fork = index(child.nodes.front());
-      if (changes[fork]) continue;
-      const double reach = rod.radius[fork];
-      std::vector<WeightedPair> pairs;
-      const Pose from_rest = rod.rest[fork].inverse(), from_near = near[fork].inverse();
-      const auto add = [&](size_t branch, double at) {
-        const auto& vertices = on_[branch];
-        for (auto v = first_from(vertices, at - reach); v != vertices.end() && v->s < at + reach;
-             ++v)
-          pairs.push_back({area_[v->vertex] * (1 - std::abs(v->s - at) / reach),
-                           from_rest * Vec3(vessel_.surface.points.row(v->vertex)),
-                           from_near * Vec3(current.row(v->vertex))});
-      };
-      for (size_t b = 0; b < rod.branches.size(); ++b) {
-        double s = 0;
-        const RodBranch& branch = rod.branches[b];
-        for (size_t k = 0; k < branch.nodes.size(); ++k) {
-          if (index(branch.nodes[k]) == fork) add(b, s);
-          if (k < branch.elements.size()) s += rod.elements[index(branch.elements[k])].length;
+    std::vector<std::vector<WeightedPair>> around(near.size());
+    for (size_t b = 0; b < rod.branches.size(); ++b) {
+      const size_t front = index(rod.branches[b].nodes.front()),
+                   back = index(rod.branches[b].nodes.back());
+      for (const OnBranch& v : on_[b])
+        for (const size_t fork : {front, back}) {
+          const double away = fork == front ? v.s : length_[b] - v.s;
+          if (!is_fork_[fork] || away > reach_[b][fork == front ? 0 : 1]) continue;
+          around[fork].push_back(
+              {area_[v.vertex],
+               rod.rest[fork].inverse() * Vec3(vessel_.surface.points.row(v.vertex)),
+               near[fork].inverse() * Vec3(current.row(v.vertex))});
         }
-      }
-      changes[fork] = rigid_fit(pairs);
     }
+    std::vector<std::optional<Pose>> changes(near.size());
+    for (size_t n = 0; n < near.size(); ++n)
+      if (is_fork_[n]) changes[n] = rigid_fit(around[n]);
     return changes;
   }
 
@@ -232,7 +214,10 @@ class Sections {
 
   const Vessel& vessel_;
   Eigen::VectorXd area_;
-  double half_width_ = 0;
+  double mean_edge_ = 0;
+  std::vector<std::array<double, 2>> reach_;  // per branch, of the forks at its start and end
+  std::vector<double> length_;                // per branch
+  std::vector<char> is_fork_;                 // per node
   std::vector<std::vector<OnBranch>> on_;
 };
 
@@ -243,11 +228,7 @@ RodPoses section_means(const Vessel& vessel, const Points& current, const RodPos
                        const std::vector<char>& unseen) {
   const Sections sections(vessel);
   RodPoses poses = near;
-  for (int pass = 0; pass < passes; ++pass) {
-    poses = sections.fit(current, poses, unseen);
-    for (size_t n = 0; n < known.size(); ++n)
-      if (known[n]) poses[n] = *known[n];
-  }
+  for (int pass = 0; pass < passes; ++pass) poses = sections.fit(current, poses, known, unseen);
   return poses;
 }
 

@@ -16,9 +16,9 @@ namespace vasorod {
 /// sum A_i (R rho_i) x (x_i - r) = 0. The band averages only the difference to `near`, so the
 /// strains between nodes are second-order accurate in its width.
 ///
-/// Beside a fork, sections are not whole. The node of a fork follows the wall within one radius of
-/// it, of all branches together; nodes whose band covers less than three quarters of the
-/// circumference in one piece follow by interpolation between their neighbours.
+/// Within the reach of a fork (fork_reach.h), sections are not whole. The node of the fork follows
+/// the wall within its reach on all branches, by the rigid motion that fits it best; the nodes from
+/// there to the first whole section follow by interpolation between the two motions.
 RodPoses section_means(const Vessel& vessel, const Points& current, const RodPoses& near,
                        const std::vector<std::optional<Pose>>& known,
                        const std::vector<char>& unseen = {});

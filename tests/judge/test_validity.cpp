@@ -1,10 +1,12 @@
 #include <cmath>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
 #include <utility>
 
 #include "judge/judged_tube.h"
 #include "judge/validity.h"
+#include "surface_file/read_surface.h"
 
 namespace vasorod {
 namespace {
@@ -216,6 +218,62 @@ TEST(Validity, NothingCountsBesideARigidEnd) {
   EXPECT_FALSE(free.in_range);
   EXPECT_TRUE(held.in_range);
   EXPECT_NEAR(held.wrinkling_ratio, 0, 1e-9);
+}
+
+PreparedVessel forked() {
+  PreparedVessel vessel;
+  vessel.spec.name = "pulmonary_artery";
+  vessel.spec.surface =
+      std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant" / "pulmonary_artery.vtp";
+  vessel.spec.wall = Wall{0.45, Material::isotropic(0.45, 0.45)};
+  vessel.vessel.surface = load_surface(vessel.spec, Scene{}).surface;
+  fit(vessel);
+  return vessel;
+}
+
+// The rod of a fork turned sharply in one element: a kink of a tube, but not where the element
+// belongs to no tube.
+TEST(Validity, RatiosOfTubesDoNotCountWithinTheReachOfAFork) {
+  const PreparedVessel vessel = forked();
+  const RodTree& rod = vessel.vessel.rod;
+  const RodBranch& branch = rod.branches[1];
+  const auto judged_with_kink = [&](size_t k) {
+    const RodElement& element = rod.elements[static_cast<size_t>(branch.elements[k])];
+    Vec6 kink = element.rest_strain;
+    kink[3] += 0.1;
+    kink[5] += 0.1;
+    const auto second = static_cast<size_t>(element.second);
+    const Pose turn = rod.rest[static_cast<size_t>(element.first)] *
+                      exp_motion(element.length * kink) * rod.rest[second].inverse();
+    RodPoses poses = rod.rest;
+    for (size_t n = k + 1; n < branch.nodes.size(); ++n) {
+      const auto node = static_cast<size_t>(branch.nodes[n]);
+      poses[node] = turn * poses[node];
+    }
+    Validity validity;
+    add_validity(vessel, poses, {}, validity, {}, vessel.vessel.surface.points);
+    return validity;
+  };
+  const Validity at_fork = judged_with_kink(1), tube = judged_with_kink(branch.elements.size() / 2);
+  EXPECT_LT(at_fork.wrinkling_ratio, 1e-6);
+  EXPECT_LT(at_fork.twist_ratio, 1e-6);
+  EXPECT_LT(at_fork.largest_strain, 1e-6) << "the wall is at rest";
+  EXPECT_TRUE(at_fork.in_range);
+  EXPECT_GT(tube.wrinkling_ratio, 0.9);
+  EXPECT_GT(tube.twist_ratio, 0.9);
+  EXPECT_GT(tube.largest_strain, 0.2);
+}
+
+// There the wall is judged: one and a half times as wide, it is strained by half.
+TEST(Validity, BesideAForkTheWallGivesTheStrain) {
+  const PreparedVessel vessel = forked();
+  const RodPoses& rest = vessel.vessel.rod.rest;
+  Validity walls, rods;
+  add_validity(vessel, rest, {}, walls, {}, 1.5 * vessel.vessel.surface.points);
+  add_validity(vessel, rest, {}, rods);
+  EXPECT_NEAR(walls.largest_strain, 0.5, 1e-12);
+  EXPECT_FALSE(walls.in_range);
+  EXPECT_EQ(rods.largest_strain, 0);
 }
 
 }  // namespace

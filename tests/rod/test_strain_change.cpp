@@ -53,5 +53,18 @@ TEST(RodChange, ABranchOfOneElementHasNothingElse) {
   EXPECT_DOUBLE_EQ(nodes[3].strain[2], 1.6);
 }
 
+// Where the axis turns away from d3, v3 is not its stretch and may have any sign.
+TEST(RodChange, TheStretchAtAForkIsThatOfTheLength) {
+  ElementChange change;
+  change.strain << 0.6, 0, -0.8, 0, 0, 0;
+  change.change << 0.1, 0, -0.8, 0, 0, 0;  // at rest (0.5, 0, 0)
+  change.at_fork = true;
+  EXPECT_DOUBLE_EQ(change.stretch(), 2);
+  change.strain << 0.3, 0, 1.1, 0, 0, 0;
+  change.change << 0.3, 0, 0.1, 0, 0, 0;
+  change.at_fork = false;
+  EXPECT_DOUBLE_EQ(change.stretch(), 1.1);
+}
+
 }  // namespace
 }  // namespace vasorod

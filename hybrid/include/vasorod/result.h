@@ -26,10 +26,13 @@ struct Validity {
   /// False: a ratio is 0.9 or more, or the strain exceeds 0.2. It says nothing where the state is
   /// no solution (is_solution), nor after `fit`; result.json then has null.
   bool in_range = true;
+  /// The ratios are those of tubes: they leave the forks out.
   double brazier_ratio = 0,  ///< change of curvature over Brazier's critical one, long vessels only
       wrinkling_ratio = 0,   ///< bending strain over the strain of axial wrinkling
       twist_ratio = 0,       ///< shear stress of twist over the stress of wrinkling
-      largest_strain = 0;    ///< strain of the wall's outer fibres, no unit
+      /// Strain of the wall's outer fibres, no unit. At forks, if walls were solved, of the wall's
+      /// triangles.
+      largest_strain = 0;
   std::vector<std::string> warnings;  ///< one sentence each, from a ratio of 0.7 on
 };
 

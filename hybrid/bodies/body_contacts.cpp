@@ -1,11 +1,16 @@
 #include "bodies/body_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "bodies/contact_pair.h"
 #include "bodies/held_overlap.h"
+#include "bodies/reach.h"
 #include "bodies/seam_band.h"
+#include "bodies/self_contact.h"
 #include "bodies/unmet_criteria.h"
+#include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
@@ -13,6 +18,13 @@ namespace {
 // Vertices with a gap below this many mean edges take part in a minimisation, whether they carry
 // pressure or not.
 constexpr double reach = 1.0;
+// The same of a body and itself: its walls may come together far within one minimisation.
+constexpr double self_reach = 3.0;
+// A wall that has left the sections carried by its rod by less than this share of the radius of its
+// narrowest end has not come together: a section is flat when its walls have moved by a radius.
+constexpr double in_shape = 0.3;
+// Walls that moved by less than this many mean edges have not come together since the last search.
+constexpr double follow_from = 0.2;
 
 // Width of the band around overlapping rigid ends in which contact is left out, in units of the
 // overlap's depth.
@@ -23,6 +35,18 @@ constexpr double held_band = 2;
 bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
   if (a.obstacle != b.obstacle) return b.obstacle;
   return a.mean_edge <= b.mean_edge;
+}
+
+// Root mean square radius of the narrowest open end, 0 where there is none.
+double narrowest_end(const TriangleSurface& surface) {
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const std::vector<int>& loop : boundary_loops(surface.triangles)) {
+    const Points ring = surface.points(loop, Eigen::all);
+    narrowest = std::min(
+        narrowest,
+        std::sqrt((ring.rowwise() - ring.colwise().mean()).rowwise().squaredNorm().mean()));
+  }
+  return std::isfinite(narrowest) ? narrowest : 0;
 }
 
 }  // namespace
@@ -39,7 +63,38 @@ BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scale
   }
 }
 
-void BodyContacts::create(Pair& pair, const ScaledBodies& scaled) {
+double BodyContacts::stiffness_of(const Pair& pair, const ScaledBodies& scaled) const {
+  double k = std::numeric_limits<double>::infinity();
+  for (const int index : {pair.slave, pair.master}) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
+    if (!body.obstacle)
+      k = std::min(k, stiffness_ * (body.k.bending + body.k.stretching) / body.mean_area);
+  }
+  return k;
+}
+
+// Left out are the seam and what a rigid section holds.
+std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
+                                                    const ScaledBodies& scaled) const {
+  const ScaledBody& body = scaled.bodies[static_cast<size_t>(pair.slave)];
+  std::vector<int> seam;
+  for (const SeamPair& joined : problem_.seams) {
+    if (joined.body_a == pair.slave) seam.push_back(joined.vertex_a);
+    if (joined.body_b == pair.slave) seam.push_back(joined.vertex_b);
+  }
+  std::vector<char> out(static_cast<size_t>(body.rest.points.rows()), 0);
+  if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
+  for (size_t i = 0; i < body.fixed.size(); ++i) out[i] |= body.fixed[i];
+  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(out)},
+                                       body.thickness, stiffness_of(pair, scaled));
+}
+
+bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {
+  if (pair.shape < 0) pair.shape = in_shape * narrowest_end(body.rest);
+  return (body.now - body.carried).rowwise().squaredNorm().maxCoeff() < pair.shape * pair.shape;
+}
+
+std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBodies& scaled) const {
   std::vector<int> slave_seam, master_seam;
   for (const SeamPair& seam : problem_.seams)
     for (const auto& [body_a, vertex_a, body_b, vertex_b] :
@@ -69,14 +124,9 @@ void BodyContacts::create(Pair& pair, const ScaledBodies& scaled) {
     }
     return ContactSide{body.rest, body.offset, std::move(out)};
   };
-  double k = std::numeric_limits<double>::infinity();
-  for (const int index : {pair.slave, pair.master}) {
-    const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    if (!body.obstacle)
-      k = std::min(k, stiffness_ * (body.k.bending + body.k.stretching) / body.mean_area);
-  }
-  pair.contact.emplace(side(pair.slave, slave_seam, overlap.in_a),
-                       side(pair.master, master_seam, overlap.in_b), k);
+  return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
+                                       side(pair.master, master_seam, overlap.in_b),
+                                       stiffness_of(pair, scaled));
 }
 
 ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
@@ -87,30 +137,49 @@ ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
                      &master = scaled.bodies[static_cast<size_t>(pair.master)];
     const bool live = slave.modelled || master.modelled;
     const double margin = reach + slave.offset + master.offset;
-    if (!pair.contact && live &&
-        vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
-      create(pair, scaled);
+    if (!pair.contact && live) {
+      if (pair.own() && !keeps_its_shape(pair, slave))
+        pair.contact = within(pair, scaled);
+      else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
+        pair.contact = between(pair, scaled);
+    }
     if (!pair.contact) continue;
-    pair.in_reach = true;
+    pair.in_reach |= !pair.own();
     const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
     change += pair_change;
     sum += pair_sum;
-    pair.contact->refresh(slave.now, master.now, reach);
+    pair.contact->refresh(slave.now, master.now, pair.own() ? self_reach : reach);
+    if (pair.own()) pair.searched = slave.now;
     std::vector<int> pressed;
     for (const ContactPoint& c : pair.contact->contacts()) {
-      const double gap = pair.contact->gap(c, slave.now, master.now);
+      const double gap = FoundContacts::gap(c, slave.now, master.now);
       state.penetration = std::max(state.penetration, -gap);
       if (c.multiplier - c.stiffness * gap > 0) pressed.push_back(c.slave);
     }
     if (pressed != pair.pressed) state.pressed_changed = true;
     pair.pressed = std::move(pressed);
     if (!pair.pressed.empty()) {
+      pair.in_reach = true;
       if (!slave.modelled && !slave.obstacle) state.touched.push_back(pair.slave);
       if (!master.modelled && !master.obstacle) state.touched.push_back(pair.master);
     }
   }
   state.force_change = change > 0 ? change / std::max(sum, 1e-300) : 0;
   return state;
+}
+
+void BodyContacts::follow(const ScaledBodies& scaled) {
+  for (Pair& pair : pairs_) {
+    const ScaledBody& body = scaled.bodies[static_cast<size_t>(pair.slave)];
+    if (!pair.own() || !body.modelled) continue;
+    if (pair.searched.rows() == body.now.rows() &&
+        (body.now - pair.searched).rowwise().norm().maxCoeff() < follow_from)
+      continue;
+    if (!pair.contact && keeps_its_shape(pair, body)) continue;
+    if (!pair.contact) pair.contact = within(pair, scaled);
+    pair.contact->refresh(body.now, body.now, self_reach);
+    pair.searched = body.now;
+  }
 }
 
 StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
@@ -156,9 +225,10 @@ double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled, bool sea
   if (!mine.contact) return smallest;
   const Points &slave = scaled.bodies[static_cast<size_t>(mine.slave)].now,
                &master = scaled.bodies[static_cast<size_t>(mine.master)].now;
-  if (search && mine.contact->contacts().empty()) mine.contact->refresh(slave, master, smallest);
+  if (search && !mine.own() && mine.contact->contacts().empty())
+    mine.contact->refresh(slave, master, smallest);
   for (const ContactPoint& c : mine.contact->contacts())
-    smallest = std::min(smallest, mine.contact->gap(c, slave, master));
+    smallest = std::min(smallest, FoundContacts::gap(c, slave, master));
   return smallest;
 }
 

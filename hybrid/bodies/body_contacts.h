@@ -2,9 +2,9 @@
 // between minimisations.
 #pragma once
 
-#include <optional>
+#include <memory>
 
-#include "bodies/contact_pair.h"
+#include "bodies/found_contacts.h"
 #include "bodies/scaled_bodies.h"
 
 namespace vasorod {
@@ -36,7 +36,7 @@ class UnmetCriteria;
 void require_contact(const ContactState& state, double penetration, double force_change,
                      UnmetCriteria& unmet);
 
-/// Contacts of all pairs of a problem. All values in scaled units.
+/// Contacts of all pairs of a problem, a body and itself among them. All values in scaled units.
 class BodyContacts {
  public:
   /// `problem` must outlive this. `stiffness`: SurfaceOptions::contact_stiffness.
@@ -46,11 +46,16 @@ class BodyContacts {
   /// features again.
   ContactState refresh(const ScaledBodies& scaled);
 
+  /// Finds what touches itself again, at the bodies' current positions, and keeps the multipliers.
+  /// A collapse can bring walls together within one minimisation.
+  void follow(const ScaledBodies& scaled);
+
   /// The contacts numbered for the stack. `first` is the first row of each body in the stack, -1
   /// for a body that is not among the unknowns.
   StackedContacts stacked(const ScaledBodies& scaled, const std::vector<int>& first) const;
 
-  /// Whether the bodies of a pair have come within reach at any time so far.
+  /// Whether the bodies of a pair have come within reach at any time so far; of a body and itself,
+  /// whether it has touched itself.
   bool within_reach(int pair) const { return pairs_[static_cast<size_t>(pair)].in_reach; }
   int slave(int pair) const { return pairs_[static_cast<size_t>(pair)].slave; }
   int master(int pair) const { return pairs_[static_cast<size_t>(pair)].master; }
@@ -75,10 +80,17 @@ class BodyContacts {
     int slave = 0, master = 0;
     bool in_reach = false;  ///< at any time so far
     double held_depth = 0;
-    std::optional<ContactPair> contact;
+    std::unique_ptr<FoundContacts> contact;
     std::vector<int> pressed;
+    Points searched;    ///< of a body and itself: where its walls were at the last search
+    double shape = -1;  ///< of a body and itself: how far its walls leave the rod's sections before
+                        ///< they are looked at, scaled length; -1: not computed yet
+    bool own() const { return slave == master; }  ///< a body and itself
   };
-  void create(Pair& pair, const ScaledBodies& scaled);
+  static bool keeps_its_shape(Pair& pair, const ScaledBody& body);
+  std::unique_ptr<FoundContacts> between(Pair& pair, const ScaledBodies& scaled) const;
+  std::unique_ptr<FoundContacts> within(const Pair& pair, const ScaledBodies& scaled) const;
+  double stiffness_of(const Pair& pair, const ScaledBodies& scaled) const;
 
   const BodyProblem& problem_;
   double stiffness_;

@@ -40,13 +40,20 @@ struct SeamPair {
 struct BodyProblem {
   std::vector<SurfaceBody> bodies;
   std::vector<SeamPair> seams;
-  std::vector<std::pair<int, int>> contacts;  ///< pairs of bodies that may touch
+  /// Pairs of bodies that may touch; a body and itself: its wall may touch itself.
+  std::vector<std::pair<int, int>> contacts;
+
+  /// Whether two different bodies may touch.
+  bool may_meet() const;
 };
 
 /// Throws InputError (one sentence) where a contact names a body that does not exist.
 void check_contacts(const BodyProblem& problem);
 
-/// All pairs of bodies except pairs of two obstacles.
+/// All pairs of bodies except pairs of two obstacles; none of a body and itself.
 std::vector<std::pair<int, int>> all_contacts(const std::vector<SurfaceBody>& bodies);
+
+/// Every body that is no obstacle with itself.
+std::vector<std::pair<int, int>> self_contacts(const std::vector<SurfaceBody>& bodies);
 
 }  // namespace vasorod

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bodies/normal_foot.h"
+#include "bodies/reach.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -48,11 +49,11 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
 }  // namespace
 
 ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness)
-    : slave_(std::move(slave)),
+    : FoundContacts(slave.rest.points.rows()),
+      slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
       area_(vertex_areas(slave_.rest)),
-      multiplier_(Eigen::VectorXd::Zero(slave_.rest.points.rows())),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
@@ -80,8 +81,7 @@ bool ContactPair::inside_at_rest(int vertex) {
 }
 
 void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
-  contacts_.clear();
-  swallowed_ = 0;
+  begin();
   const double offsets = slave_.offset + master_.offset;
   // An overlap at rest only lowers the slack. From outside, a feature farther away than this cannot
   // have a gap below `reach`; from inside every feature counts.
@@ -92,7 +92,7 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     if (slave_.excluded.empty() || !slave_.excluded[static_cast<size_t>(i)])
       if (box.exteriorDistance(Vec3(slave.row(i))) <= margin && area_[i] > 0) near.push_back(i);
   if (near.empty()) {
-    multiplier_.setZero();
+    end();
     return;
   }
   const TriangleSurface now{master, master_.rest.triangles};
@@ -102,7 +102,6 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     current_->refit(master);
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
   const Points master_normals = vertex_normals(now);
-  Eigen::VectorXd kept = Eigen::VectorXd::Zero(multiplier_.size());
   for (const int i : near) {
     const Feature feature = facing_feature(*current_, now, master_normals, master_.excluded,
                                            slave.row(i), slave_normals.row(i));
@@ -111,31 +110,11 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     if (!feature.valid || feature.distance - offsets > reach) continue;
     const double rest = allowance(i);
     if (feature.distance - offsets - rest > reach) continue;
-    kept[i] = multiplier_[i];
-    contacts_.push_back({i, feature.vertex, feature.weight, feature.normal, offsets + rest,
-                         area_[i], stiffness_, multiplier_[i]});
+    add({i, feature.vertex, feature.weight, feature.normal, offsets + rest, area_[i], stiffness_,
+         0},
+        i);
   }
-  multiplier_ = kept;
-}
-
-double ContactPair::gap(const ContactPoint& contact, const Points& slave,
-                        const Points& master) const {
-  double gap = contact.normal.dot(slave.row(contact.slave)) - contact.slack;
-  for (size_t k = 0; k < 3; ++k)
-    gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(master.row(contact.master[k]));
-  return gap;
-}
-
-std::pair<double, double> ContactPair::update_multipliers(const Points& slave,
-                                                          const Points& master) {
-  double change = 0, sum = 0;
-  for (ContactPoint& c : contacts_) {
-    const double pressure = std::max(0.0, c.multiplier - c.stiffness * gap(c, slave, master));
-    change += c.area * std::abs(pressure - c.multiplier);
-    sum += c.area * pressure;
-    multiplier_[c.slave] = c.multiplier = pressure;
-  }
-  return {change, sum};
+  end();
 }
 
 }  // namespace vasorod

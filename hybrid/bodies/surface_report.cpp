@@ -30,12 +30,15 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
                master = static_cast<size_t>(contacts.master(stacked.pair[c]));
     ContactSolution& pair = solution.contacts[static_cast<size_t>(stacked.pair[c])];
     const double real = pressure * scaled.pressure();
-    solution.bodies[slave].pressure[stacked.slave[c]] += real;
+    // A wall that touches itself is slave and master with half its area each.
+    const double own_area = areas[slave][stacked.slave[c]];
+    solution.bodies[slave].pressure[stacked.slave[c]] += real * (contact.area / own_area);
     const Vec3 force = contact.area * pressure * contact.normal;
     for (size_t k = 0; k < 3; ++k)
       handed[master].row(stacked.master[c][k]) -=
           contact.weight[static_cast<int>(k)] * force.transpose();
-    pair.force += (pair.a == static_cast<int>(slave) ? 1 : -1) * force * scaled.force();
+    if (slave != master)
+      pair.force += (pair.a == static_cast<int>(slave) ? 1 : -1) * force * scaled.force();
     pair.area += contact.area * scaled.length * scaled.length;
     pair.largest_pressure = std::max(pair.largest_pressure, real);
   }

@@ -230,6 +230,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   }
   while (summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
+    if (options.follow) options.follow(z);
     factored_at = residual(z);
     if (!factorise(z, shift, summary.factorisations, options.max_factorisations, before)) {
       summary.unfactorised = true;

@@ -37,6 +37,8 @@ struct CoupledMinimiserOptions {
   /// Determine the sign of the smallest curvature at the end, and leave saddles.
   bool certify = true;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
+  /// Called with the point reached before each new Hessian: may change the contacts. May be empty.
+  std::function<void(const Eigen::VectorXd& z)> follow;
   /// Called before each ordering and factorisation, which cannot be stopped inside, with the best
   /// point so far; returning true interrupts. May be empty.
   std::function<bool(const std::string& step, const Eigen::VectorXd& z)> before;

@@ -140,6 +140,7 @@ class CoupledSolver::Data {
       return stop(iteration, residual);
     };
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
+    if (stack_.may_touch_itself()) inner.follow = [this](const VectorXd& z) { stack_.follow(z); };
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -181,7 +182,8 @@ class CoupledSolver::Data {
     const BodyProblem& surfaces = stack_.problem.surfaces;
     CoupledMinimiserOptions inner = inner_options(stepped);
     const bool alone = surfaces.seams.empty() && !stack_.system->has_ties();
-    const bool updates = !alone || !surfaces.contacts.empty();  // multipliers between minimisations
+    // Multipliers between minimisations.
+    bool updates = !alone || surfaces.may_meet() || stack_.contacts->pressing();
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
     Kept best;  // the last minimum found
@@ -210,6 +212,10 @@ class CoupledSolver::Data {
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+      if (!updates && stack_.contacts->pressing()) {  // it touches itself now
+        updates = true;
+        tolerance = std::max(first_tolerance, options.tolerance);
+      }
       const double slackness = outer > patience_with_contact ? slack_contact : 1;
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= slackness * options.contact_tolerance &&

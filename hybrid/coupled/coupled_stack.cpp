@@ -129,8 +129,19 @@ void CoupledStack::stack_contacts() {
   system->contacts = stacked.points;
 }
 
-void CoupledStack::unstack() {
-  const Points positions = system->state(z).positions;
+void CoupledStack::follow(const Eigen::VectorXd& at) {
+  unstack(at);
+  contacts->follow(scaled);
+  stack_contacts();
+}
+
+bool CoupledStack::may_touch_itself() const {
+  return std::any_of(problem.surfaces.contacts.begin(), problem.surfaces.contacts.end(),
+                     [](const std::pair<int, int>& pair) { return pair.first == pair.second; });
+}
+
+void CoupledStack::unstack(const Eigen::VectorXd& at) {
+  const Points positions = system->state(at).positions;
   for (size_t b = 0; b < scaled.bodies.size(); ++b)
     if (first[b] >= 0)
       scaled.bodies[b].now = positions.middleRows(first[b], scaled.bodies[b].now.rows());

@@ -29,7 +29,10 @@ class CoupledStack {
   /// Numbers the contacts found last for the system.
   void stack_contacts();
   /// Sets the bodies' `now` from z.
-  void unstack();
+  void unstack() { unstack(z); }
+  /// Finds what touches itself at a point on the way.
+  void follow(const Eigen::VectorXd& at);
+  bool may_touch_itself() const;
   /// Updates the multipliers of the seam after a minimisation.
   void update_seams();
 
@@ -56,6 +59,7 @@ class CoupledStack {
   Eigen::VectorXd z;
 
  private:
+  void unstack(const Eigen::VectorXd& at);
   HeldSection scale(const HeldSection& section) const;
   std::vector<HeldSection> scaled_sections(size_t body) const;
   WallInput scaled_wall(size_t body) const;

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <tuple>
 
@@ -49,11 +50,19 @@ RayHits::RayHits(RayHits&&) noexcept = default;
 RayHits& RayHits::operator=(RayHits&&) noexcept = default;
 RayHits::~RayHits() = default;
 
-std::vector<RayHit> RayHits::along(const Vec3& origin, const Vec3& direction) const {
+std::vector<RayHit> RayHits::along(const Vec3& origin, const Vec3& direction,
+                                   double farthest) const {
   const Kernel::Point_3 from(origin.x(), origin.y(), origin.z());
-  const Kernel::Ray_3 ray(from, Kernel::Vector_3(direction.x(), direction.y(), direction.z()));
   std::vector<Corners::const_iterator> found;
-  tree_->tree.all_intersected_primitives(ray, std::back_inserter(found));
+  if (std::isfinite(farthest)) {
+    const Vec3 to = origin + farthest * direction;
+    tree_->tree.all_intersected_primitives(
+        Kernel::Segment_3(from, Kernel::Point_3(to.x(), to.y(), to.z())),
+        std::back_inserter(found));
+  } else {
+    const Kernel::Vector_3 way(direction.x(), direction.y(), direction.z());
+    tree_->tree.all_intersected_primitives(Kernel::Ray_3(from, way), std::back_inserter(found));
+  }
   std::vector<RayHit> hits;
   for (const auto& corner : found) {
     const auto t = corner - tree_->corners.cbegin();

@@ -1,6 +1,7 @@
 // Where a ray passes through the triangles of a surface.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -23,9 +24,11 @@ class RayHits {
   RayHits& operator=(RayHits&&) noexcept;
   ~RayHits();
 
-  /// All hits of the ray from `origin` in the unit `direction`, from near to far. A ray through an
-  /// edge may hit both its triangles; one parallel to a triangle does not hit it.
-  std::vector<RayHit> along(const Vec3& origin, const Vec3& direction) const;
+  /// All hits of the ray from `origin` in the unit `direction` up to `farthest` (length), from near
+  /// to far. A ray through an edge may hit both its triangles; one parallel to a triangle does not
+  /// hit it.
+  std::vector<RayHit> along(const Vec3& origin, const Vec3& direction,
+                            double farthest = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Tree;

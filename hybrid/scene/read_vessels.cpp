@@ -222,8 +222,9 @@ std::vector<std::array<std::string, 2>> read_contact(const Field& field,
     const VesselSpec& a = named_vessel(names[0], vessels);
     const VesselSpec& b = named_vessel(names[1], vessels);
     if (&a == &b)
-      pair.refuse(in_quotes(a.name) + " twice",
-                  "two different vessels, as self-contact is not modelled");
+      pair.refuse(
+          in_quotes(a.name) + " twice",
+          "two different vessels, as this list does not choose whether a vessel touches itself");
     for (size_t k = 0; k < 2; ++k)
       if ((k == 0 ? a : b).rod)
         names[k].refuse("the bare rod " + names[k].found(), "a vessel with a surface");

@@ -29,6 +29,15 @@ TEST(BodyProblem, EveryPairMayTouchButTwoObstacles) {
   EXPECT_TRUE(all_contacts(problem_of({true, true}).bodies).empty());
 }
 
+TEST(BodyProblem, ObstaclesDoNotTouchThemselves) {
+  BodyProblem problem = problem_of({false, true, false});
+  problem.contacts = self_contacts(problem.bodies);
+  EXPECT_EQ(problem.contacts, (std::vector<std::pair<int, int>>{{0, 0}, {2, 2}}));
+  EXPECT_FALSE(problem.may_meet());
+  problem.contacts.emplace_back(0, 1);
+  EXPECT_TRUE(problem.may_meet());
+}
+
 TEST(BodyProblem, AContactNamesBodiesThatExist) {
   BodyProblem problem = problem_of({false, false, true});
   problem.contacts = {{0, 1}, {2, 0}};

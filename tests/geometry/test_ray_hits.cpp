@@ -41,6 +41,14 @@ TEST(RayHits, FromInsideThereIsOneAndBehindNone) {
   EXPECT_TRUE(rays.along({0, 0, 20}, Vec3::UnitZ()).empty());  // out of the open end
 }
 
+TEST(RayHits, WhatIsFartherThanAskedIsNotFound) {
+  const RayHits rays(tube());
+  const Vec3 from(-25, 0.4, 17.3);
+  EXPECT_EQ(rays.along(from, Vec3::UnitX(), 14).size(), 0U);
+  EXPECT_EQ(rays.along(from, Vec3::UnitX(), 20).size(), 1U);
+  EXPECT_EQ(rays.along(from, Vec3::UnitX(), 40).size(), 2U);
+}
+
 TEST(RayHits, DoNotDependOnTheUnit) {
   TriangleSurface small = tube();
   const RayHits rays(small);

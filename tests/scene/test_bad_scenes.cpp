@@ -172,7 +172,7 @@ const std::vector<Bad> bads = {
     {"end_frame_alone", "hold: true", "hold: true, moment_frame: body", {"without a moment"}},
     {"end_section_unknown", "hold: true", "hold: true, section: hard", {"rigid or soft"}},
     {"move_word", "move: [1, 0, 0]", "move: [1, 0, up]", {"ends[1].move[2]", "\"up\""}},
-    {"contact_with_itself", "[[tube, other]]", "[[tube, tube]]", {"self-contact"}},
+    {"contact_with_itself", "[[tube, other]]", "[[tube, tube]]", {"two different vessels"}},
     {"contact_unknown",
      "[[tube, other]]",
      "[[tube, aorta]]",

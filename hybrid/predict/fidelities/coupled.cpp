@@ -30,6 +30,10 @@ CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
 CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& sections) {
   CoupledProblem problem;
   problem.surfaces = body_problem(prediction);
+  // Beside a seam the walls meet as they are sewn, and its start may lie through itself.
+  if (!prediction.glenn)
+    for (const auto& itself : self_contacts(problem.surfaces.bodies))
+      problem.surfaces.contacts.push_back(itself);
   for (const PredictedVessel& vessel : prediction.vessels) {
     sections.emplace_back();
     problem.vessels.emplace_back();

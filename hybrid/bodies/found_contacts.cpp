@@ -1,0 +1,47 @@
+#include "bodies/found_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vasorod {
+
+void FoundContacts::begin() {
+  contacts_.clear();
+  slots_.clear();
+  swallowed_ = 0;
+  kept_ = Eigen::VectorXd::Zero(multiplier_.size());
+}
+
+void FoundContacts::add(ContactPoint contact, Eigen::Index slot) {
+  contact.multiplier = kept_[slot] = multiplier_[slot];
+  contacts_.push_back(contact);
+  slots_.push_back(slot);
+}
+
+void FoundContacts::end() {
+  multiplier_ = kept_;
+}
+
+double FoundContacts::gap(const ContactPoint& contact, const Points& slave, const Points& master) {
+  double gap = contact.normal.dot(slave.row(contact.slave)) - contact.slack;
+  for (size_t k = 0; k < 3; ++k)
+    gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(master.row(contact.master[k]));
+  return gap;
+}
+
+std::pair<double, double> FoundContacts::update_multipliers(const Points& slave,
+                                                            const Points& master) {
+  double change = 0, sum = 0;
+  for (size_t i = 0; i < contacts_.size(); ++i) {
+    ContactPoint& c = contacts_[i];
+    const double apart = gap(c, slave, master);
+    const double pressure = std::max(0.0, c.multiplier - c.stiffness * apart);
+    sum += c.area * pressure;
+    if (pressure > 0 && std::abs(apart) <= settled_) continue;
+    change += c.area * std::abs(pressure - c.multiplier);
+    multiplier_[slots_[i]] = c.multiplier = pressure;
+  }
+  return {change, sum};
+}
+
+}  // namespace vasorod

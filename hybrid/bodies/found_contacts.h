@@ -1,0 +1,69 @@
+// The contacts of one pair of walls with their multipliers, however they are found.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "bodies/contact_energy.h"
+
+namespace vasorod {
+
+/// One side of a pair.
+struct ContactSide {
+  TriangleSurface rest;
+  double offset = 0;           ///< from the surface to the wall's outer face, length
+  std::vector<char> excluded;  ///< per vertex; empty: none
+};
+
+/// Contacts between one slave and one master surface.
+class FoundContacts {
+ public:
+  virtual ~FoundContacts() = default;
+
+  /// Finds the facing features at these positions. contacts() then holds those with a gap below
+  /// `reach` (length). Multipliers are kept for vertices that stay within reach.
+  virtual void refresh(const Points& slave, const Points& master, double reach) = 0;
+
+  /// The contacts, numbered within the bodies; the slack is for a moving master.
+  const std::vector<ContactPoint>& contacts() const { return contacts_; }
+
+  /// Number of slave vertices inside the master that face the same way as its nearest wall, and did
+  /// not at rest. They have passed the middle of the master, so the nearest wall is no longer the
+  /// one they entered through.
+  int swallowed() const { return swallowed_; }
+
+  /// Sets m = p at the given positions, as after a minimisation, except where walls press on each
+  /// other within `settled`. Returns (change of the contact
+  /// forces, sum of the contact forces), force.
+  std::pair<double, double> update_multipliers(const Points& slave, const Points& master);
+
+  /// Gap of a contact at the given positions, length.
+  static double gap(const ContactPoint& contact, const Points& slave, const Points& master);
+
+ protected:
+  /// `slots`: multipliers that are kept, as many as contacts can be told apart.
+  explicit FoundContacts(Eigen::Index slots) : multiplier_(Eigen::VectorXd::Zero(slots)) {}
+  FoundContacts(const FoundContacts&) = default;
+  FoundContacts& operator=(const FoundContacts&) = default;
+  FoundContacts(FoundContacts&&) = default;
+  FoundContacts& operator=(FoundContacts&&) = default;
+
+  /// Forgets the contacts; add() afterwards, then end().
+  void begin();
+  /// Takes a contact with the multiplier of its slot.
+  void add(ContactPoint contact, Eigen::Index slot);
+  /// Multipliers of slots that were not taken are zero from here on.
+  void end();
+
+  int swallowed_ = 0;
+  /// Length. Where each of two walls is the other's slave, their gaps cannot all be zero, and the
+  /// multipliers would grow for ever.
+  double settled_ = 0;
+
+ private:
+  Eigen::VectorXd multiplier_, kept_;
+  std::vector<ContactPoint> contacts_;
+  std::vector<Eigen::Index> slots_;  // of contacts_
+};
+
+}  // namespace vasorod

@@ -1,0 +1,130 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "bodies/self_contact.h"
+#include "straight_tube.h"
+
+namespace vasorod {
+namespace {
+
+constexpr int around = 32, along = 12;
+constexpr double radius = 5, thickness = 0.4;
+
+TriangleSurface tube() {
+  return tube_surface(testing::straight_tube(12, radius, around, along));
+}
+
+SelfContact contact_of(const TriangleSurface& rest, std::vector<char> excluded = {}) {
+  return {ContactSide{rest, thickness / 2, std::move(excluded)}, thickness, 1};
+}
+
+// Pressed flat to half of `height` on each side of y = 0.
+Points flattened(const TriangleSurface& rest, double height) {
+  Points now = rest.points;
+  now.col(1) *= height / (2 * radius);
+  return now;
+}
+
+TEST(SelfContact, ARoundTubeTouchesNothing) {
+  const TriangleSurface rest = tube();
+  SelfContact contact = contact_of(rest);
+  contact.refresh(rest.points, rest.points, 1);
+  EXPECT_TRUE(contact.contacts().empty());
+}
+
+// Opposite walls of a flat lumen: the gap lies between the inner faces, and the normal points into
+// the lumen.
+TEST(SelfContact, OppositeWallsOfAFlatLumenFaceEachOtherInside) {
+  const TriangleSurface rest = tube();
+  for (const double height : {1.0, 0.3}) {
+    SelfContact contact = contact_of(rest);
+    const Points now = flattened(rest, height);
+    contact.refresh(now, now, 1);
+    ASSERT_FALSE(contact.contacts().empty());
+    bool crown = false;
+    for (const ContactPoint& c : contact.contacts()) {
+      const Vec3 at = now.row(c.slave);
+      if (std::abs(at.x()) > 0.1 * radius) continue;
+      crown = true;
+      EXPECT_NEAR(FoundContacts::gap(c, now, now), height - thickness, 0.03);
+      EXPECT_NEAR(c.normal.y() * at.y(), std::abs(at.y()), 1e-3);  // away from the wall it meets
+      EXPECT_NEAR(c.weight.sum(), 1, 1e-12);
+    }
+    EXPECT_TRUE(crown);
+  }
+}
+
+// A tube bent to a hairpin: its two legs meet with their outer faces.
+TEST(SelfContact, LegsOfAHairpinFaceEachOtherOutside) {
+  const double length = 60, bend = 7;  // radius of the axis' bend
+  const TriangleSurface rest = tube_surface(testing::straight_tube(length, radius, around, 60));
+  Points now = rest.points;
+  const double arc = M_PI * bend, leg = (length - arc) / 2;
+  for (Eigen::Index i = 0; i < now.rows(); ++i) {
+    const Vec3 p = rest.points.row(i);
+    const double angle = std::clamp((p.z() - leg) / bend, 0.0, M_PI);
+    const double beyond = p.z() < leg ? p.z() - leg : std::max(0.0, p.z() - leg - arc);
+    const Vec3 centre(bend - bend * std::cos(angle), 0, bend * std::sin(angle));
+    const Vec3 out(std::cos(angle), 0, -std::sin(angle)), on(std::sin(angle), 0, std::cos(angle));
+    now.row(i) = centre + p.x() * out + Vec3(0, p.y(), 0) + beyond * on;
+  }
+  SelfContact contact = contact_of(rest);
+  contact.refresh(now, now, 5);
+  ASSERT_FALSE(contact.contacts().empty());
+  double smallest = 1e9;
+  for (const ContactPoint& c : contact.contacts())
+    if (now(c.slave, 2) < -2 && std::abs(now(c.slave, 1)) < 0.1)  // where the legs are closest
+      smallest = std::min(smallest, FoundContacts::gap(c, now, now));
+  EXPECT_NEAR(smallest, 2 * (bend - radius) - thickness, 0.05);
+}
+
+// A wall that was carried through the one that it faced is pushed back, not further on.
+TEST(SelfContact, WallsThatPassedThroughEachOtherArePushedBack) {
+  const TriangleSurface rest = tube();
+  SelfContact contact = contact_of(rest);
+  const Points before = flattened(rest, 0.6), after = flattened(rest, -0.2);
+  contact.refresh(before, before, 1);
+  contact.refresh(after, after, 1);
+  bool crown = false;
+  for (const ContactPoint& c : contact.contacts()) {
+    if (std::abs(after(c.slave, 0)) > 0.1 * radius) continue;
+    crown = true;
+    EXPECT_NEAR(FoundContacts::gap(c, after, after), -0.2 - thickness, 0.03);
+    EXPECT_NEAR(c.normal.y() * rest.points(c.slave, 1), std::abs(rest.points(c.slave, 1)), 0.01);
+  }
+  EXPECT_TRUE(crown);
+}
+
+TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {
+  const TriangleSurface rest = tube();
+  std::vector<char> excluded(static_cast<size_t>(rest.points.rows()), 0);
+  for (int i = 0; i < rest.points.rows(); ++i)
+    excluded[static_cast<size_t>(i)] = rest.points(i, 2) > 6;
+  SelfContact contact = contact_of(rest, excluded);
+  const Points now = flattened(rest, 0.3);
+  contact.refresh(now, now, 1);
+  ASSERT_FALSE(contact.contacts().empty());
+  for (const ContactPoint& c : contact.contacts()) {
+    EXPECT_LE(now(c.slave, 2), 6);
+    EXPECT_GT(now(c.slave, 2), 0);
+    for (const int v : c.master) EXPECT_GT(now(v, 2), 0);
+  }
+}
+
+// Multipliers stay where the walls press on each other within the tolerance, and go where they
+// part.
+TEST(SelfContact, MultipliersFollowThePressure) {
+  const TriangleSurface rest = tube();
+  SelfContact contact = contact_of(rest);
+  const Points pressed = flattened(rest, 0.3), apart = flattened(rest, 6);
+  contact.refresh(pressed, pressed, 1);
+  const auto [change, sum] = contact.update_multipliers(pressed, pressed);
+  EXPECT_GT(sum, 0);
+  EXPECT_EQ(change, sum);
+  const auto [opened, left] = contact.update_multipliers(apart, apart);
+  EXPECT_GT(opened, 0);
+  EXPECT_EQ(left, 0);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -5,25 +5,29 @@ from tables import markdown, paragraph, percent, provenance_text
 
 def loads_section(rows, notes):
     def line(row):
-        start = [row["load"], f"{row['pressure']:g}"]
+        start = [row["fidelity"], row["load"], f"{row['pressure']:g}"]
         if row["failure"]:
             return [*start, row["failure"], *["-"] * 6]
         shares = ("rms", "largest", "force", "moment", "own_error")
-        sections = [f"{row[name]:.4f}" for name in ("flattening", "flattening_reference")]
+        sections = [
+            "-" if row[name] is None else f"{row[name]:.4f}"
+            for name in ("flattening", "flattening_reference")
+        ]
         return [*start, *(percent(row[name], 3) for name in shares), *sections]
 
-    head = ("load", "mmHg", "RMS, % of R", "largest, % of R", "force, %", "moment, %")
+    head = ("fidelity", "load", "mmHg", "RMS, % of R", "largest, % of R", "force, %", "moment, %")
     head += ("shell's own error, %", "flattening", "the shell's")
     return "\n".join(
         [
             "## Tubes under pressure\n",
             paragraph(
                 "A tube (R 3.3, t 0.33, L 30 mm, E 0.5 MPa, nu 0.45, neo-Hookean, rigid ends, 60",
-                "points around) from a wall without stress to a pressure and a load, `coupled`",
-                "against the reference's shell with the pressure on its inner face. Force and",
-                "moment: differences over the larger of the reaction's force and moment / R. The",
-                "shell's own error is its largest grid convergence index: of displacements over",
-                "the radius, reactions and energy.",
+                "points around) from a wall without stress to a pressure and a load, against the",
+                "reference's shell with the pressure on its inner face. Force and moment:",
+                "differences over the larger of the reaction's force and moment / R. The shell's",
+                "own error is its largest grid convergence index: of displacements over the",
+                "radius, reactions and energy. The rod of `skin` is linear and keeps the radius",
+                "of its sections.",
             ),
             markdown(head, [line(row) for row in rows]),
             provenance_text(notes),

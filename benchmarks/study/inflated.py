@@ -5,8 +5,7 @@ import math
 
 import yaml
 
-from join import failed_of
-from measure import compared, result_of
+from measure import compared, failed_of, result_of
 from runs import Run, hybrid_arguments
 from pressure import solved
 from tables import provenance, write_table
@@ -152,6 +151,9 @@ class _Tube:
 COLUMNS = ("rms", "largest", "force", "moment", "flattening", "flattening_reference")
 
 
+BEND_COLUMNS = ("flattening", "moment", "wrinkling_ratio")
+
+
 def load_row(store, load, pressure, fidelity):
     """One row and its two records; None where one of the two runs is not there."""
     run, shell = hybrid_run(load, pressure, fidelity), shell_run(load, pressure)
@@ -188,19 +190,15 @@ def bend_rows(store):
         if record is None:
             continue
         records.append(record)
-        result = result_of(store, run.identity)
-        rows.append(
-            {
-                "section": section,
-                "share": share,
-                "ratio": ratio,
-                "status": result["status"],
-                "flattening": result["metrics"][0]["flattening"],
-                "moment": abs(result["ends"][1]["moment"][1]),
-                "wrinkling_ratio": result["validity"]["wrinkling_ratio"],
-                "seconds": record["processor_seconds"],
-            }
-        )
+        row = {"section": section, "share": share, "ratio": ratio}
+        row |= {**dict.fromkeys(BEND_COLUMNS), "seconds": record["processor_seconds"]}
+        row["failure"] = failed_of(store, [record])
+        if row["failure"] is None:
+            result = result_of(store, run.identity)
+            row["flattening"] = result["metrics"][0]["flattening"]
+            row["moment"] = abs(result["ends"][1]["moment"][1])
+            row["wrinkling_ratio"] = result["validity"]["wrinkling_ratio"]
+        rows.append(row)
     return rows, records
 
 

@@ -8,7 +8,7 @@ import subprocess
 
 import yaml
 
-from measure import converged, failure_of, result_of
+from measure import converged, failed_of, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
 from tables import provenance, read_table, write_table
@@ -135,12 +135,6 @@ COLUMNS = (
     *("mouth", "mouth_reference", "span", "width", "energy", "energy_reference", "support"),
     *("support_reference", "rms_vein", "rms_artery", "own_error", "seconds", "seconds_reference"),
 )
-
-
-def failed_of(store, records, solved=converged):
-    """Why the first of these runs that has no solution has none; None where all have one."""
-    failed = next((record for record in records if not solved(store, record)), None)
-    return None if failed is None else failure_of(store, failed)
 
 
 def measured(store, named_pairs, solved=converged):

@@ -102,18 +102,17 @@ def compared(store, case, run, reference_run):
     }
 
 
+def failed_of(store, records, solved=converged):
+    """Why the first of these runs that has no solution has none; None where all have one."""
+    failed = next((record for record in records if not solved(store, record)), None)
+    return None if failed is None else failure_of(store, failed)
+
+
 def outcome(store, case, run, other, columns):
     """These columns of one run's errors against another's, and `failure`: where one of the two did
     not converge its sentence, and no numbers."""
-    failed = next(
-        (
-            record
-            for record in (store.record(one.identity) for one in (run, other))
-            if not converged(store, record)
-        ),
-        None,
-    )
-    if failed is not None:
-        return {**{name: None for name in columns}, "failure": failure_of(store, failed)}
+    failure = failed_of(store, [store.record(one.identity) for one in (run, other)])
+    if failure is not None:
+        return {**dict.fromkeys(columns), "failure": failure}
     numbers = compared(store, case, run, other)
     return {**{name: numbers[name] for name in columns}, "failure": None}

@@ -91,7 +91,7 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
 
 bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {
   if (pair.shape < 0) pair.shape = in_shape * narrowest_end(body.rest);
-  return (body.now - body.carried).rowwise().squaredNorm().maxCoeff() < pair.shape * pair.shape;
+  return (body.now - body.placed).rowwise().squaredNorm().maxCoeff() < pair.shape * pair.shape;
 }
 
 std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBodies& scaled) const {
@@ -168,7 +168,8 @@ ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
   return state;
 }
 
-void BodyContacts::follow(const ScaledBodies& scaled) {
+bool BodyContacts::follow(const ScaledBodies& scaled) {
+  bool searched = false;
   for (Pair& pair : pairs_) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(pair.slave)];
     if (!pair.own() || !body.modelled) continue;
@@ -179,7 +180,9 @@ void BodyContacts::follow(const ScaledBodies& scaled) {
     if (!pair.contact) pair.contact = within(pair, scaled);
     pair.contact->refresh(body.now, body.now, self_reach);
     pair.searched = body.now;
+    searched = true;
   }
+  return searched;
 }
 
 StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,

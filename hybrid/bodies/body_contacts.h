@@ -47,8 +47,8 @@ class BodyContacts {
   ContactState refresh(const ScaledBodies& scaled);
 
   /// Finds what touches itself again, at the bodies' current positions, and keeps the multipliers.
-  /// A collapse can bring walls together within one minimisation.
-  void follow(const ScaledBodies& scaled);
+  /// A collapse can bring walls together within one minimisation. False: nothing was searched.
+  bool follow(const ScaledBodies& scaled);
 
   /// The contacts numbered for the stack. `first` is the first row of each body in the stack, -1
   /// for a body that is not among the unknowns.

@@ -84,7 +84,7 @@ ScaledBodies scale_bodies(const BodyProblem& problem) {
     s.rest = {to_scale(body.rest.points), body.rest.triangles};
     s.moved = is_moved(body);
     s.carried = s.moved ? to_scale(body.carried) : s.rest.points;
-    s.now = s.carried;
+    s.placed = s.now = s.carried;
     s.rotations = s.moved && !body.rotations.empty() ? body.rotations
                                                      : std::vector<Mat3>(count, Mat3::Identity());
     s.fixed = body.fixed.empty() ? std::vector<char>(count, 0) : body.fixed;

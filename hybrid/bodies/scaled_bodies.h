@@ -10,8 +10,8 @@ namespace vasorod {
 /// One body in scaled units; fields as in SurfaceBody.
 struct ScaledBody {
   TriangleSurface rest;
-  /// p' [6], and the present positions.
-  Points carried, now;
+  /// p' [6], the same at the present time of a path, and the present positions.
+  Points carried, placed, now;
   std::vector<Mat3> rotations;
   std::vector<char> fixed;
   Coefficients k;

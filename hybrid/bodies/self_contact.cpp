@@ -51,18 +51,24 @@ class SelfContact::Neighbours {
     }
   }
 
-  bool on_rim(int vertex) const { return on_rim_.count(vertex) > 0; }
+  bool on_rim(int vertex) const { return on_rim_.contains(vertex); }
 
-  /// Whether b is within the limit of a; `limits`: that many of them.
-  bool are(int a, int b, double limits = 1) const {
-    if ((points_.row(a) - points_.row(b)).norm() > limits * limit_) return false;
-    if (limits > 1) return true;
+  /// Whether b is within the limit of a along the edges.
+  bool are(int a, int b) const {
+    if (!near(a, b, limit_)) return false;
     auto found = within_.find(a);
     if (found == within_.end()) found = within_.emplace(a, around(a)).first;
-    return found->second.count(b) > 0;
+    return found->second.contains(b);
   }
 
+  /// Whether they were within two limits of each other, straight.
+  bool belong_together(int a, int b) const { return near(a, b, 2 * limit_); }
+
  private:
+  bool near(int a, int b, double distance) const {
+    return (points_.row(a) - points_.row(b)).norm() <= distance;
+  }
+
   std::unordered_set<int> around(int source) const {
     std::unordered_map<int, double> distance{{source, 0.0}};
     using Entry = std::pair<double, int>;
@@ -195,9 +201,9 @@ void SelfContact::refresh(const Points& slave, const Points&, double reach) {
       if (met.triangle < 0) continue;
       bool side = outside;
       // The wall that it faced on the other side: they have passed through each other since.
-      if (const int last = opposite_[slot(!outside)]; last >= 0 && opposite_[slot(outside)] < 0 &&
-                                                      met.height < deepest * edge_ &&
-                                                      neighbours_->are(last, met.corner[0], 2)) {
+      if (const int last = opposite_[slot(!outside)];
+          last >= 0 && opposite_[slot(outside)] < 0 && met.height < deepest * edge_ &&
+          neighbours_->belong_together(last, met.corner[0])) {
         side = !outside;
         met.normal = -met.normal;
         met.height = -met.height;

@@ -1,5 +1,5 @@
 // A wall that touches itself: inside, where opposite walls of a flattened lumen meet, and outside,
-// where folds and kinks close or a vessel meets its own other part.
+// where folds and kinks close.
 //
 // From every vertex a ray goes along its normal, outwards and inwards, to the first wall that faces
 // it. The gap is measured between the faces that meet: the outer faces outside, the inner faces

@@ -79,6 +79,8 @@ bool CoupledPath::advance(double t) {
   const double along = line ? (t - last_->time) / (last_->time - before->time) : 0;
   time_ = t;
   carried_ = carried_at(t);
+  for (size_t b = 0; b < carried_.points.size(); ++b)
+    stack_.scaled.bodies[b].placed = carried_.points[b];
   system.set_time(t);
   if (line) stack_.z = last_->z + along * (last_->z - before->z);
   for (size_t b = 0; b < stack_.first_wall.size(); ++b) {

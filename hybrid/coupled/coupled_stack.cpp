@@ -131,8 +131,7 @@ void CoupledStack::stack_contacts() {
 
 void CoupledStack::follow(const Eigen::VectorXd& at) {
   unstack(at);
-  contacts->follow(scaled);
-  stack_contacts();
+  if (contacts->follow(scaled)) stack_contacts();
 }
 
 bool CoupledStack::may_touch_itself() const {

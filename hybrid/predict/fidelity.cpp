@@ -9,14 +9,14 @@ namespace {
 
 std::vector<Fidelity>& registry() {
   static std::vector<Fidelity> all = {
-      {"rod", "the rods alone, no surface", false, false, solve_rod_only, Lumen::rod},
-      {"skin", "the rods, sections carried rigidly", true, true, solve_skin, Lumen::rod},
+      {"rod", "the rods alone, no surface", false, false, solve_rod_only, LumenOf::rod},
+      {"skin", "the rods, sections carried rigidly", true, true, solve_skin, LumenOf::rod},
       {"paper",
        "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
        true, solve_paper_surfaces},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
-       true, solve_coupled, Lumen::wall},
+       true, solve_coupled, LumenOf::wall},
   };
   return all;
 }

@@ -13,7 +13,7 @@
 namespace vasorod {
 
 /// What encloses the lumen of a fidelity's vessels and carries the stress they were seen with.
-enum class Lumen {
+enum class LumenOf {
   none,  ///< nothing: scenes with a pressure or an axial prestretch are refused
   rod,   ///< sections of the rods
   wall,  ///< walls of triangles
@@ -29,7 +29,7 @@ struct Fidelity {
   /// left out and why, and Prediction::surfaces if the fidelity has energies, forces or a status of
   /// its own.
   std::function<void(Prediction&, const SolveOptions&)> solve;
-  Lumen lumen = Lumen::none;  ///< takes a pressure in the lumen and an axial prestretch
+  LumenOf lumen = LumenOf::none;  ///< takes a pressure in the lumen and an axial prestretch
 };
 
 /// All fidelities, from cheap to expensive.

@@ -11,19 +11,21 @@ namespace vasorod {
 namespace {
 
 std::string sentence(const std::string& a, const std::string& b, const Crossing& crossing,
-                     const std::string& length_unit, bool feels_itself) {
+                     const std::string& length_unit, bool felt) {
   return a + (a == b ? " passes through itself" : " and " + b + " pass through each other") +
          " at " + place_text(crossing.where) + ", " + number_text(crossing.depth, 3) + " " +
          length_unit + " deep in " + std::to_string(crossing.pairs) + " pairs of triangles: " +
-         (a == b && !feels_itself ? "a wall does not feel itself in this model"
-                                  : "the contact did not part them");
+         (a == b && !felt ? "the wall did not feel itself" : "the contact did not part them");
 }
 
-bool walls_feel_themselves(const Prediction& prediction) {
+// Whether a vessel's contact with itself was looked for and found.
+bool feels_itself(const Prediction& prediction, const std::string& name) {
   if (!prediction.surfaces) return false;
   const auto& contacts = prediction.surfaces->solution.contacts;
-  return std::any_of(contacts.begin(), contacts.end(),
-                     [](const ContactSolution& pair) { return pair.a == pair.b; });
+  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactSolution& pair) {
+    return pair.a == pair.b && pair.within_reach &&
+           prediction.vessels[index(pair.a)].prepared.spec.name == name;
+  });
 }
 
 }  // namespace
@@ -48,8 +50,8 @@ void name_crossings(const Prediction& prediction, Result& result) {
   for (const Crossing& crossing : crossings(bodies, seam)) {
     const std::string &a = names[index(crossing.a)], &b = names[index(crossing.b)];
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
-    result.validity.warnings.push_back(sentence(a, b, crossing, prediction.scene->units.length,
-                                                walls_feel_themselves(prediction)));
+    result.validity.warnings.push_back(
+        sentence(a, b, crossing, prediction.scene->units.length, feels_itself(prediction, a)));
     result.validity.in_range = false;
   }
   if (!result.self_intersections.empty() && prediction.surfaces)

@@ -73,7 +73,7 @@ const Fidelity& dearest() {
 std::vector<std::string> with_lumen() {
   std::vector<std::string> names;
   for (const Fidelity& fidelity : fidelities())
-    if (fidelity.lumen != Lumen::none) names.push_back(fidelity.name);
+    if (fidelity.lumen != LumenOf::none) names.push_back(fidelity.name);
   return names;
 }
 
@@ -106,7 +106,7 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
                                                     : dearest();
   for (const VesselSpec& vessel : scene.vessels) {
     const bool pressed = vessel.pressure.has_value();
-    if ((pressed || vessel.axial_prestretch != 1) && fidelity.lumen == Lumen::none)
+    if ((pressed || vessel.axial_prestretch != 1) && fidelity.lumen == LumenOf::none)
       throw InputError(place_of(scene, vessel) + "found " +
                        (pressed ? "a pressure" : "an axial prestretch") + " at fidelity " +
                        fidelity.name + ", expected fidelity " + listed(with_lumen()) +

@@ -66,15 +66,16 @@ void prestress_rod(PredictedVessel& vessel, bool cut, Prediction& prediction) {
     prediction.left_out["radius of " + name] =
         "sections keep the radius they were seen with; the pressure changes it by " +
         number_text(100 * wider, 2) +
-        " % away from held ends, which only the rod's stiffness counts";
+        " % away from held ends, which the rod's stiffness and the pressure's thrust count and the "
+        "drawn sections do not";
 }
 
 }  // namespace
 
-void prestress(Prediction& prediction, Lumen lumen,
+void prestress(Prediction& prediction, LumenOf lumen,
                const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
-  if (lumen == Lumen::none) return;
+  if (lumen == LumenOf::none) return;
   for (PredictedVessel& vessel : prediction.vessels) {
     PreparedVessel& prepared = vessel.prepared;
     const VesselSpec& spec = prepared.spec;
@@ -85,7 +86,7 @@ void prestress(Prediction& prediction, Lumen lumen,
       prediction.notes.push_back(lumen_note(spec, scene.units));
     }
     const bool cut = scene.glenn && scene.glenn->svc == spec.name;
-    if (lumen == Lumen::wall)
+    if (lumen == LumenOf::wall)
       prestress_wall(prepared, vessel.conditions, cut, prediction);
     else
       prestress_rod(vessel, cut, prediction);

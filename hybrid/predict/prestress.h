@@ -16,7 +16,7 @@ void require_one_pressure(const Scene& scene);
 /// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod.
 /// Adds a note for each pressure. `begin` is called before each vessel. Throws InputError for a
 /// pressure that the wall cannot bear.
-void prestress(Prediction& prediction, Lumen lumen,
+void prestress(Prediction& prediction, LumenOf lumen,
                const std::function<void(const std::string&)>& begin);
 
 }  // namespace vasorod

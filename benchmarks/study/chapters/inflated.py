@@ -37,11 +37,14 @@ def loads_section(rows, notes):
 
 def bends_section(rows, notes):
     soft = [row for row in rows if row["section"] == "soft"]
-    empty = {row["share"]: row["flattening"] for row in soft if row["ratio"] == 0}
+    empty = {
+        row["share"]: row["flattening"] for row in soft if row["ratio"] == 0 and not row["failure"]
+    }
 
     def line(row):
-        start = [row["section"], f"{row['share']:g}", f"{row['ratio']:g}", row["status"]]
-        if row["status"] != "converged":
+        start = [row["section"], f"{row['share']:g}", f"{row['ratio']:g}"]
+        start.append(row["failure"] or "converged")
+        if row["failure"]:
             return [*start, *["-"] * 5, f"{row['seconds']:.1f}"]
         over, expected = "-", "-"
         if row in soft and row["share"] in empty:

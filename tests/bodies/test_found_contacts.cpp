@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "bodies/found_contacts.h"
+
+namespace vasorod {
+namespace {
+
+// One vertex over one triangle in the plane z = 0, area 2, stiffness 10.
+class OverATriangle : public FoundContacts {
+ public:
+  explicit OverATriangle(double settled) : FoundContacts(1) { settled_ = settled; }
+  void refresh(const Points&, const Points&, double) override {
+    begin();
+    add({0, {0, 1, 2}, Vec3::Constant(1. / 3), Vec3::UnitZ(), 0, 2, 10, 0}, 0);
+    end();
+  }
+};
+
+Points at(double height) {
+  Points points(1, 3);
+  points << 0.2, 0.2, height;
+  return points;
+}
+
+Points triangle() {
+  Points points(3, 3);
+  points << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  return points;
+}
+
+TEST(FoundContacts, TheMultiplierBecomesThePressure) {
+  OverATriangle contact(0);
+  contact.refresh(at(0), triangle(), 1);
+  EXPECT_EQ(FoundContacts::gap(contact.contacts()[0], at(-0.5), triangle()), -0.5);
+  EXPECT_EQ(contact.update_multipliers(at(-0.5), triangle()), (std::pair{10.0, 10.0}));
+  EXPECT_EQ(contact.contacts()[0].multiplier, 5);
+  // At the next minimum the multiplier alone holds the gap closed.
+  EXPECT_EQ(contact.update_multipliers(at(0), triangle()), (std::pair{0.0, 10.0}));
+  contact.refresh(at(0), triangle(), 1);
+  EXPECT_EQ(contact.contacts()[0].multiplier, 5);  // kept by the search
+  EXPECT_EQ(contact.update_multipliers(at(1), triangle()), (std::pair{10.0, 0.0}));
+  EXPECT_EQ(contact.contacts()[0].multiplier, 0);
+}
+
+// Within the settled gap the penalty carries what the multiplier lacks, but walls that are apart
+// without pressure let go.
+TEST(FoundContacts, WithinTheSettledGapTheMultiplierStays) {
+  OverATriangle contact(0.1);
+  contact.refresh(at(0), triangle(), 1);
+  contact.update_multipliers(at(-0.5), triangle());
+  EXPECT_EQ(contact.update_multipliers(at(-0.05), triangle()), (std::pair{0.0, 11.0}));
+  EXPECT_EQ(contact.contacts()[0].multiplier, 5);
+  EXPECT_EQ(contact.update_multipliers(at(0.05), triangle()), (std::pair{0.0, 9.0}));
+  EXPECT_EQ(contact.contacts()[0].multiplier, 5);
+  EXPECT_EQ(contact.update_multipliers(at(0.6), triangle()), (std::pair{10.0, 0.0}));
+  EXPECT_EQ(contact.contacts()[0].multiplier, 0);
+}
+
+}  // namespace
+}  // namespace vasorod

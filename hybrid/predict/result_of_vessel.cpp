@@ -1,11 +1,14 @@
 #include "predict/result_of_vessel.h"
 
+#include "data/index.h"
+#include "data/sentence.h"
 #include "judge/lumen_pressure.h"
 #include "judge/metrics.h"
 #include "judge/mouth.h"
 #include "judge/sections.h"
 #include "judge/validity.h"
 #include "rod/strain_change.h"
+#include "vessel/fork_reach.h"
 
 namespace vasorod {
 
@@ -66,6 +69,19 @@ std::vector<char> opened_in(const Prediction& prediction, const PreparedVessel& 
   return opened_elements(vessel, prediction.glenn->pairs);
 }
 
+// Names the branches whose kinks and wrinkles nobody judges.
+void say_what_is_no_tube(const Vessel& vessel, const std::string& name, Result& result) {
+  std::string places;
+  for (const size_t b : branches_within_forks(vessel)) {
+    const int end = vessel.rod.branches[b].nodes.back();
+    places += (places.empty() ? "" : ", ") + place_text(vessel.rod.rest[index(end)].position, 3);
+  }
+  if (!places.empty())
+    result.model.left_out["kinks and wrinkles of branches of " + name] =
+        "those that end at " + places +
+        " lie within the reach of a fork, where no section is a tube; only the strain is judged";
+}
+
 // Fields, extremes and validity of a deformable vessel.
 void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& result) {
   const PreparedVessel& prepared = vessel.prepared;
@@ -87,6 +103,7 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
   const std::size_t before = result.validity.warnings.size();
   add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity, opened,
                prediction.surfaces ? current : Points());
+  say_what_is_no_tube(prepared.vessel, prepared.spec.name, result);
   if (prediction.surfaces && !prediction.surfaces->faces.empty())
     warn_of_law(prepared.spec,
                 prediction.surfaces->faces[vessel_named(prediction, prepared.spec.name)],

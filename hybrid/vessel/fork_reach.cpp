@@ -114,12 +114,12 @@ double section_band(const RodElement& element, double mean_edge) {
 
 std::vector<char> fork_elements(const Vessel& vessel) {
   const RodTree& rod = vessel.rod;
-  if (rod.branches.size() == 1) return std::vector<char>(rod.elements.size(), 0);
+  std::vector<char> at_fork(rod.elements.size(), 0);
+  if (rod.branches.size() == 1) return at_fork;
   const double mean_edge = mean_edge_length(vessel.surface);
   const std::vector<std::array<double, 2>> reach = fork_reach(vessel);
   const std::vector<double> lengths = branch_lengths(rod);
   const std::vector<ElementPlace> places = element_places(rod);
-  std::vector<char> at_fork(rod.elements.size(), 0);
   for (size_t e = 0; e < at_fork.size(); ++e) {
     const auto [branch, start] = places[e];
     const auto& [near, far] = reach[branch];
@@ -128,6 +128,17 @@ std::vector<char> fork_elements(const Vessel& vessel) {
                  (far > 0 && start + rod.elements[e].length + band > lengths[branch] - far);
   }
   return at_fork;
+}
+
+std::vector<size_t> branches_within_forks(const Vessel& vessel) {
+  const std::vector<char> at_fork = fork_elements(vessel);
+  std::vector<size_t> within;
+  for (size_t b = 0; b < vessel.rod.branches.size(); ++b) {
+    const std::vector<int>& elements = vessel.rod.branches[b].elements;
+    if (std::all_of(elements.begin(), elements.end(), [&](int e) { return at_fork[index(e)]; }))
+      within.push_back(b);
+  }
+  return within;
 }
 
 void bind_wall(Vessel& vessel) {

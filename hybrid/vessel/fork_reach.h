@@ -43,6 +43,9 @@ double section_band(const RodElement& element, double mean_edge);
 /// sections are not tubes.
 std::vector<char> fork_elements(const Vessel& vessel);
 
+/// Branches, by number, that have no element outside fork_elements().
+std::vector<size_t> branches_within_forks(const Vessel& vessel);
+
 /// Sets `binding` and `carry` of the vessel from its surface, rod and branches. Throws InputError
 /// as bind() does.
 void bind_wall(Vessel& vessel);

@@ -7,6 +7,8 @@
 
 #include <vasorod/predict.h>
 
+#include "edge_ratios.h"
+
 namespace vasorod {
 namespace {
 
@@ -60,17 +62,8 @@ Scene five_ends() {
                   {{13, 12.5, 31}, {0.8, 1.2, 0}, {4, 0, -6}}});
 }
 
-// Smallest and largest length of an edge over that at rest.
-std::array<double, 2> edge_ratios(const VesselResult& vessel) {
-  std::array<double, 2> range{1, 1};
-  for (Eigen::Index t = 0; t < vessel.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = vessel.triangles(t, k), b = vessel.triangles(t, (k + 1) % 3);
-      const double ratio = (vessel.current.row(a) - vessel.current.row(b)).norm() /
-                           (vessel.rest.row(a) - vessel.rest.row(b)).norm();
-      range = {std::min(range[0], ratio), std::max(range[1], ratio)};
-    }
-  return range;
+std::array<double, 2> edges_of(const VesselResult& vessel) {
+  return testing::edge_ratios(vessel.triangles, vessel.rest, vessel.current);
 }
 
 class Forks : public ::testing::TestWithParam<int> {
@@ -90,7 +83,7 @@ TEST_P(Forks, SkinCarriesTheWallInOnePiece) {
   options.fidelity = "skin";
   const Result result = predict(scene(), options);
   ASSERT_EQ(result.status, Status::converged);
-  const auto [least, largest] = edge_ratios(result.vessels.at(0));
+  const auto [least, largest] = edges_of(result.vessels.at(0));
   EXPECT_GT(least, GetParam() == 5 ? 0.74 : 0.9);
   EXPECT_LT(largest, GetParam() == 5 ? 1.4 : 1.1);
 }
@@ -108,7 +101,7 @@ TEST_P(Forks, TheCenterlineOfCoupledFollowsTheWall) {
   const Result result = predict(scene(), options);
   ASSERT_EQ(result.status, Status::converged);
   const VesselResult& vessel = result.vessels.at(0);
-  const auto [least, largest] = edge_ratios(vessel);
+  const auto [least, largest] = edges_of(vessel);
   const double strain = std::max(1 - least, largest - 1), margin = 0.005;
   const CenterlineResult& line = *vessel.centerline;
   for (const auto& nodes : line.lines)

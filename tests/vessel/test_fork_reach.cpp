@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
+#include "edge_ratios.h"
 #include "geometry/rigid_motion.h"
 #include "straight_tube.h"
 #include "surface_file/read_surface.h"
@@ -34,18 +35,6 @@ RodPoses branches_bent(const RodTree& rod, double size) {
           poses[static_cast<size_t>(element.first)] * exp_motion(element.length * strain);
     }
   return poses;
-}
-
-std::array<double, 2> edge_ratios(const TriangleSurface& rest, const Points& current) {
-  std::array<double, 2> range{1, 1};
-  for (Eigen::Index t = 0; t < rest.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = rest.triangles(t, k), b = rest.triangles(t, (k + 1) % 3);
-      const double ratio = (current.row(a) - current.row(b)).norm() /
-                           (rest.points.row(a) - rest.points.row(b)).norm();
-      range = {std::min(range[0], ratio), std::max(range[1], ratio)};
-    }
-  return range;
 }
 
 TEST(ForkReach, AVesselWithoutForksFollowsItsOwnSections) {
@@ -119,9 +108,10 @@ TEST(ForkReach, BentAndTwistedBranchesDoNotTear) {
     const Vessel vessel = fit_vessel(name, infant(name));
     const RodPoses poses = branches_bent(vessel.rod, 0.04);
     const auto [least, largest] =
-        edge_ratios(vessel.surface, carried_points(vessel.rod, poses, vessel.carry));
-    const auto torn =
-        edge_ratios(vessel.surface, carried_points(vessel.rod, poses, vessel.binding));
+        testing::edge_ratios(vessel.surface.triangles, vessel.surface.points,
+                             carried_points(vessel.rod, poses, vessel.carry));
+    const auto torn = testing::edge_ratios(vessel.surface.triangles, vessel.surface.points,
+                                           carried_points(vessel.rod, poses, vessel.binding));
     EXPECT_GT(least, 0.75) << name;
     EXPECT_LT(largest, 1.33) << name;
     EXPECT_LT(torn[0], 0.6) << name;
@@ -147,6 +137,21 @@ TEST(ForkReach, IsAboutARadius) {
   const RodBranch& side = vessel.rod.branches[2];
   EXPECT_TRUE(at_fork[static_cast<size_t>(side.elements.front())]);
   EXPECT_FALSE(at_fork[static_cast<size_t>(side.elements.back())]);
+  EXPECT_TRUE(branches_within_forks(vessel).empty());
+}
+
+// The arch of the aorta between its branches: forks a radius apart.
+TEST(ForkReach, BranchesBetweenNearForksAreNamed) {
+  const Vessel vessel = fit_vessel("aorta", infant("aorta"));
+  const auto reach = fork_reach(vessel);
+  const auto lengths = branch_lengths(vessel.rod);
+  const auto within = branches_within_forks(vessel);
+  EXPECT_FALSE(within.empty());
+  for (const size_t b : within) EXPECT_LT(lengths[b], 2 * (reach[b][0] + reach[b][1])) << b;
+  for (size_t b = 0; b < reach.size(); ++b) {
+    const bool is_long = lengths[b] > 3 * (reach[b][0] + reach[b][1]);
+    EXPECT_LE(std::count(within.begin(), within.end(), b), is_long ? 0 : 1) << b;
+  }
 }
 
 }  // namespace

@@ -282,9 +282,12 @@ TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
            {"scene: small-glenn", "scene: [", "YAML"},
            {"radius: 3.3", "radius: 3.3, bend_deg: 1e9", "bend_deg"},
            {"wall:", "pressure: 0.002\n    wall:", "a map of scan or after"},
-           {"wall:", "pressure: {scan: 5}\n    wall:", "expected fidelity coupled"},
+           {"wall:", "pressure: {scan: 5}\n    wall:", "expected at most 242 mmHg"},
            {"wall:", "axial_prestretch: 2.5\n    wall:", "2.5"}})
     expect_refused(changed(glenn, from, to), words);
+  expect_refused(changed(changed(glenn, "fidelity: skin", "fidelity: paper"),
+                         "wall:", "pressure: {scan: 0.001}\n    wall:"),
+                 "found a pressure at fidelity paper, expected fidelity rod, skin or coupled");
 }
 
 TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {

@@ -10,6 +10,11 @@ import yaml
 FOLDER = Path(__file__).resolve().parent.parent / "cases" / "tube"
 
 
+def text_of(scene):
+    """The scene file of a tree, its keys in their order."""
+    return yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=150)
+
+
 @dataclass(frozen=True)
 class Case:
     name: str
@@ -43,7 +48,7 @@ class Case:
         return Case(self.name, self.family, self.ratio, self.counted, scene)
 
     def text(self):
-        return yaml.safe_dump(self.scene, sort_keys=False, default_flow_style=None, width=150)
+        return text_of(self.scene)
 
 
 def read_case(path):

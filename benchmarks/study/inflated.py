@@ -3,8 +3,7 @@ reference's 7-parameter shell of the same law; and bends under pressure past Bra
 
 import math
 
-import yaml
-
+from cases import text_of
 from measure import compared, failed_of, result_of
 from runs import Run, hybrid_arguments
 from pressure import solved
@@ -31,10 +30,6 @@ SHARES = {"soft": (0.2,), "rigid": (0.4, 0.6, 0.8)}
 RATIOS = (0, 0.5, 1, 2, 5)  # of the pressure over p_c
 BENT_AROUND = 32
 BENDS = "inflated_bends.csv"
-
-
-def text_of(scene):
-    return yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=150)
 
 
 def scene(load, pressure):

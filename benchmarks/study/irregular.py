@@ -7,9 +7,8 @@ import tempfile
 from functools import lru_cache
 from pathlib import Path
 
-import yaml
-
 from accuracy import COLUMNS, measured
+from cases import text_of
 from measure import converged, outcome, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
@@ -45,7 +44,7 @@ def run(case, kind):
     vessel = scene["vessels"][0]
     del vessel["tube"]
     vessel.update(surface="tube.vtp", surface_is="mid")
-    text = yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=150)
+    text = text_of(scene)
     return Run(
         f"{case.name}/coupled-{MESHES[kind]}-{kind}",
         "vasorod",

@@ -8,6 +8,7 @@ import subprocess
 
 import yaml
 
+from cases import text_of
 from measure import converged, failed_of, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
@@ -35,7 +36,7 @@ def scene(opening, thickness, law, around, length):
         vessel["law"] = law
         for key in ("around", "along"):
             vessel["tube"][key] = 2 * round(vessel["tube"][key] * finer / 2)
-    return yaml.safe_dump(made, sort_keys=False, default_flow_style=None, width=150)
+    return text_of(made)
 
 
 def name_of(opening, thickness, length):

@@ -4,6 +4,7 @@ stress, against the reference's 7-parameter shell of the same law."""
 import yaml
 
 import join
+from cases import text_of
 from measure import converged, failure_of
 from runs import Run, hybrid_arguments
 from tables import provenance, write_table
@@ -21,7 +22,7 @@ def scene(opening, length, pressure, around):
     made["units"]["pressure"] = "mmHg"
     for vessel in made["vessels"]:
         vessel["pressure"] = {"after": pressure}
-    return yaml.safe_dump(made, sort_keys=False, default_flow_style=None, width=150)
+    return text_of(made)
 
 
 def name_of(opening, length, pressure):

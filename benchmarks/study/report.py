@@ -50,16 +50,13 @@ def write_report(baselines, docs):
             images / "trade.png",
             front_of([row for row in rows if row["rms"] is not None]),
         )
-    inflated = table_if_there(baselines / "inflated.csv")
-    if inflated:
-        text.append(loads_section(*inflated))
-    bends = table_if_there(baselines / "inflated_bends.csv")
-    if bends:
-        text.append(bends_section(*bends))
-    join = table_if_there(baselines / "join.csv")
-    if join:
-        text.append(join_section(*join))
-    pressure = table_if_there(baselines / "pressure.csv")
-    if pressure:
-        text.append(pressure_section(*pressure))
+    for name, section in (
+        ("inflated", loads_section),
+        ("inflated_bends", bends_section),
+        ("join", join_section),
+        ("pressure", pressure_section),
+    ):
+        table = table_if_there(baselines / f"{name}.csv")
+        if table:
+            text.append(section(*table))
     (docs / "comparison.md").write_text("\n".join(part for part in text if part).rstrip() + "\n")

@@ -31,7 +31,7 @@ std::vector<std::string> fidelities_of(std::span<const AccuracyRow> table) {
 Demand demand_of(const RodOfVessel& rod) {
   const Vessel& vessel = rod.vessel->vessel;
   Validity validity;
-  add_validity(*rod.vessel, *rod.poses, rod.rigid_nodes, validity);
+  add_validity(*rod.vessel, *rod.poses, {.rigid_nodes = rod.rigid_nodes}, validity);
   Demand demand;
   demand.twist = validity.twist_ratio;
   demand.bend = validity.wrinkling_ratio;

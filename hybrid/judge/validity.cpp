@@ -77,9 +77,8 @@ FibreFactors fibre_factors(const VesselSpec& spec) {
 
 }  // namespace
 
-void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
-                  const std::vector<int>& rigid_nodes, Validity& validity,
-                  const std::vector<char>& opened, const Points& walls) {
+void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const JudgedState& state,
+                  Validity& validity) {
   const RodTree& rod = vessel.vessel.rod;
   const Material& material = vessel.spec.wall->material;
   const FibreFactors fibre = fibre_factors(vessel.spec);
@@ -91,21 +90,22 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
   const auto changes = element_changes(rod, poses);
   std::vector<char> at_fork = fork_elements(vessel.vessel);
   for (size_t e = 0; e < changes.size(); ++e) {
-    if (e < opened.size() && opened[e]) {
+    if (e < state.opened.size() && state.opened[e]) {
       at_fork[e] = 0;
       continue;
     }
     const ElementChange& element = changes[e];
     const double r = element.radius;
-    const bool at_rigid_end = std::any_of(rigid_nodes.begin(), rigid_nodes.end(), [&](int node) {
-      return (rod.rest[static_cast<size_t>(node)].position - element.rest_middle).norm() < r;
-    });
+    const bool at_rigid_end =
+        std::any_of(state.rigid_nodes.begin(), state.rigid_nodes.end(), [&](int node) {
+          return (rod.rest[index(node)].position - element.rest_middle).norm() < r;
+        });
     if (at_rigid_end) {
       at_fork[e] = 0;
       continue;
     }
     const double outer = r + t / 2;
-    if (!at_fork[e] || walls.rows() == 0) {
+    if (!at_fork[e] || state.walls.rows() == 0) {
       strain.see(std::abs(element.change[2]) + element.bending() * outer, element.middle);
       strain.see(std::abs(element.twist()) * outer + element.change.head<2>().norm(),
                  element.middle);
@@ -123,12 +123,13 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
     twist.see(material.shear_axial * r * std::abs(element.twist()) / critical_shear,
               element.middle);
     const double rest_curvature = (element.strain - element.change).segment<2>(3).norm();
-    if (element.bending() > 0.1 * rest_curvature && rest_curvature * r > 1e-3) {
+    if (!state.sections_flatten && element.bending() > 0.1 * rest_curvature &&
+        rest_curvature * r > 1e-3) {
       const double l = t * fibre.bending / (rest_curvature * r * r * root);
       softening.see((12 * l * l + 10) / (12 * l * l + 1), element.middle);
     }
   }
-  if (walls.rows() > 0) see_walls(vessel.vessel, walls, at_fork, strain);
+  if (state.walls.rows() > 0) see_walls(vessel.vessel, state.walls, at_fork, strain);
   const std::string& name = vessel.spec.name;
   validity.brazier_ratio = worst(validity.brazier_ratio, brazier.value);
   validity.wrinkling_ratio = worst(validity.wrinkling_ratio, wrinkling.value);

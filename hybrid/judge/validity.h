@@ -10,15 +10,24 @@
 
 namespace vasorod {
 
-/// Adds one vessel to the scene's validity. `rigid_nodes`: rod nodes held by a rigid section;
-/// elements within one radius of them are left out, because the section cannot change there.
-/// `opened`: per rod element, whether an incision opens the section there; left out too. Empty:
-/// none.
-///
-/// Within the reach of a fork (vessel/fork_reach.h) sections are no tubes, and the ratios leave
-/// these elements out. `walls`: the deformed surface where walls were solved; there the wall itself
-/// gives largest_strain beside a fork, the largest |lambda - 1| of a triangle's principal
-/// stretches. Empty: the rod gives it everywhere.
+/// What add_validity has to know of a vessel beside its rod.
+struct JudgedState {
+  /// Rod nodes held by a rigid section. Elements within one radius of them are left out, because
+  /// the section cannot change there.
+  std::vector<int> rigid_nodes;
+  /// Per rod element: whether an incision opens the section there; left out too. Empty: none.
+  std::vector<char> opened;
+  /// The deformed surface where walls were solved: there the wall itself gives largest_strain
+  /// beside a fork, the largest |lambda - 1| of a triangle's principal stretches. Empty: the rod
+  /// gives it everywhere.
+  Points walls;
+  /// Whether the model's sections flatten when it bends: the softening of tubes curved at rest is
+  /// in its answer.
+  bool sections_flatten = false;
+};
+
+/// Adds one vessel to the scene's validity. Within the reach of a fork (vessel/fork_reach.h)
+/// sections are no tubes, and the ratios leave these elements out.
 ///
 /// brazier_ratio: k / k_cr, k the change of (u1, u2), k_cr = 0.471 t / (R^2 sqrt(1 - nu^2)). Long
 /// vessels only, Omega = (L/R) sqrt(t/R) >= 7 (Brazier 1927; the range of the long-tube formula).
@@ -42,9 +51,8 @@ namespace vasorod {
 /// A ratio of 0.7 or more gives a warning. From 0.9 on the warning says that the section would kink
 /// or wrinkle, and in_range is false. in_range is also false above a strain of 0.2, where the
 /// choice of material law alone changes the answer by 13 to 32 %.
-void add_validity(const PreparedVessel& vessel, const RodPoses& poses,
-                  const std::vector<int>& rigid_nodes, Validity& validity,
-                  const std::vector<char>& opened = {}, const Points& walls = {});
+void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const JudgedState& state,
+                  Validity& validity);
 
 /// Warns of a wall whose faces are strained past 0.2 at one place, if its law is biot or svk: these
 /// soften in compression where a wall stiffens. The strain of a face counts the folding that

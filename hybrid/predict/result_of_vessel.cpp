@@ -90,7 +90,11 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
       vessel.positions.rows() > 0
           ? vessel.positions
           : carried_points(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.carry);
-  const std::vector<char> opened = opened_in(prediction, prepared);
+  const bool walls_solved = prediction.surfaces && !prediction.surfaces->faces.empty();
+  const JudgedState state{.rigid_nodes = rigid_nodes(prediction, vessel),
+                          .opened = opened_in(prediction, prepared),
+                          .walls = prediction.surfaces ? current : Points(),
+                          .sections_flatten = walls_solved};
   std::vector<JudgedSection> sections;
   if (vessel.positions.rows() > 0) {
     sections = judged_sections(prepared, vessel.rod.poses, current);
@@ -99,12 +103,11 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
     result.vessels.back().centerline->flattening = std::move(along.flattening);
   }
   result.metrics.push_back(vessel_metrics(prepared, vessel.rod.poses, fields, current,
-                                          vessel.pressure, sections, opened));
+                                          vessel.pressure, sections, state.opened));
   const std::size_t before = result.validity.warnings.size();
-  add_validity(prepared, vessel.rod.poses, rigid_nodes(prediction, vessel), result.validity, opened,
-               prediction.surfaces ? current : Points());
+  add_validity(prepared, vessel.rod.poses, state, result.validity);
   say_what_is_no_tube(prepared.vessel, prepared.spec.name, result);
-  if (prediction.surfaces && !prediction.surfaces->faces.empty())
+  if (walls_solved)
     warn_of_law(prepared.spec,
                 prediction.surfaces->faces[vessel_named(prediction, prepared.spec.name)],
                 result.validity);

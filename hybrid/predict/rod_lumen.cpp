@@ -41,13 +41,10 @@ double press_rod(PreparedVessel& prepared, const VesselConditions& conditions, b
   const LumenPressure pressure = prepared.spec.pressure.value_or(LumenPressure{});
   const double stretch = prepared.spec.axial_prestretch - 1;
   std::vector<Vec6> unit, scan;
+  const std::vector<char> at_fork = leaves_fork(rod);
   for (std::size_t e = 0; e < rod.elements.size(); ++e) {
-    const bool at_fork =
-        std::any_of(rod.branches.begin(), rod.branches.end(), [&](const RodBranch& branch) {
-          return branch.parent >= 0 && branch.elements.front() == static_cast<int>(e);
-        });
     RodElement& element = rod.elements[e];
-    unit.push_back(unit_thrust(element, at_fork));
+    unit.push_back(unit_thrust(element, at_fork[e]));
     const LumenSection seen = lumen_in(prepared, element, pressure.scan, pressure.scan);
     scan.emplace_back(seen.thrust * unit[e]);
     element.lumen = scan[e] - element.stiffness(2, 2) * stretch * unit[e];

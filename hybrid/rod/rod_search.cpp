@@ -44,10 +44,7 @@ RodCoordinates solve_in_element(const RodTree& tree, int index, const Vec3& p, d
 
 }  // namespace
 
-RodSearch::RodSearch(const RodTree& tree) : tree_(tree), at_fork_(tree.elements.size(), 0) {
-  for (const RodBranch& branch : tree.branches)
-    if (branch.parent >= 0) at_fork_[static_cast<size_t>(branch.elements.front())] = 1;
-}
+RodSearch::RodSearch(const RodTree& tree) : tree_(tree), at_fork_(leaves_fork(tree)) {}
 
 RodHit RodSearch::find(const Vec3& point, std::span<const int> branches, bool relative) const {
   RodHit best;

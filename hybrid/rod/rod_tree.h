@@ -49,6 +49,10 @@ struct RodTree {
   int node_count() const { return static_cast<int>(rest.size()); }
 };
 
+/// Per element: whether it is the first of a side branch, which leaves the fork's frame in another
+/// direction.
+std::vector<char> leaves_fork(const RodTree& rod);
+
 /// A configuration of a rod tree: one pose per node.
 using RodPoses = std::vector<Pose>;
 

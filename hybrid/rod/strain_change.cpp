@@ -11,10 +11,13 @@ double ElementChange::stretch() const {
 
 std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& poses) {
   std::vector<ElementChange> changes;
-  for (const RodElement& element : rod.elements) {
+  const std::vector<char> at_fork = leaves_fork(rod);
+  for (size_t e = 0; e < rod.elements.size(); ++e) {
+    const RodElement& element = rod.elements[e];
     const auto first = static_cast<size_t>(element.first),
                second = static_cast<size_t>(element.second);
     ElementChange change;
+    change.at_fork = at_fork[e];
     change.strain = element_strain(element, poses[first], poses[second]);
     change.change = change.strain - element.rest_strain;
     if (!rod.radius.empty()) change.radius = 0.5 * (rod.radius[first] + rod.radius[second]);
@@ -22,8 +25,6 @@ std::vector<ElementChange> element_changes(const RodTree& rod, const RodPoses& p
     change.middle = 0.5 * (poses[first].position + poses[second].position);
     changes.push_back(change);
   }
-  for (const RodBranch& branch : rod.branches)
-    if (branch.parent >= 0) changes[static_cast<size_t>(branch.elements.front())].at_fork = true;
   return changes;
 }
 

@@ -1,6 +1,7 @@
 #include "vessel/fork_reach.h"
 
 #include <algorithm>
+#include <array>
 
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
@@ -18,12 +19,14 @@ constexpr double fastest = 3;
 // Arc length of the section that a branch's section at s follows.
 class Catching {
  public:
-  Catching(double length, std::array<double, 2> reach) : length_(length), reach_(reach) {
-    const double sum = reach[0] + reach[1], most = length * (1 - 1 / fastest);
+  explicit Catching(const ForkReach& reach)
+      : length_(reach.length), reach_{reach.start, reach.end} {
+    const double sum = reach.start + reach.end, most = length_ * (1 - 1 / fastest);
     const double shortened = sum > most ? most / sum : 1;
     for (size_t k = 0; k < 2; ++k) {
-      reach_[k] = shortened * reach[k];
-      end_[k] = std::min(caught_up * reach_[k], sum > 0 ? length * reach[k] / sum : 0);
+      const double latest = sum > 0 ? length_ * reach_[k] / sum : 0;
+      reach_[k] *= shortened;
+      end_[k] = std::min(caught_up * reach_[k], latest);
     }
   }
   double operator()(double s) const {
@@ -68,22 +71,13 @@ std::vector<ElementPlace> element_places(const RodTree& rod) {
   return places;
 }
 
-std::vector<double> branch_lengths(const RodTree& rod) {
-  std::vector<double> lengths;
-  for (const RodBranch& branch : rod.branches) {
-    double length = 0;
-    for (const int e : branch.elements) length += rod.elements[index(e)].length;
-    lengths.push_back(length);
-  }
-  return lengths;
-}
-
-std::vector<std::array<double, 2>> fork_reach(const Vessel& vessel) {
+std::vector<ForkReach> fork_reach(const Vessel& vessel) {
   const RodTree& rod = vessel.rod;
-  std::vector<std::array<double, 2>> reach(rod.branches.size(), {0, 0});
+  std::vector<ForkReach> reach(rod.branches.size());
+  for (size_t b = 0; b < reach.size(); ++b)
+    for (const int e : rod.branches[b].elements) reach[b].length += rod.elements[index(e)].length;
   if (rod.branches.size() == 1) return reach;
   const std::vector<ElementPlace> places = element_places(rod);
-  const std::vector<double> lengths = branch_lengths(rod);
   const auto see = [&](int vertex, int neighbour) {
     const auto b = index(vessel.branch_of[index(vertex)]),
                other = index(vessel.branch_of[index(neighbour)]);
@@ -95,9 +89,9 @@ std::vector<std::array<double, 2>> fork_reach(const Vessel& vessel) {
       return node == theirs.nodes.front() || node == theirs.nodes.back();
     };
     if (meets(mine.nodes.front()))
-      reach[b][0] = std::max(reach[b][0], s);
+      reach[b].start = std::max(reach[b].start, s);
     else if (meets(mine.nodes.back()))
-      reach[b][1] = std::max(reach[b][1], lengths[b] - s);
+      reach[b].end = std::max(reach[b].end, reach[b].length - s);
   };
   const Triangles& triangles = vessel.surface.triangles;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
@@ -117,15 +111,12 @@ std::vector<char> fork_elements(const Vessel& vessel) {
   std::vector<char> at_fork(rod.elements.size(), 0);
   if (rod.branches.size() == 1) return at_fork;
   const double mean_edge = mean_edge_length(vessel.surface);
-  const std::vector<std::array<double, 2>> reach = fork_reach(vessel);
-  const std::vector<double> lengths = branch_lengths(rod);
+  const std::vector<ForkReach> reach = fork_reach(vessel);
   const std::vector<ElementPlace> places = element_places(rod);
   for (size_t e = 0; e < at_fork.size(); ++e) {
     const auto [branch, start] = places[e];
-    const auto& [near, far] = reach[branch];
     const double band = section_band(rod.elements[e], mean_edge);
-    at_fork[e] = (near > 0 && start - band < near) ||
-                 (far > 0 && start + rod.elements[e].length + band > lengths[branch] - far);
+    at_fork[e] = reach[branch].meets(start - band, start + rod.elements[e].length + band);
   }
   return at_fork;
 }
@@ -147,10 +138,8 @@ void bind_wall(Vessel& vessel) {
   vessel.carry = vessel.binding;
   if (rod.branches.size() == 1) return;
   const std::vector<ElementPlace> places = element_places(rod);
-  const std::vector<double> lengths = branch_lengths(rod);
-  const std::vector<std::array<double, 2>> reach = fork_reach(vessel);
   std::vector<Catching> catching;
-  for (size_t b = 0; b < rod.branches.size(); ++b) catching.emplace_back(lengths[b], reach[b]);
+  for (const ForkReach& reach : fork_reach(vessel)) catching.emplace_back(reach);
   for (size_t v = 0; v < vessel.carry.size(); ++v) {
     const RodCoordinates& at = vessel.binding[v];
     const ElementPlace& mine = places[index(at.element)];

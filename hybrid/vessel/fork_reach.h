@@ -13,8 +13,6 @@
 // enough.
 #pragma once
 
-#include <array>
-
 #include "vessel/vessel.h"
 
 namespace vasorod {
@@ -28,12 +26,20 @@ struct ElementPlace {
 /// One entry per element.
 std::vector<ElementPlace> element_places(const RodTree& rod);
 
-/// Rest length of each branch.
-std::vector<double> branch_lengths(const RodTree& rod);
+/// How far the forks at a branch's ends reach along it.
+struct ForkReach {
+  double length = 0;  ///< of the branch, at rest
+  /// Arc length from the branch's start and from its end up to which triangles join its wall to
+  /// that of another branch; 0 at open ends.
+  double start = 0, end = 0;
+  /// Whether the piece between these arc lengths comes within the reach of a fork.
+  bool meets(double from, double to) const {
+    return (start > 0 && from < start) || (end > 0 && to > length - end);
+  }
+};
 
-/// Per branch: the arc length from its start and from its end up to which triangles join its wall
-/// to that of another branch; 0 at open ends.
-std::vector<std::array<double, 2>> fork_reach(const Vessel& vessel);
+/// One entry per branch.
+std::vector<ForkReach> fork_reach(const Vessel& vessel);
 
 /// Half width of the band of vertices that stands for the sections of one element, length: the
 /// element's length, or 1.2 mean edges where that is more.

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "data/index.h"
@@ -71,7 +70,6 @@ class Sections {
       : vessel_(vessel),
         area_(vertex_areas(vessel.surface)),
         reach_(fork_reach(vessel)),
-        length_(branch_lengths(vessel.rod)),
         is_fork_(vessel.rod.rest.size(), 0) {
     const RodTree& rod = vessel.rod;
     mean_edge_ = mean_edge_length(vessel.surface);
@@ -110,7 +108,8 @@ class Sections {
         if (k < branch.elements.size())
           width =
               std::max(width, section_band(rod.elements[index(branch.elements[k])], mean_edge_));
-        const bool seen = (unseen.empty() || !unseen[node]) && is_whole(b, s, width);
+        const bool seen =
+            (unseen.empty() || !unseen[node]) && !reach_[b].meets(s - width, s + width);
         const std::optional<Pose> change = forks[node] ? forks[node]
                                            : seen      ? mean_change(b, s, width, local)
                                                        : std::nullopt;
@@ -159,15 +158,6 @@ class Sections {
     }
   }
 
-  // Whether the band of vertices around s on a branch lies outside the reach of its forks.
-  bool is_whole(size_t branch, double s, double width) const {
-    const RodBranch& mine = vessel_.rod.branches[branch];
-    const bool from_fork = is_fork_[index(mine.nodes.front())],
-               to_fork = is_fork_[index(mine.nodes.back())];
-    return !(from_fork && s - width < reach_[branch][0]) &&
-           !(to_fork && length_[branch] - s - width < reach_[branch][1]);
-  }
-
   // A node where branches meet has no section of its own. Its change is that of the wall around
   // it: the rigid motion that fits the vertices within the fork's reach on all branches.
   std::vector<std::optional<Pose>> fork_changes(const Points& current, const RodPoses& near) const {
@@ -178,8 +168,8 @@ class Sections {
                    back = index(rod.branches[b].nodes.back());
       for (const OnBranch& v : on_[b])
         for (const size_t fork : {front, back}) {
-          const double away = fork == front ? v.s : length_[b] - v.s;
-          if (!is_fork_[fork] || away > reach_[b][fork == front ? 0 : 1]) continue;
+          const double away = fork == front ? v.s : reach_[b].length - v.s;
+          if (!is_fork_[fork] || away > (fork == front ? reach_[b].start : reach_[b].end)) continue;
           around[fork].push_back(
               {area_[v.vertex],
                rod.rest[fork].inverse() * Vec3(vessel_.surface.points.row(v.vertex)),
@@ -215,9 +205,8 @@ class Sections {
   const Vessel& vessel_;
   Eigen::VectorXd area_;
   double mean_edge_ = 0;
-  std::vector<std::array<double, 2>> reach_;  // per branch, of the forks at its start and end
-  std::vector<double> length_;                // per branch
-  std::vector<char> is_fork_;                 // per node
+  std::vector<ForkReach> reach_;  // per branch
+  std::vector<char> is_fork_;     // per node
   std::vector<std::vector<OnBranch>> on_;
 };
 

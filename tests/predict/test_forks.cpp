@@ -2,12 +2,12 @@
 // that coupled takes from its walls.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <gtest/gtest.h>
 
 #include <vasorod/predict.h>
 
 #include "edge_ratios.h"
+#include "infant_anatomy.h"
 
 namespace vasorod {
 namespace {
@@ -21,8 +21,7 @@ Scene bundled(const std::string& name, double thickness, const std::vector<Moved
   scene.name = name;
   VesselSpec vessel;
   vessel.name = name;
-  vessel.surface =
-      std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant" / (name + ".vtp");
+  vessel.surface = testing::infant_file(name);
   vessel.remesh = 0.8;
   vessel.wall = Wall{thickness, Material::isotropic(0.45, 0.45)};
   scene.vessels = {vessel};
@@ -74,10 +73,9 @@ class Forks : public ::testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Branches, Forks, ::testing::Values(1, 2, 5));
 
-// Where every vertex followed its own section, the walls tore along the border of two branches:
-// edges were 0.57 to 1.26 times as long as at rest with two branches, 0.37 to 2.12 with five ends.
-// Now they are 0.94 to 1.05 and 0.78 to 1.35, with strains of the rods of 0.06 and 0.10. Without a
-// fork they are 0.93 to 1.04.
+// Where every vertex follows its own section, the walls tear along the border of two branches. The
+// rods' strains are 0.06 with two branches and 0.10 with five ends, where the wall between two near
+// forks takes three times the rod's.
 TEST_P(Forks, SkinCarriesTheWallInOnePiece) {
   SolveOptions options;
   options.fidelity = "skin";
@@ -92,9 +90,7 @@ TEST_P(Forks, SkinCarriesTheWallInOnePiece) {
 // over a section's band lies between its extremes, and the band's own error is of second order in
 // its width. A tube whose wall is strained by e has a curvature of e / R at most, and a shear of
 // 2 e, since a shear g stretches by about g / 2. Twice as much bending is allowed, because the
-// sections between a fork and the first whole one are not seen. Before forks were fitted within
-// their reach, the second vessel had a curvature of 0.19 / R and a shear of 0.22 (now 0.11 / R and
-// 0.07) with edges of 0.92 to 1.06, and a twist ratio of 3.2.
+// sections between a fork and the first whole one are not seen.
 TEST_P(Forks, TheCenterlineOfCoupledFollowsTheWall) {
   SolveOptions options;
   options.fidelity = "coupled";

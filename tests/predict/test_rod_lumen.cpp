@@ -171,6 +171,44 @@ TEST(RodLumen, TheBalanceIsThatOfTheWall) {
   }
 }
 
+// A vein cut and pulled onto an artery: at its head it pulls with E A times the prestretch more,
+// with Lame's 2 nu p pi a^2 of a held tube under the pressure, and the join carries the rest of the
+// balance.
+TEST(RodLumen, AJoinedVeinKeepsItsPull) {
+  const auto pulled = [](const std::string& fidelity, double prestretch, double pressure) {
+    Scene scene = vein({0, pressure}, fidelity, 40);
+    scene.vessels[0].tube->position = {0, 0, 5};
+    scene.vessels[0].axial_prestretch = prestretch;
+    VesselSpec artery = tube("rpa", 50, {-25, 0, 0}, 28);
+    artery.tube->radius = 4;
+    artery.tube->along = 60;
+    artery.tube->tangent = {1, 0, 0};
+    artery.tube->normal = {0, 0, 1};
+    artery.pressure = LumenPressure{0, pressure};
+    scene.vessels.push_back(artery);
+    scene.ends = {held("svc", end), held("rpa", start), held("rpa", end)};
+    scene.glenn.emplace();
+    scene.glenn->svc = "svc";
+    scene.glenn->rpa = "rpa";
+    scene.glenn->cut = {3.3, 0, 6};
+    scene.glenn->incision = {0, 0, 4};
+    scene.glenn->keep_near = {0, 0, 45};
+    const Result result = predict(scene);
+    EXPECT_EQ(result.status, Status::converged) << fidelity;
+    const Balance& balance = result.balance.at(0);
+    const Vec3 pressed = balance.pressure.value_or(Vec3::Zero());
+    EXPECT_LT((balance.support + balance.join + pressed).norm(), 1e-6 * balance.support.norm());
+    return result.ends.at(0).force.z();
+  };
+  const double axial = 0.5 * 2 * pi * 3.3 * 0.4, p = 12 * mmhg,
+               held_tube = 0.9 * p * pi * 3.1 * 3.1;
+  for (const std::string fidelity : {"rod", "skin"}) {
+    const double plain = pulled(fidelity, 1, 0);
+    EXPECT_NEAR(pulled(fidelity, 1.05, 0) - plain, 0.05 * axial, 1e-4 * axial) << fidelity;
+    EXPECT_NEAR(pulled(fidelity, 1, p) - plain, held_tube, 0.03 * held_tube) << fidelity;
+  }
+}
+
 // A prestretch pulls with E A times the strain.
 TEST(RodLumen, AStretchAloneIsModelled) {
   Scene scene = vein({}, "rod");

@@ -1,24 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <gtest/gtest.h>
 
 #include "edge_ratios.h"
 #include "geometry/rigid_motion.h"
+#include "infant_anatomy.h"
 #include "straight_tube.h"
-#include "surface_file/read_surface.h"
 #include "vessel/fork_reach.h"
 #include "vessel/shapes.h"
 
 namespace vasorod {
 namespace {
-
-TriangleSurface infant(const std::string& name) {
-  VesselSpec spec;
-  spec.name = name;
-  spec.surface = std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant" / (name + ".vtp");
-  return load_surface(spec, Scene{}).surface;
-}
 
 // Each branch bent about its d1 or d2, twisted and stretched, every branch otherwise.
 RodPoses branches_bent(const RodTree& rod, double size) {
@@ -49,7 +41,7 @@ TEST(ForkReach, AVesselWithoutForksFollowsItsOwnSections) {
 }
 
 TEST(ForkReach, RestAndRigidMotionsAreCarriedExactly) {
-  const Vessel vessel = fit_vessel("aorta", infant("aorta"));
+  const Vessel vessel = fit_vessel("aorta", testing::infant("aorta"));
   const Pose motion = shapes::some_motion();
   RodPoses moved = vessel.rod.rest;
   for (Pose& pose : moved) pose = motion * pose;
@@ -62,7 +54,7 @@ TEST(ForkReach, RestAndRigidMotionsAreCarriedExactly) {
 // The border of the pulmonary artery's branches moves with the fork, in one piece; beyond three
 // reaches every vertex follows its own section.
 TEST(ForkReach, ABorderMovesWithItsForkAndTheRestWithItsSections) {
-  const Vessel vessel = fit_vessel("pulmonary_artery", infant("pulmonary_artery"));
+  const Vessel vessel = fit_vessel("pulmonary_artery", testing::infant("pulmonary_artery"));
   const RodTree& rod = vessel.rod;
   const RodPoses poses = branches_bent(rod, 0.1);
   const Points carried = carried_points(rod, poses, vessel.carry),
@@ -85,12 +77,12 @@ TEST(ForkReach, ABorderMovesWithItsForkAndTheRestWithItsSections) {
   EXPECT_GT(border, 300);
   const auto reach = fork_reach(vessel);
   const auto places = element_places(rod);
-  const auto lengths = branch_lengths(rod);
   size_t far = 0;
   for (size_t v = 0; v < vessel.binding.size(); ++v) {
     const ElementPlace& at = places[static_cast<size_t>(vessel.binding[v].element)];
     const double s = at.start + vessel.binding[v].s;
-    if (s < 3 * reach[at.branch][0] || lengths[at.branch] - s < 3 * reach[at.branch][1]) continue;
+    const ForkReach& mine = reach[at.branch];
+    if (s < 3 * mine.start || mine.length - s < 3 * mine.end) continue;
     ++far;
     EXPECT_EQ(carried.row(static_cast<Eigen::Index>(v)),
               sections.row(static_cast<Eigen::Index>(v)));
@@ -99,13 +91,11 @@ TEST(ForkReach, ABorderMovesWithItsForkAndTheRestWithItsSections) {
 }
 
 // Curvatures and twists of 0.01 per mm, radii up to 5, stretches of 0.8 %. With every vertex on its
-// own section, edges measure 0.21 to 1.59 (pulmonary artery) and 0.56 to 2.12 (aorta) of their rest
-// length; carried 0.93 to 1.13 and 0.78 to 1.29. The arch's forks are a radius apart, where the
-// wall between them takes three times the strain of the rod, and the arch vessels are thin beside
-// it.
+// own section the walls tear. The arch's forks are a radius apart, where the wall between them
+// takes three times the strain of the rod, and the arch vessels are thin beside it.
 TEST(ForkReach, BentAndTwistedBranchesDoNotTear) {
   for (const char* name : {"pulmonary_artery", "aorta"}) {
-    const Vessel vessel = fit_vessel(name, infant(name));
+    const Vessel vessel = fit_vessel(name, testing::infant(name));
     const RodPoses poses = branches_bent(vessel.rod, 0.04);
     const auto [least, largest] =
         testing::edge_ratios(vessel.surface.triangles, vessel.surface.points,
@@ -123,16 +113,16 @@ TEST(ForkReach, BentAndTwistedBranchesDoNotTear) {
 // a right angle, with a radius of 3.3, so that its mouth takes about its radius along the trunk and
 // its wall begins a radius of the trunk away, and further where the crotch is rounded.
 TEST(ForkReach, IsAboutARadius) {
-  const Vessel vessel = fit_vessel("pulmonary_artery", infant("pulmonary_artery"));
+  const Vessel vessel = fit_vessel("pulmonary_artery", testing::infant("pulmonary_artery"));
   const auto reach = fork_reach(vessel);
   ASSERT_EQ(reach.size(), 3U);
-  EXPECT_EQ(reach[0][0], 0);
-  EXPECT_NEAR(reach[0][1], 3.3, 0.7);
-  EXPECT_NEAR(reach[1][0], 3.3, 0.7);
-  EXPECT_EQ(reach[1][1], 0);
-  EXPECT_GT(reach[2][0], 3.5);
-  EXPECT_LT(reach[2][0], 2 * 3.5);
-  EXPECT_EQ(reach[2][1], 0);
+  EXPECT_EQ(reach[0].start, 0);
+  EXPECT_NEAR(reach[0].end, 3.3, 0.7);
+  EXPECT_NEAR(reach[1].start, 3.3, 0.7);
+  EXPECT_EQ(reach[1].end, 0);
+  EXPECT_GT(reach[2].start, 3.5);
+  EXPECT_LT(reach[2].start, 2 * 3.5);
+  EXPECT_EQ(reach[2].end, 0);
   const auto at_fork = fork_elements(vessel);
   const RodBranch& side = vessel.rod.branches[2];
   EXPECT_TRUE(at_fork[static_cast<size_t>(side.elements.front())]);
@@ -142,14 +132,14 @@ TEST(ForkReach, IsAboutARadius) {
 
 // The arch of the aorta between its branches: forks a radius apart.
 TEST(ForkReach, BranchesBetweenNearForksAreNamed) {
-  const Vessel vessel = fit_vessel("aorta", infant("aorta"));
+  const Vessel vessel = fit_vessel("aorta", testing::infant("aorta"));
   const auto reach = fork_reach(vessel);
-  const auto lengths = branch_lengths(vessel.rod);
   const auto within = branches_within_forks(vessel);
   EXPECT_FALSE(within.empty());
-  for (const size_t b : within) EXPECT_LT(lengths[b], 2 * (reach[b][0] + reach[b][1])) << b;
+  for (const size_t b : within)
+    EXPECT_LT(reach[b].length, 2 * (reach[b].start + reach[b].end)) << b;
   for (size_t b = 0; b < reach.size(); ++b) {
-    const bool is_long = lengths[b] > 3 * (reach[b][0] + reach[b][1]);
+    const bool is_long = reach[b].length > 3 * (reach[b].start + reach[b].end);
     EXPECT_LE(std::count(within.begin(), within.end(), b), is_long ? 0 : 1) << b;
   }
 }

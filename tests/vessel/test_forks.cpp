@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
+#include "infant_anatomy.h"
 #include "real_anatomy.h"
 #include "rod/rod_search.h"
 #include "surface_file/read_surface.h"
@@ -9,9 +10,6 @@
 
 namespace vasorod {
 namespace {
-
-const std::filesystem::path infant =
-    std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant";
 
 TriangleSurface read(const std::filesystem::path& file, std::optional<double> edge = {}) {
   Scene scene;
@@ -56,7 +54,7 @@ void expect_sound(const Vessel& vessel) {
 }
 
 TEST(Forks, BundledAortaHasItsThreeArchVessels) {
-  const Vessel vessel = fit_vessel("aorta", read(infant / "aorta.vtp"));
+  const Vessel vessel = fit_vessel("aorta", testing::infant("aorta"));
   ASSERT_EQ(vessel.ends.size(), 5U);
   expect_sound(vessel);
   // The generator's radii: 5 at the root, 3.6 at the far end, the arch vessels 2.1, 1.5 and 1.6.
@@ -73,13 +71,13 @@ TEST(Forks, BundledAortaHasItsThreeArchVessels) {
 }
 
 TEST(Forks, BundledPulmonaryArteryForksOnce) {
-  const Vessel vessel = fit_vessel("pulmonary_artery", read(infant / "pulmonary_artery.vtp"));
+  const Vessel vessel = fit_vessel("pulmonary_artery", testing::infant("pulmonary_artery"));
   ASSERT_EQ(vessel.ends.size(), 3U);
   expect_sound(vessel);
 }
 
 TEST(Forks, ABranchKeepsItsOwnSections) {
-  const Vessel vessel = fit_vessel("aorta", read(infant / "aorta.vtp"));
+  const Vessel vessel = fit_vessel("aorta", testing::infant("aorta"));
   for (Eigen::Index i = 0; i < vessel.surface.points.rows(); ++i) {
     const RodCoordinates& at = vessel.binding[static_cast<size_t>(i)];
     const auto& elements =
@@ -89,7 +87,7 @@ TEST(Forks, ABranchKeepsItsOwnSections) {
 }
 
 TEST(Forks, MoveWithTheSurface) {
-  const TriangleSurface surface = read(infant / "pulmonary_artery.vtp");
+  const TriangleSurface surface = testing::infant("pulmonary_artery");
   const Pose motion = shapes::some_motion();
   const Vessel here = fit_vessel("pa", surface),
                there = fit_vessel("pa", shapes::moved(surface, motion));

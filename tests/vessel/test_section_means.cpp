@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/rigid_motion.h"
+#include "infant_anatomy.h"
 #include "rod/strain_change.h"
 #include "straight_tube.h"
-#include "surface_file/read_surface.h"
 #include "vessel/section_means.h"
 
 namespace vasorod {
@@ -103,11 +103,7 @@ Vec3 mapped(const Vec3& p, double stretch, double twist, double curvature) {
 // edge of the wall, bend or twist more than the map. One fork, and three.
 TEST(SectionMeans, BesideForksTheAxisFollowsTheWall) {
   for (const char* name : {"pulmonary_artery", "aorta"}) {
-    VesselSpec spec;
-    spec.name = name;
-    spec.surface = std::filesystem::path(VASOROD_SOURCE_DIR) / "meshes" / "infant" /
-                   (std::string(name) + ".vtp");
-    const Vessel vessel = fit_vessel(name, load_surface(spec, Scene{}).surface);
+    const Vessel vessel = fit_vessel(name, testing::infant(name));
     ASSERT_GT(vessel.rod.branches.size(), 1U);
     const Vec3 middle = vessel.surface.points.colwise().mean();
     Points current(vessel.surface.points.rows(), 3);

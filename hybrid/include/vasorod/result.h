@@ -103,10 +103,10 @@ struct VesselMetrics {
   double flattening = 0;                ///< largest 1 - H / H_rest, H a section's width
   double largest_twist_shear = 0;       ///< largest |r (u3 - u3^0)|, no unit
   std::array<double, 2> stretch{1, 1};  ///< smallest and largest v3 over its rest value
-  double largest_curvature = 0;         ///< largest length of (u1, u2), 1/length
-  double smallest_lumen_ratio = 1;      ///< smallest lumen area over its rest value
-  double largest_pressure = 0,          ///< largest contact pressure, stress
-      contact_area = 0;                 ///< contact area, length^2
+  double largest_curvature = 0;     ///< largest (u1, u2) away from forks and incisions, 1/length
+  double smallest_lumen_ratio = 1;  ///< smallest lumen area over its rest value
+  double largest_pressure = 0,      ///< largest contact pressure, stress
+      contact_area = 0;             ///< contact area, length^2
   /// Place of each extreme, by the names above; smallest_stretch and largest_stretch for `stretch`.
   std::map<std::string, Vec3> where;
 };

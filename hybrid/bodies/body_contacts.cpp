@@ -85,7 +85,7 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
   std::vector<char> out(static_cast<size_t>(body.rest.points.rows()), 0);
   if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
   for (size_t i = 0; i < body.fixed.size(); ++i) out[i] |= body.fixed[i];
-  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(out)},
+  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(out), {}},
                                        body.thickness, stiffness_of(pair, scaled));
 }
 
@@ -114,7 +114,11 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
                         const std::vector<int>& overlapping) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
     std::vector<char> out;
-    if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
+    std::vector<double> share;
+    if (!seam.empty()) {
+      share = seam_share(body.rest, seam, body.thickness);
+      for (const double s : share) out.push_back(s == 0);
+    }
     if (!overlapping.empty()) {
       // Two mean edges are subtracted because seam_band() adds them.
       const std::vector<char> beside =
@@ -122,7 +126,7 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
       out.resize(beside.size(), 0);
       for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
     }
-    return ContactSide{body.rest, body.offset, std::move(out)};
+    return ContactSide{body.rest, body.offset, std::move(out), std::move(share)};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),

@@ -5,6 +5,7 @@
 
 #include "bodies/normal_foot.h"
 #include "bodies/reach.h"
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -14,16 +15,25 @@ namespace {
 // the wall is the far side of a vessel, not a wall in contact.
 constexpr double facing_same_way = 0.2;
 
+// Where two vessels are joined, a wall farther inside than this many mean edges of its own surface
+// has come in through the mouth, which is open to it.
+constexpr double through_the_mouth = 3;
+
 struct Feature {
   bool valid = false;
   bool swallowed = false;  // inside, facing the same way
   std::array<int, 3> vertex{};
   Vec3 weight, normal;
   double distance = 0;  // along the interpolated normal
+  double offset = 0;    // from the master's surface to its outer face there
 };
 
+double offset_at(const ContactSide& side, int vertex) {
+  return side.share.empty() ? side.offset : side.share[index(vertex)] * side.offset;
+}
+
 Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const Points& normals, const std::vector<char>& excluded, const Vec3& point,
+                       const Points& normals, const ContactSide& side, const Vec3& point,
                        const Vec3& point_normal) {
   Feature feature;
   const ClosestPoint::Hit hit = finder.query(point);
@@ -32,8 +42,9 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
   feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
     const int v = surface.triangles(foot.triangle, k);
-    if (!excluded.empty() && excluded[static_cast<size_t>(v)]) return feature;
-    feature.vertex[static_cast<size_t>(k)] = v;
+    if (!side.excluded.empty() && side.excluded[index(v)]) return feature;
+    feature.vertex[index(k)] = v;
+    feature.offset += foot.weight[k] * offset_at(side, v);
   }
   if (foot.normal.norm() < 0.1) return feature;  // a fold: no outside
   feature.normal = foot.normal.normalized();
@@ -53,6 +64,8 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
+      deepest_(slave_.share.empty() ? std::numeric_limits<double>::infinity()
+                                    : through_the_mouth * mean_edge_length(slave_.rest)),
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
@@ -64,9 +77,10 @@ double ContactPair::allowance(int vertex) {
   if (std::isnan(value)) {
     if (!rest_) rest_.emplace(master_.rest);
     const Feature feature =
-        facing_feature(*rest_, master_.rest, master_rest_normals_, master_.excluded,
+        facing_feature(*rest_, master_.rest, master_rest_normals_, master_,
                        slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
-    const double gap = feature.valid ? feature.distance - slave_.offset - master_.offset : 0;
+    const double gap =
+        feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
     // here is far below any relevant length.
     value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
@@ -82,11 +96,10 @@ bool ContactPair::inside_at_rest(int vertex) {
 
 void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
   begin();
-  const double offsets = slave_.offset + master_.offset;
   // An overlap at rest only lowers the slack. From outside, a feature farther away than this cannot
   // have a gap below `reach`; from inside every feature counts.
   const Box box = box_of(master);
-  const double margin = reach + offsets;
+  const double margin = reach + slave_.offset + master_.offset;
   std::vector<int> near;
   for (int i = 0; i < slave.rows(); ++i)
     if (slave_.excluded.empty() || !slave_.excluded[static_cast<size_t>(i)])
@@ -103,15 +116,16 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
   const Points master_normals = vertex_normals(now);
   for (const int i : near) {
-    const Feature feature = facing_feature(*current_, now, master_normals, master_.excluded,
-                                           slave.row(i), slave_normals.row(i));
+    const Feature feature =
+        facing_feature(*current_, now, master_normals, master_, slave.row(i), slave_normals.row(i));
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
-    if (!feature.valid || feature.distance - offsets > reach) continue;
+    const double faces = offset_at(slave_, i) + feature.offset;
+    if (!feature.valid || feature.distance - faces > reach) continue;
     const double rest = allowance(i);
-    if (feature.distance - offsets - rest > reach) continue;
-    add({i, feature.vertex, feature.weight, feature.normal, offsets + rest, area_[i], stiffness_,
-         0},
+    if (feature.distance - faces - rest > reach) continue;
+    if (feature.distance - faces - rest < -deepest_) continue;
+    add({i, feature.vertex, feature.weight, feature.normal, faces + rest, area_[i], stiffness_, 0},
         i);
   }
   end();

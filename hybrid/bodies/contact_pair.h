@@ -8,6 +8,9 @@
 // d is the height over the master along its interpolated normal, o the distance from each surface
 // to its outer face. Walls that overlap at rest therefore carry no pressure at rest.
 //
+// Beside a seam the walls meet at an angle, and their faces would overlap: there o is the share
+// that the caller gives (seam_band.h). A wall that has come in through the mouth is not in contact.
+//
 // Left out are: hits on the rim of an open end; walls that face the same way (the far wall of a
 // vessel that a shallow one overlaps); the vertices and triangles that the caller excludes.
 #pragma once
@@ -34,6 +37,7 @@ class ContactPair : public FoundContacts {
 
   ContactSide slave_, master_;
   double stiffness_;
+  double deepest_;  // overlap beyond which walls are not in contact, length
   Eigen::VectorXd area_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;

@@ -13,6 +13,7 @@ struct ContactSide {
   TriangleSurface rest;
   double offset = 0;           ///< from the surface to the wall's outer face, length
   std::vector<char> excluded;  ///< per vertex; empty: none
+  std::vector<double> share;   ///< per vertex: of `offset` that counts there; empty: all of it
 };
 
 /// Contacts between one slave and one master surface.

@@ -1,9 +1,11 @@
 #include "bodies/seam_band.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>
 
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -32,28 +34,44 @@ std::vector<double> distances(const std::vector<std::vector<std::pair<int, doubl
   return distance;
 }
 
+// Shortest edge paths to a seam.
+struct Paths {
+  std::vector<double> edges, length;
+  double width = 0;  // of the band, length
+};
+
+Paths paths_to(const TriangleSurface& surface, const std::vector<int>& seam, double width) {
+  const auto count = static_cast<size_t>(surface.points.rows());
+  std::vector<std::vector<std::pair<int, double>>> hops(count), lengths(count);
+  for (const Edge& e : edges_of(surface.triangles)) {
+    const double length = (surface.points.row(e.a) - surface.points.row(e.b)).norm();
+    for (const auto& [from, to] : {std::pair{e.a, e.b}, std::pair{e.b, e.a}}) {
+      hops[index(from)].emplace_back(to, 1.0);
+      lengths[index(from)].emplace_back(to, length);
+    }
+  }
+  width += 2 * mean_edge_length(surface);
+  return {distances(hops, seam, 2), distances(lengths, seam, width), width};
+}
+
 }  // namespace
 
 std::vector<char> seam_band(const TriangleSurface& surface, const std::vector<int>& seam,
                             double width) {
-  const auto count = static_cast<size_t>(surface.points.rows());
-  std::vector<std::vector<std::pair<int, double>>> hops(count), lengths(count);
-  double total = 0;
-  const auto edges = edges_of(surface.triangles);
-  for (const Edge& e : edges) {
-    const double length = (surface.points.row(e.a) - surface.points.row(e.b)).norm();
-    total += length;
-    for (const auto& [from, to] : {std::pair{e.a, e.b}, std::pair{e.b, e.a}}) {
-      hops[static_cast<size_t>(from)].emplace_back(to, 1.0);
-      lengths[static_cast<size_t>(from)].emplace_back(to, length);
-    }
-  }
-  const double mean = edges.empty() ? 0 : total / static_cast<double>(edges.size());
-  const std::vector<double> near = distances(hops, seam, 2),
-                            way = distances(lengths, seam, width + 2 * mean);
-  std::vector<char> band(count, 0);
-  for (size_t i = 0; i < count; ++i) band[i] = near[i] <= 2 || way[i] <= width + 2 * mean ? 1 : 0;
+  const Paths paths = paths_to(surface, seam, width);
+  std::vector<char> band(paths.length.size(), 0);
+  for (size_t i = 0; i < band.size(); ++i)
+    band[i] = paths.edges[i] <= 2 || paths.length[i] <= paths.width ? 1 : 0;
   return band;
+}
+
+std::vector<double> seam_share(const TriangleSurface& surface, const std::vector<int>& seam,
+                               double width) {
+  const Paths paths = paths_to(surface, seam, width);
+  std::vector<double> share(paths.length.size(), 1);
+  for (size_t i = 0; i < share.size(); ++i)
+    share[i] = paths.edges[i] <= 1 ? 0 : std::min(1.0, paths.length[i] / paths.width);
+  return share;
 }
 
 }  // namespace vasorod

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "bodies/contact_pair.h"
+#include "geometry/triangle_surface.h"
 #include "paper/paper_tubes.h"
 
 namespace vasorod {
@@ -29,6 +30,39 @@ TEST(ContactPair, GapIsTheDistanceOfTheOuterWalls) {
   EXPECT_NEAR(smallest_gap(pair, slave.points, master.points), 0.2,
               5e-3);  // facets lie inside the circle
   EXPECT_GE(smallest_gap(pair, slave.points, master.points), 0.2 - 1e-9);
+}
+
+// Half of the slave's thickness and a quarter of the master's count.
+TEST(ContactPair, OnlyAShareOfTheThicknessCountsWhereTheCallerSaysSo) {
+  const TriangleSurface slave = beside(0), master = beside(2.5);
+  const auto all = [](const TriangleSurface& surface, double share) {
+    return std::vector<double>(static_cast<size_t>(surface.points.rows()), share);
+  };
+  ContactPair whole({slave, 0.1, {}}, {master, 0.2, {}}, 1),
+      part({slave, 0.1, {}, all(slave, 0.5)}, {master, 0.2, {}, all(master, 0.25)}, 1);
+  whole.refresh(slave.points, master.points, 1);
+  part.refresh(slave.points, master.points, 1);
+  EXPECT_NEAR(smallest_gap(part, slave.points, master.points) -
+                  smallest_gap(whole, slave.points, master.points),
+              0.05 + 0.15, 1e-9);
+}
+
+// Edges of about 0.14: half an edge deep it is pushed out, five edges deep it came in through the
+// mouth. Without a seam it is pushed out from there too.
+TEST(ContactPair, WhatCameInThroughTheMouthIsNotPushedOut) {
+  const TriangleSurface slave = beside(0), shallow = beside(1.93), deep = beside(1.2);
+  const std::vector<double> all(static_cast<size_t>(slave.points.rows()), 1);
+  const double edge = mean_edge_length(slave);
+  const auto deepest = [&](const TriangleSurface& master, bool joined) {
+    // At rest they are apart.
+    ContactPair pair({slave, 0, {}, joined ? all : std::vector<double>()},
+                     {beside(3), 0, {}, joined ? all : std::vector<double>()}, 1);
+    pair.refresh(slave.points, master.points, 1);
+    return -smallest_gap(pair, slave.points, master.points);
+  };
+  EXPECT_NEAR(deepest(shallow, true), 0.07, 0.01);
+  EXPECT_GT(deepest(deep, false), 4.5 * edge);
+  EXPECT_LT(deepest(deep, true), 3.01 * edge);
 }
 
 TEST(ContactPair, WhatIsOutOfReachIsNotListed) {

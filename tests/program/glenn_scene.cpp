@@ -58,6 +58,17 @@ nlohmann::json solve_case(const std::string& file, const std::string& options) {
   return run_scene(cases / file, options);
 }
 
+nlohmann::json solve_turned(const std::string& file, double rotation_deg,
+                            const std::string& options) {
+  const ScratchFolder scratch;
+  YAML::Node yaml = YAML::LoadFile((cases / file).string());
+  for (YAML::Node vessel : yaml["vessels"])
+    vessel["surface"] = (cases / vessel["surface"].as<std::string>()).string();
+  yaml["surgery"]["glenn"]["rotation_deg"] = rotation_deg;
+  std::ofstream(scratch / "scene.yaml") << YAML::Dump(yaml);
+  return run_scene(scratch / "scene.yaml", options);
+}
+
 nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options) {
   const ScratchFolder scratch;
   const auto moved = [&](const Vec3& p) {

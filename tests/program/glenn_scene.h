@@ -27,6 +27,10 @@ inline GlennScene infant() {
 /// the test.
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
+/// The same with another `rotation_deg`.
+nlohmann::json solve_turned(const std::string& file, double rotation_deg,
+                            const std::string& options);
+
 /// Writes the changed scene with its surfaces and runs it.
 nlohmann::json solve_glenn(const GlennScene& scene, const std::string& options);
 

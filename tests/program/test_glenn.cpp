@@ -195,17 +195,26 @@ TEST(Glenn, RealAnatomyConvergesAtSkin) {
       << "the kept vein is short: validity speaks";
 }
 
-// The short vein is turned so far that it presses into the artery beside its own seam.
-TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
+// The short vein leans on the artery beside its own seam.
+TEST(Glenn, RealAnatomyIsPressedBesideItsSeamAtPaper) {
   const auto result = solve_case("adult.yaml", "--fidelity paper");
+  expect_joined(result);
+  EXPECT_EQ(result.at("status"), "converged");
+  EXPECT_EQ(result.at("validity").at("in_range"), false);
+  EXPECT_TRUE(result.at("self_intersections").empty()) << result.at("self_intersections");
+  EXPECT_GT(pressure_between(result, "svc", "pulmonary_artery"), 0);
+}
+
+// Turned by 45 degrees, it folds through itself, which `paper` does not feel.
+TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
+  const auto result = solve_turned("adult.yaml", 45, "--fidelity paper");
   EXPECT_EQ(result.at("status"), "self_intersecting");
   EXPECT_EQ(result.at("validity").at("in_range"), false);
   const auto& crossings = result.at("self_intersections");
-  ASSERT_EQ(crossings.size(), 1U) << crossings;
+  ASSERT_FALSE(crossings.empty());
   EXPECT_EQ(crossings[0].at("a"), "svc");
-  EXPECT_EQ(crossings[0].at("b"), "pulmonary_artery");
-  EXPECT_GT(crossings[0].at("depth").get<double>(), 0.2);
-  EXPECT_LT(crossings[0].at("depth").get<double>(), 2);
+  EXPECT_EQ(crossings[0].at("b"), "svc");
+  EXPECT_GT(crossings[0].at("depth").get<double>(), 1);
 }
 
 }  // namespace

@@ -87,6 +87,12 @@ class Mumps final : public LinearSolver::Method {
     return out;
   }
 
+  double factor_nonzeros() const override {
+    PetscInt entries = 0;
+    check(MatMumpsGetInfog(factor_, 29, &entries));
+    return entries < 0 ? -1e6 * entries : entries;  // negative: in millions
+  }
+
  private:
   void create(const Sparse& matrix) {
     const auto n = static_cast<PetscInt>(matrix.rows());

@@ -10,6 +10,13 @@
 namespace vasorod::fem {
 namespace {
 
+/// UMFPACK, which states the entries of its factors.
+class Lu : public Eigen::UmfPackLU<Sparse> {
+ public:
+  using Eigen::UmfPackLU<Sparse>::UmfPackLU;
+  double factor_nonzeros() const { return m_umfpackInfo[UMFPACK_LNZ] + m_umfpackInfo[UMFPACK_UNZ]; }
+};
+
 /// CHOLMOD and UMFPACK. A symmetric matrix with constraints is factorised as K + gamma B B^T, which
 /// is positive definite if K is positive definite on the constraints. The multipliers follow from
 /// their Schur complement.
@@ -32,7 +39,7 @@ class OneProcess final : public LinearSolver::Method {
     }
     if (definite || fallback == LinearSolver::Fallback::none) return definite;
     matrix = whole;
-    lu = std::make_unique<Eigen::UmfPackLU<Sparse>>(matrix);
+    lu = std::make_unique<Lu>(matrix);
     return lu->info() == Eigen::Success;
   }
 
@@ -43,6 +50,10 @@ class OneProcess final : public LinearSolver::Method {
     if (!definite) return lu->solve(right);
     return constraints.cols() > 0 ? solve_constrained(right)
                                   : Eigen::VectorXd(cholesky.solve(right));
+  }
+
+  double factor_nonzeros() const override {
+    return definite ? cholesky.cholmod().lnz : lu ? lu->factor_nonzeros() : 0;
   }
 
  private:
@@ -75,8 +86,8 @@ class OneProcess final : public LinearSolver::Method {
     return out;
   }
 
-  Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> cholesky;
-  std::unique_ptr<Eigen::UmfPackLU<Sparse>> lu;
+  mutable Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> cholesky;  // cholmod() is not const
+  std::unique_ptr<Lu> lu;
   Sparse matrix;  // UMFPACK solves refer to it
   Sparse constraints;
   Eigen::MatrixXd spread;  // K'^-1 B
@@ -103,6 +114,10 @@ bool LinearSolver::positive_definite() const {
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right) const {
   return method_->solve(right);
+}
+
+double LinearSolver::factor_nonzeros() const {
+  return method_->factor_nonzeros();
 }
 
 }  // namespace vasorod::fem

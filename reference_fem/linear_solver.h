@@ -32,6 +32,8 @@ class LinearSolver {
   bool positive_definite() const;
   /// `right` and the solution are complete on every process.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  /// Entries of the last factor; of L and U where the matrix was not positive definite.
+  double factor_nonzeros() const;
 
   /// One implementation.
   class Method {
@@ -41,6 +43,7 @@ class LinearSolver {
                         Fallback fallback) = 0;
     virtual bool positive_definite() const = 0;
     virtual Eigen::VectorXd solve(const Eigen::VectorXd& right) const = 0;
+    virtual double factor_nonzeros() const = 0;
   };
 
  private:

@@ -22,13 +22,20 @@ class Newton {
   /// set.
   bool linear_step(const State& last, double load, State& guess, System::Assembly& assembly);
 
+  /// Whether the symmetric part of the tangent at load 1 is positive definite on the constraints.
+  bool positive_definite(const State& state, System::Assembly& assembly);
+
   int iterations() const { return iterations_; }  ///< of the last solve
 
  private:
   enum class Verdict { go_on, done, failed };
   Verdict judge(double residual, int iteration);
-  bool assemble(const State& state, double load, System::Assembly& assembly);
+  bool assemble(const State& state, double load, bool want_tangent, System::Assembly& assembly,
+                const State* target = nullptr);
   bool factor(const System::Assembly& assembly);
+  bool factor(LinearSolver& solver, const Sparse& matrix, bool symmetric,
+              LinearSolver::Fallback fallback = LinearSolver::Fallback::umfpack);
+  Eigen::VectorXd solve(const Eigen::VectorXd& right);
   Eigen::VectorXd load_slope(const State& state, double load, const System::Assembly& assembly);
 
   const System& system_;

@@ -35,6 +35,8 @@ void Effort::add(const StepperSummary& summary, double mesh_seconds) {
   assembly += summary.assembly_seconds;
   factor += summary.factor_seconds;
   iterations += summary.iterations;
+  counts += summary.counts;
+  counts.outer += summary.steps;
 }
 
 void Effort::report(double solve, Result& result) const {
@@ -43,6 +45,7 @@ void Effort::report(double solve, Result& result) const {
   result.seconds["factor"] = factor;
   result.seconds["solve"] = solve;
   result.iterations["newton"] = iterations;
+  result.counts = counts;
 }
 
 void report_path(const StepperSummary& summary, Result& result) {

@@ -30,6 +30,7 @@ Result begin_result(const Scene& scene, const SolveOptions& options);
 struct Effort {
   double mesh = 0, assembly = 0, factor = 0;  ///< s
   int iterations = 0;
+  Counts counts;
 
   void add(const StepperSummary& summary, double mesh_seconds);
   /// `solve`: seconds from the first mesh to the result.

@@ -98,11 +98,7 @@ StepperSummary follow_path(const System& system, State& state, System::Assembly&
     step = std::min(step, options.largest_step);
   }
   if (options.certify && system.conservative()) {
-    system.assemble(state, 1, true, assembly);
-    LinearSolver solver(system.processes());
-    solver.factor(Sparse(0.5 * (assembly.tangent + Sparse(assembly.tangent.transpose()))), true,
-                  system.multipliers(), LinearSolver::Fallback::none);
-    summary.positive_definite = solver.positive_definite();
+    summary.positive_definite = newton.positive_definite(state, assembly);
   }
   return summary;
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <vasorod/counts.h>
+
 #include "reference_fem/system.h"
 
 namespace vasorod::fem {
@@ -52,6 +54,7 @@ struct StepperSummary {
   /// Of the tangent at the end; empty if its symmetry or size does not allow the test.
   std::optional<bool> positive_definite;
   double assembly_seconds = 0, factor_seconds = 0;
+  Counts counts;  ///< `outer` stays 0
 };
 
 /// Follows the path. On return, `state` is the last converged state.

@@ -8,6 +8,7 @@ import subprocess
 
 import yaml
 
+import counts
 from cases import text_of
 from measure import converged, failed_of, result_of
 from runs import Run, hybrid_arguments
@@ -129,12 +130,14 @@ def numbers(store, run, shell):
         "own_error": its["discretisation"]["error_estimate"],
         "seconds": store.record(run.identity)["processor_seconds"],
         "seconds_reference": store.record(shell.identity)["processor_seconds"],
+        **counts.counts_of(mine),
     }
 
 
 COLUMNS = (
     *("mouth", "mouth_reference", "span", "width", "energy", "energy_reference", "support"),
     *("support_reference", "rms_vein", "rms_artery", "own_error", "seconds", "seconds_reference"),
+    *counts.COLUMNS,
 )
 
 
@@ -171,8 +174,8 @@ def make_table(store, path):
 
 
 def drifts(old_rows, new_numbers, tolerance=TOLERANCE):
-    """Sentences of the mouths and energies of `coupled` that moved; new_numbers: a row's mouth and
-    energy as they are now, or None where the run does not converge."""
+    """Sentences of the mouths, energies and counts of `coupled` that moved; new_numbers: a row's as
+    they are now, or None where the run does not converge."""
     found = []
     for row, now in zip(old_rows, new_numbers):
         what = f"join: {row['opening']}, thickness x {row['thickness']:g}, {row['law']}"
@@ -184,11 +187,14 @@ def drifts(old_rows, new_numbers, tolerance=TOLERANCE):
             change = now[quantity] / row[quantity] - 1
             if abs(change) > tolerance:
                 found.append(f"{what}: {quantity} {row[quantity]} -> {now[quantity]}")
+        for name, old, new, _ in counts.moved(row, now or {}):
+            found.append(f"{what}: {name} {old:g} -> {new:g}")
     return found
 
 
 def check(store, baselines, quick=False, again=False):
-    """True where no mouth and no energy of `coupled` moved; else says which. Quick: 40 around."""
+    """True where no mouth, energy or count of `coupled` moved; else says which. Quick: 40
+    around."""
     path = baselines / FILE
     if not path.exists():
         return True
@@ -211,10 +217,14 @@ def check(store, baselines, quick=False, again=False):
             now.append(None)
             continue
         result = result_of(store, run.identity)
-        now.append({"mouth": result["glenn"]["mouth"]["area"], "energy": result["energy"]["total"]})
+        mouth, energy = result["glenn"]["mouth"]["area"], result["energy"]["total"]
+        now.append({"mouth": mouth, "energy": energy, **counts.counts_of(result)})
     found = drifts(rows, now)
     for sentence in found:
         print(sentence)
     if not found:
-        print(f"{len(rows)} joins of {FILE}: no mouth and no energy moved by {TOLERANCE:.1%}")
+        print(
+            f"{len(rows)} joins of {FILE}: no mouth and no energy moved by {TOLERANCE:.1%}, and no"
+            " count beyond its tolerance"
+        )
     return not found

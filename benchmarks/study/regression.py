@@ -1,8 +1,10 @@
-"""Baselines: has a curve moved? `check` repeats the runs of a baseline and names every number that
-drifted beyond the tolerance. `accept` takes the new numbers and writes the reason into the file."""
+"""Baselines: has a curve moved, or what a solver does for it? `check` repeats the runs of a
+baseline and names every number that drifted beyond its tolerance. `accept` takes the new numbers
+and writes the reason into the file."""
 
 import time
 
+import counts
 import sensitivity
 from store import commit
 from tables import provenance, read_table, write_table
@@ -50,6 +52,7 @@ def drifts(old_rows, new_rows, tolerance=TOLERANCE):
             scale = max(largest[(*key(row)[:3], quantity)], 1e-9)
             if abs(b - a) > tolerance * scale + 1e-9:
                 found.append((key(row), quantity, a, b, (b - a) / scale))
+        found += [(key(row), *moved) for moved in counts.moved(before, row)]
     return found
 
 
@@ -89,7 +92,7 @@ def picture(found, old_rows, rows, path):
             mine = sorted(
                 (row["factor"], row[quantity])
                 for row in table
-                if key(row)[:3] == (load, modulus, fidelity) and row[quantity] is not None
+                if key(row)[:3] == (load, modulus, fidelity) and row.get(quantity) is not None
             )
             axis.semilogx([x for x, _ in mine], [y for _, y in mine], style, label=name)
         axis.set_title(f"{fidelity}, {load}: {quantity}", fontsize=9)
@@ -107,12 +110,12 @@ def check(store, baselines, quick=False, again=False, image=None):
     if not found:
         print(
             f"{len(rows)} points of {FILE}: no quantity moved by more than {TOLERANCE:.1%} of its"
-            " curve's largest value"
+            " curve's largest value, and no count beyond its tolerance"
         )
         return True
     print(
         f"{len(found)} numbers of {FILE} moved by more than {TOLERANCE:.1%} of their curve's"
-        " largest value:"
+        " largest value, counts beyond their own tolerance:"
     )
     for (load, modulus, fidelity, factor), quantity, a, b, drift in sorted(
         found, key=lambda f: -abs(f[4]) if f[4] is not None else float("-inf")

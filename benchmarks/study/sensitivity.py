@@ -3,6 +3,8 @@ axis; the sweep of E scales E_axial and E_T together, that of G scales G_axial a
 isotropic wall's moduli with nu_LT = 0."""
 
 from cases import case_named
+from counts import COLUMNS as COUNTS
+from counts import counts_of
 from measure import converged, failure_of, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference
 
@@ -93,6 +95,7 @@ def point(store, load, modulus, factor, fidelity, run, base, records):
         "u_shape": None,
         "u_reaction": None,
         "failure": None,
+        **dict.fromkeys(COUNTS),
     }
     if not (converged(store, record) and converged(store, base_record)):
         row["failure"] = failure_of(store, base_record if converged(store, record) else record)
@@ -110,6 +113,7 @@ def point(store, load, modulus, factor, fidelity, run, base, records):
         binding_energy=energy["binding"],
         flattening=result["metrics"][0]["flattening"],
         **own_error(result),
+        **counts_of(result),
     )
     return row
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 import calculix
 from accuracy import chosen_reference
 from cases import case_named
+from counts import counts_of
 from measure import compared, converged, own_error, reactions, result_of, shapes
 from runs import AROUND, FIDELITIES, hybrid, reference
 from tables import provenance, write_table
@@ -69,7 +70,7 @@ def timed():
     return frozenset(run.identity for run in all_runs(case_named(CASE)))
 
 
-def row_of(model, settings, record, numbers, own, against):
+def row_of(model, settings, record, result, numbers, own, against):
     return {
         "case": CASE,
         "model": model,
@@ -83,6 +84,7 @@ def row_of(model, settings, record, numbers, own, against):
         "reaction": max(numbers["force"], numbers["moment"]),
         "reference_rms": own["u_shape"],
         "reference": against,
+        **counts_of(result),
     }
 
 
@@ -104,7 +106,17 @@ def make_table(store, path):
         model, settings = name.split("-")[0], name.split("-", 1)[1].removesuffix("-r0-biot")
         numbers = compared(store, case, run, truth)
         records.append(record)
-        rows.append(row_of(model, settings, record, numbers, numbers, truth.identity.split("/")[1]))
+        rows.append(
+            row_of(
+                model,
+                settings,
+                record,
+                result_of(store, run.identity),
+                numbers,
+                numbers,
+                truth.identity.split("/")[1],
+            )
+        )
     own_truth = calculix_reference(case)
     if converged(store, store.record(own_truth.identity)):
         records.append(store.record(own_truth.identity))
@@ -133,6 +145,7 @@ def make_table(store, path):
                     "CalculiX " + run.identity.split("-")[1],
                     run.identity.rsplit("-", 1)[1],
                     record,
+                    {},
                     numbers,
                     own_error(result_of(store, own_truth.identity)),
                     own_truth.identity.split("/")[1],

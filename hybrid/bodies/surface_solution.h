@@ -9,6 +9,8 @@
 #include <vasorod/status.h>
 #include <vasorod/types.h>
 
+#include "numerics/work.h"
+
 namespace vasorod {
 
 /// State of one body. Forces are those acting on the body.
@@ -60,7 +62,8 @@ struct SurfaceSolution {
   double residual = 0;
   /// Meaningful only if SurfaceOptions::certify is set.
   bool smallest_curvature_positive = false;
-  int iterations = 0, outer_iterations = 0, factorisations = 0;
+  int iterations = 0, outer_iterations = 0;
+  Work work;  ///< Counts::outer is `outer_iterations`
   double largest_seam_gap = 0, rms_seam_gap = 0, seam_radius = 0;
   std::vector<std::string> notes;  ///< which criterion was not met where there is no equilibrium
 

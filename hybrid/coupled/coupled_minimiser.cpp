@@ -29,7 +29,8 @@ struct Interruption {};
 
 }  // namespace
 
-CoupledMinimiser::CoupledMinimiser(CoupledSystem& system) : system_(system) {
+CoupledMinimiser::CoupledMinimiser(CoupledSystem& system, Work& work)
+    : system_(system), work_(work), rest_factor_(&work), factor_(&work) {
   renew_rest();
   turns_.first = system.groups();
   turns_.unknowns = system.unknowns();
@@ -37,6 +38,7 @@ CoupledMinimiser::CoupledMinimiser(CoupledSystem& system) : system_(system) {
 }
 
 void CoupledMinimiser::renew_rest() {
+  ++work_.counts.hessians;
   rest_ = system_.rest_hessian();
   double sum = 0;
   int count = 0;
@@ -61,7 +63,7 @@ void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Bef
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
   if (before) before("ordering");
-  order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection);
+  order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection, &work_);
   factor.analyse(matrix, order_);
   order_nonzeros_ = factor.factor_nonzeros();
 }
@@ -100,6 +102,11 @@ double CoupledMinimiser::evaluate(const VectorXd& z, VectorXd& g, double& residu
   return terms.total();
 }
 
+double CoupledMinimiser::counted(const VectorXd& z, VectorXd& g, double& residual) {
+  ++work_.counts.gradients;
+  return evaluate(z, g, residual);
+}
+
 double CoupledMinimiser::residual(const VectorXd& z) {
   VectorXd g;
   double r = 0;
@@ -108,9 +115,9 @@ double CoupledMinimiser::residual(const VectorXd& z) {
 }
 
 void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
-  work_ = g;
-  apply(turns_, true, work_);
-  rest_factor_.precondition(work_.data(), direction.data(), 1);
+  turned_ = g;
+  apply(turns_, true, turned_);
+  rest_factor_.precondition(turned_.data(), direction.data(), 1);
   apply(turns_, false, direction);
 }
 
@@ -119,6 +126,7 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
 bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most,
                                  const Before& before) {
   before("Hessian");
+  ++work_.counts.hessians;
   hessian_ = system_.hessian(z);
   const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
       inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
@@ -166,13 +174,13 @@ CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
   if (v.dot(hv) > -neutral_curvature * stiffness) return Saddle::neutral;
   VectorXd g;
   double ignored = 0;
-  const double energy = evaluate(z, g, ignored);
+  const double energy = counted(z, g, ignored);
   if (g.dot(v) > 0) v = -v;
   double best = energy, best_step = 0;
   // Steps in mean edges, from one too small to see to one that changes the shape of a section.
   for (double step = 1e-3 / v.cwiseAbs().maxCoeff(); step < 3 / v.cwiseAbs().maxCoeff();
        step *= 2) {
-    const double at = evaluate(z + step * v, g, ignored);
+    const double at = counted(z + step * v, g, ignored);
     if (!(at < best)) break;
     best = at;
     best_step = step;
@@ -199,7 +207,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
 void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
                            const Before& before, CoupledMinimiserSummary& summary) {
   const Evaluation evaluation = [this](const VectorXd& at, VectorXd& g, double& r) {
-    return evaluate(at, g, r);
+    return counted(at, g, r);
   };
   LbfgsOptions inner;
   inner.largest_step = options.largest_step;
@@ -220,6 +228,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   }
   inner.patience = 0;
   inner.tolerance = options.tolerance;
+  VectorXd gradient;
   double shift = 0, factored_at = 1;
   int stalls = 0, indefinite = 0;
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
@@ -231,7 +240,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   while (summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
     if (options.follow) options.follow(z);
-    factored_at = residual(z);
+    counted(z, gradient, factored_at);
     if (!factorise(z, shift, summary.factorisations, options.max_factorisations, before)) {
       summary.unfactorised = true;
       summary.residual = factored_at;

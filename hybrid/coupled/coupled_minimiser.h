@@ -57,8 +57,8 @@ struct CoupledMinimiserSummary : StagedSummary {
 /// Minimiser of one CoupledSystem; keeps its factors between calls.
 class CoupledMinimiser {
  public:
-  /// `system` must outlive this.
-  explicit CoupledMinimiser(CoupledSystem& system);
+  /// `system` must outlive this, and so must `work`, to which what this does is added.
+  CoupledMinimiser(CoupledSystem& system, Work& work);
 
   /// Sets the rotations D applied to K0 from now on.
   void set_turns(GroupTurns turns);
@@ -70,15 +70,15 @@ class CoupledMinimiser {
   /// Minimises from z; on return z is the best point found.
   CoupledMinimiserSummary minimise(Eigen::VectorXd& z, const CoupledMinimiserOptions& options);
 
-  /// The residual at z.
+  /// The residual at z. Not counted: it is asked for when a state is kept, which depends on the
+  /// time.
   double residual(const Eigen::VectorXd& z);
   /// Whether the loads are smaller than the rounding errors of the walls' forces.
   bool load_is_hidden(const Eigen::VectorXd& z) const;
 
-  double factor_nonzeros() const { return rest_factor_.factor_nonzeros(); }
-
  private:
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual) const;
+  double counted(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual);
   double rounding_of_forces(const Eigen::VectorXd& z) const;
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
   using Before = std::function<void(const std::string& step)>;  // may throw Interruption
@@ -92,6 +92,7 @@ class CoupledMinimiser {
   Saddle leave_saddle(Eigen::VectorXd& z);
 
   CoupledSystem& system_;
+  Work& work_;
   Eigen::SparseMatrix<double> rest_, hessian_;
   Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty if H needed no shift
   GroupTurns turns_;
@@ -100,7 +101,7 @@ class CoupledMinimiser {
   double order_nonzeros_ = 0;  // entries of the factor for which order_ was found
   std::vector<int> analysed_outer_, analysed_inner_;  // the pattern analysed by factor_
   double mean_stiffness_ = 1;
-  Eigen::VectorXd work_;
+  Eigen::VectorXd turned_;  // the gradient in the frames of K0
 };
 
 }  // namespace vasorod

@@ -56,6 +56,7 @@ class CoupledSolver::Data {
     stop_.emplace(stack_.options);
     kept_at_ = -between_kept;
     solution_ = {};
+    stack_.work = {};
     if (stack_.any_modelled()) {
       follow_path();
     } else {
@@ -66,6 +67,7 @@ class CoupledSolver::Data {
     report_coupled(stack_.problem, stack_.scaled, stack_.system.get(), stack_.first,
                    stack_.first_wall, stack_.z, stack_.stacked, *stack_.contacts, solution_);
     solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
+    solution_.surface.work = work_so_far();
     return std::move(solution_);
   }
 
@@ -74,6 +76,12 @@ class CoupledSolver::Data {
     if (const auto fault = options.is_invalid()) throw InputError("options of coupled: " + *fault);
     check_contacts(problem.surfaces);
     return problem;
+  }
+
+  Work work_so_far() const {
+    Work work = stack_.work;
+    work.counts.outer = solution_.surface.outer_iterations;
+    return work;
   }
 
   bool stop(int iteration, double residual) const {
@@ -93,6 +101,7 @@ class CoupledSolver::Data {
     report_coupled(stack_.problem, stack_.scaled, stack_.system.get(), stack_.first,
                    stack_.first_wall, z, stack_.stacked, *stack_.contacts, state, false);
     state.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
+    state.surface.work = work_so_far();
     stack_.options.keep(std::move(state));
     kept_at_ = stop_->seconds();
     return false;
@@ -154,7 +163,6 @@ class CoupledSolver::Data {
   void count(const CoupledMinimiserSummary& summary) {
     solution_.surface.iterations += summary.iterations;
     solution_.rest_iterations += summary.rest_iterations;
-    solution_.surface.factorisations += summary.factorisations;
     solution_.surface.residual = summary.residual;
     solution_.smallest_curvature_positive = summary.positive;
     left_saddle_ |= summary.left_saddle;

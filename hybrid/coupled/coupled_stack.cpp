@@ -120,7 +120,7 @@ void CoupledStack::build() {
   system->k_j = joining_stiffness(seams, scaled, options.seam_stiffness);
   system->joins = stacked_joins(seams, first, seam_multipliers_);
   stack_contacts();
-  minimiser = std::make_unique<CoupledMinimiser>(*system);
+  minimiser = std::make_unique<CoupledMinimiser>(*system, work);
   z.setZero(system->unknowns());
 }
 

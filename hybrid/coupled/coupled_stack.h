@@ -52,6 +52,7 @@ class CoupledStack {
   /// Radius of the mouth, scaled length.
   double seam_radius = 0;
   std::unique_ptr<CoupledSystem> system;
+  Work work;  ///< of all minimisers of the present solve
   std::unique_ptr<CoupledMinimiser> minimiser;
   StackedContacts stacked;
   /// Per body: its first vertex, and its wall; -1: not modelled.

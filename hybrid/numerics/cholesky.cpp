@@ -16,6 +16,7 @@ namespace vasorod {
 using Matrix = Eigen::SparseMatrix<double>;
 
 struct Cholesky::Data {
+  Work* done = nullptr;  // of the owner; null: not counted
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *work_e = nullptr;
@@ -103,13 +104,16 @@ Matrix group_graph(const Matrix& m, const std::vector<int>& groups) {
 
 }  // namespace
 
-Cholesky::Cholesky() : data_(std::make_unique<Data>()) {}
+Cholesky::Cholesky(Work* work) : data_(std::make_unique<Data>()) {
+  data_->done = work;
+}
 Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>& groups,
-                                   Ordering ordering) {
+                                   Ordering ordering, Work* work) {
+  const FactorTime time(work);
   const OneCholmodThread one_thread;
   Matrix graph = group_graph(matrix, groups);
   cholmod_sparse view = view_of(graph);
@@ -133,12 +137,13 @@ void Cholesky::analyse(const Matrix& matrix, int block) {
   if (block > 1) {
     std::vector<int> groups;
     for (int first = 0; first < matrix.cols(); first += block) groups.push_back(first);
-    order = elimination_order(matrix, groups, Ordering::minimum_degree);
+    order = elimination_order(matrix, groups, Ordering::minimum_degree, data_->done);
   }
   analyse(matrix, order);
 }
 
 void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
+  const FactorTime time(data_->done);
   const OneCholmodThread one_thread;
   Data& d = *data_;
   cholmod_free_factor(&d.factor, &d.common);
@@ -152,8 +157,15 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
 }
 
 bool Cholesky::factorise(const Matrix& matrix) {
+  const FactorTime time(data_->done);
   const OneCholmodThread one_thread;
   Data& d = *data_;
+  if (d.done) {
+    Counts& counts = d.done->counts;
+    ++counts.factorisations;
+    counts.factor_nonzeros =
+        std::max(counts.factor_nonzeros, static_cast<std::int64_t>(d.common.lnz));
+  }
   d.tried = false;
   d.single.reset();
   cholmod_sparse view = view_of(matrix);
@@ -167,6 +179,7 @@ bool Cholesky::factorise(const Matrix& matrix) {
 void Cholesky::solve(const double* b, double* x, int columns) {
   const OneCholmodThread one_thread;
   Data& d = *data_;
+  if (d.done) ++d.done->counts.solves;
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = d.factor->n;
   rhs.ncol = static_cast<size_t>(columns);
@@ -186,15 +199,21 @@ void Cholesky::precondition(const double* b, double* x, int columns) {
     d.tried = true;
     d.single.emplace(*d.factor);
     const auto size = static_cast<Eigen::Index>(d.factor->n) * columns;
-    Eigen::VectorXd exact(size), single(size);
+    Eigen::VectorXd exact(size);
     solve(b, exact.data(), columns);
-    d.single->solve(b, single.data(), columns);
-    if (!((single - exact).norm() < largest_difference * exact.norm())) d.single.reset();
-  }
-  if (d.single)
     d.single->solve(b, x, columns);
-  else
+    if (d.done) ++d.done->counts.solves;
+    const Eigen::Map<Eigen::VectorXd> single(x, size);
+    if (!((single - exact).norm() < largest_difference * exact.norm())) {
+      d.single.reset();
+      std::copy_n(exact.data(), size, x);
+    }
+  } else if (d.single) {
+    d.single->solve(b, x, columns);
+    if (d.done) ++d.done->counts.solves;
+  } else {
     solve(b, x, columns);
+  }
 }
 
 bool Cholesky::analysed() const {

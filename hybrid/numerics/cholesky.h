@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "numerics/work.h"
+
 namespace vasorod {
 
 /// An elimination order for the unknowns of a symmetric matrix, found on the graph of its groups.
@@ -15,15 +17,19 @@ namespace vasorod {
 /// have the same rows outside the group.
 ///
 /// Nested dissection (METIS) costs ten times as much as minimum degree (AMD) and halves the flops
-/// of the factorisation for shells. It pays off from the second factorisation on.
+/// of the factorisation for shells. It pays off from the second factorisation on. The time is added
+/// to `work`, which may be null.
 enum class Ordering { minimum_degree, nested_dissection };
 std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& matrix,
-                                   const std::vector<int>& groups, Ordering ordering);
+                                   const std::vector<int>& groups, Ordering ordering,
+                                   Work* work = nullptr);
 
 /// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
 class Cholesky {
  public:
-  Cholesky();
+  /// Factorisations, solves and their time are added to `work`, which must outlive this; null: they
+  /// are not counted.
+  explicit Cholesky(Work* work = nullptr);
   ~Cholesky();
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
@@ -55,7 +61,7 @@ class Cholesky {
 
  private:
   friend std::vector<int> elimination_order(const Eigen::SparseMatrix<double>&,
-                                            const std::vector<int>&, Ordering);
+                                            const std::vector<int>&, Ordering, Work*);
   struct Data;
   std::unique_ptr<Data> data_;
 };

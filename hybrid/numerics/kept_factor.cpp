@@ -26,7 +26,7 @@ bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
   if (!analysed && matrix.cols() > large) {
     std::vector<int> each(static_cast<size_t>(matrix.cols()));
     std::iota(each.begin(), each.end(), 0);
-    cholesky_.analyse(matrix, elimination_order(matrix, each, Ordering::nested_dissection));
+    cholesky_.analyse(matrix, elimination_order(matrix, each, Ordering::nested_dissection, work_));
   } else if (!analysed) {
     cholesky_.analyse(matrix);
   }

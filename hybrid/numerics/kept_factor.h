@@ -8,6 +8,9 @@ namespace vasorod {
 /// A Cholesky factor that is reused as long as its matrix does not change.
 class KeptFactor {
  public:
+  /// `work`: as that of Cholesky.
+  explicit KeptFactor(Work* work = nullptr) : work_(work), cholesky_(work) {}
+
   /// Factorises a symmetric matrix, given by both triangles or by the lower one. An unchanged
   /// matrix costs only a comparison; an unchanged pattern needs no new analysis. Returns false when
   /// the matrix is not positive definite.
@@ -24,6 +27,7 @@ class KeptFactor {
   int factorisations() const { return factorisations_; }  ///< since construction
 
  private:
+  Work* work_;
   Cholesky cholesky_;
   Eigen::SparseMatrix<double> matrix_;
   int factorisations_ = 0;

@@ -46,7 +46,7 @@ struct Numbering {
 
 }  // namespace
 
-std::vector<Points> joined_skin(const BodyProblem& problem) {
+std::vector<Points> joined_skin(const BodyProblem& problem, Work* work) {
   std::vector<Points> positions;
   for (const SurfaceBody& body : problem.bodies)
     positions.push_back(body.carried.rows() > 0 ? body.carried : body.rest.points);
@@ -111,7 +111,8 @@ std::vector<Points> joined_skin(const BodyProblem& problem) {
   const Sparse reduced = select.transpose() * full * select;
   const Eigen::MatrixXd right = select.transpose() * (force - full * at_known);
 
-  Cholesky cholesky;
+  if (work) ++work->counts.hessians;
+  Cholesky cholesky(work);
   cholesky.analyse(reduced);
   if (!cholesky.factorise(reduced))
     throw InputError("the seam cannot be closed: its energies are not positive definite");

@@ -8,12 +8,13 @@
 #pragma once
 
 #include "bodies/body_problem.h"
+#include "numerics/work.h"
 
 namespace vasorod {
 
 /// Positions of every body: p' (rest for a body without p'), changed only on bodies that a seam
 /// joins. Fixed vertices stay at p'. The vertices of a pair coincide exactly. Throws InputError
-/// when a coefficient is not positive.
-std::vector<Points> joined_skin(const BodyProblem& problem);
+/// when a coefficient is not positive. The linear solve is added to `work`, which may be null.
+std::vector<Points> joined_skin(const BodyProblem& problem, Work* work = nullptr);
 
 }  // namespace vasorod

@@ -29,6 +29,7 @@ constexpr double spring_share = 1.0 / 3;
 }  // namespace
 
 void PaperMinimiser::factorise(const Points& p) {
+  ++work_.counts.hessians;
   const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, p, spring_share);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   if (!constant_.factorise(matrix))
@@ -66,6 +67,16 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
   return energy;
 }
 
+double PaperMinimiser::counted(const VectorXd& x, VectorXd& gradient, double& residual) {
+  ++work_.counts.gradients;
+  return evaluate(x, gradient, residual);
+}
+
+Eigen::SparseMatrix<double> PaperMinimiser::hessian_at(const Points& p, double blend) {
+  ++work_.counts.hessians;
+  return paper_energy_hessian(system_, p, blend);
+}
+
 void PaperMinimiser::precondition(KeptFactor& factor, const VectorXd& gradient,
                                   VectorXd& direction) {
   columns_ = points_of(gradient);
@@ -76,7 +87,7 @@ void PaperMinimiser::precondition(KeptFactor& factor, const VectorXd& gradient,
 
 bool PaperMinimiser::factorise_hessian(const Points& p, double& blend, int& factorisations) {
   for (;; blend = blend == 0 ? 0.02 : std::min(1.0, 3 * blend)) {
-    const Eigen::SparseMatrix<double> hessian = paper_energy_hessian(system_, p, blend);
+    const Eigen::SparseMatrix<double> hessian = hessian_at(p, blend);
     hessian_.analyse(hessian, 3);
     ++factorisations;
     if (hessian_.factorise(hessian)) return true;
@@ -88,7 +99,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   PaperMinimiserSummary summary;
   VectorXd x = flat(p);
   const Evaluation evaluation = [this](const VectorXd& at, VectorXd& gradient, double& residual) {
-    return evaluate(at, gradient, residual);
+    return counted(at, gradient, residual);
   };
   LbfgsOptions inner;
   inner.tolerance = options.tolerance;
@@ -140,7 +151,8 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
 void PaperMinimiser::local_global_step(Points& p) {
   VectorXd x = flat(p), gradient(x.size()), direction(x.size());
   double ignored = 0;
-  evaluate(x, gradient, ignored);
+  counted(x, gradient, ignored);
+  ++work_.counts.hessians;
   if (!bound_.factorise(paper_energy_bound(system_, p)))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
   precondition(bound_, gradient, direction);
@@ -157,7 +169,7 @@ double PaperMinimiser::residual(const Points& p) {
 }
 
 bool PaperMinimiser::stable(const Points& p) {
-  const Eigen::SparseMatrix<double> hessian = paper_energy_hessian(system_, p);
+  const Eigen::SparseMatrix<double> hessian = hessian_at(p, 0);
   hessian_.analyse(hessian, 3);
   return hessian_.factorise(hessian);
 }

@@ -36,9 +36,14 @@ class PaperMinimiser {
  public:
   /// `system` and `constant` must outlive this; the multipliers of the joins and the contacts may
   /// change between calls. `constant` keeps the factor of the constant matrix, also for a later
-  /// system with the same matrix.
-  PaperMinimiser(const PaperSystem& system, KeptFactor& constant)
-      : system_(system), constant_(constant) {}
+  /// system with the same matrix. What this does is added to `work`, which must outlive it; null:
+  /// it is not counted. `constant` has its own.
+  PaperMinimiser(const PaperSystem& system, KeptFactor& constant, Work* work = nullptr)
+      : system_(system),
+        constant_(constant),
+        work_(work ? *work : own_work_),
+        bound_(&work_),
+        hessian_(&work_) {}
 
   /// Factorises the constant matrix: paper_energy_bound() with the springs' mean share and the
   /// contacts that carry pressure at p. Required at first and after the contacts changed.
@@ -52,7 +57,8 @@ class PaperMinimiser {
   void local_global_step(Points& p);
 
   /// LbfgsSummary::residual at p: |sum of forces on free vertices| / sum over the terms of |forces
-  /// of the term|; 0 when only rounding errors remain.
+  /// of the term|; 0 when only rounding errors remain. Not counted: it is asked for when a state
+  /// is kept, which depends on the time.
   double residual(const Points& p);
 
   /// Whether the Hessian at p is positive definite, i.e. a minimum at p is stable.
@@ -60,12 +66,16 @@ class PaperMinimiser {
 
  private:
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
+  double counted(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
+  Eigen::SparseMatrix<double> hessian_at(const Points& p, double blend);
   void precondition(KeptFactor& factor, const Eigen::VectorXd& gradient,
                     Eigen::VectorXd& direction);
   bool factorise_hessian(const Points& p, double& blend, int& factorisations);
 
   const PaperSystem& system_;
   KeptFactor& constant_;
+  Work own_work_;
+  Work& work_;
   KeptFactor bound_;  // for the local-global iteration only
   Cholesky hessian_;
   PaperGradient terms_;

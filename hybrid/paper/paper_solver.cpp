@@ -29,10 +29,11 @@ constexpr double between_kept = 1;
 
 class PaperRun {
  public:
-  PaperRun(const BodyProblem& problem, const PaperOptions& options, KeptFactor& bound)
+  PaperRun(const BodyProblem& problem, const PaperOptions& options, KeptFactor& bound, Work& work)
       : problem_(problem),
         options_(options),
         bound_(bound),
+        work_(work),
         stop_(options),
         scaled_(scale_bodies(problem)),
         contacts_(problem, scaled_, options.contact_stiffness) {
@@ -55,10 +56,17 @@ class PaperRun {
     }
     report_paper(problem_, scaled_, system_, first_, positions_, stacked_, contacts_, solution_);
     solution_.seam_radius = seam_radius_ * scaled_.length;
+    solution_.work = work_so_far();
     return std::move(solution_);
   }
 
  private:
+  Work work_so_far() const {
+    Work work = work_;
+    work.counts.outer = solution_.outer_iterations;
+    return work;
+  }
+
   ScaledBody& body(int index) { return scaled_.bodies[static_cast<size_t>(index)]; }
 
   void build() {
@@ -73,7 +81,7 @@ class PaperRun {
     system_.k_j = joining_stiffness(problem_.seams, scaled_, options_.seam_stiffness);
     system_.joins = stacked_joins(problem_.seams, first_, seam_multipliers_);
     stack_contacts();
-    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_);
+    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_, &work_);
     positions_.resize(system_.vertex_count(), 3);
     for (size_t b = 0; b < scaled_.bodies.size(); ++b)
       if (first_[b] >= 0)
@@ -111,6 +119,7 @@ class PaperRun {
     state.residual = minimiser_->residual(positions_);
     report_paper(problem_, scaled_, system_, first_, positions_, stacked_, contacts_, state, false);
     state.seam_radius = seam_radius_ * scaled_.length;
+    state.work = work_so_far();
     options_.keep(std::move(state));
     kept_at_ = stop_.seconds();
     return false;
@@ -144,7 +153,6 @@ class PaperRun {
       inner.patience = pressing && !settling ? 1 : options_.patience;
       const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
       solution_.iterations += summary.iterations;
-      solution_.factorisations += summary.factorisations;
       solution_.residual = summary.residual;
       unstack();
       if (summary.status == LbfgsStatus::interrupted) {
@@ -207,6 +215,7 @@ class PaperRun {
   const BodyProblem& problem_;
   const PaperOptions& options_;
   KeptFactor& bound_;
+  Work& work_;
   StopCheck stop_;
   ScaledBodies scaled_;
   BodyContacts contacts_;
@@ -229,13 +238,16 @@ std::optional<std::string> PaperOptions::is_invalid() const {
 }
 
 PaperSolver::PaperSolver(PaperOptions options)
-    : options_(std::move(options)), bound_(std::make_unique<KeptFactor>()) {
+    : options_(std::move(options)),
+      work_(std::make_unique<Work>()),
+      bound_(std::make_unique<KeptFactor>(work_.get())) {
   if (const auto fault = options_.is_invalid()) throw InputError("options of paper: " + *fault);
 }
 PaperSolver::~PaperSolver() = default;
 
 SurfaceSolution PaperSolver::solve(const BodyProblem& problem) {
-  return PaperRun(problem, options_, *bound_).run();
+  *work_ = {};
+  return PaperRun(problem, options_, *bound_, *work_).run();
 }
 
 SurfaceSolution solve_paper(const BodyProblem& problem, const PaperOptions& options) {

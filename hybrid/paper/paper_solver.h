@@ -10,6 +10,7 @@
 namespace vasorod {
 
 class KeptFactor;
+struct Work;
 
 /// Options of the `paper` surface solve. `tolerance` applies to |sum of forces| / sum over the
 /// terms of |forces of the term|. The defaults of SurfaceOptions are those of `paper`.
@@ -38,6 +39,7 @@ class PaperSolver {
 
  private:
   PaperOptions options_;
+  std::unique_ptr<Work> work_;  // of the present solve
   std::unique_ptr<KeptFactor> bound_;
 };
 

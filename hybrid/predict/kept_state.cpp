@@ -19,6 +19,8 @@ Result whole_result(Prediction&& prediction, int threads) {
   name_crossings(prediction, result);
   prediction.watch.lap("collect");
   result.seconds = prediction.watch.seconds();
+  result.seconds["factor"] = prediction.work.factor_seconds;  // a part of `solve`
+  result.counts = prediction.work.counts;
   result.environment.inputs = std::move(prediction.inputs);
   result.environment.scene_hash = std::move(prediction.scene_hash);
   name_faults(result);

@@ -56,6 +56,7 @@ struct Prediction {
   std::string scene_hash;                       ///< InputHashes::scene()
   Status status = Status::converged;            ///< the best that its result may claim
   Stopwatch watch;                              ///< seconds of the stages so far
+  Work work;  ///< of the rods at fidelity `rod`, of the surfaces at others
 };
 
 /// Index of the vessel with that name in `vessels`.

@@ -43,6 +43,7 @@ RodSolution extrapolated(const RodTree& coarse_tree, const RodSolution& coarse,
   }
   result.summary.energy = (4 * fine.summary.energy - coarse.summary.energy) / 3;
   result.summary.iterations += coarse.summary.iterations;
+  result.summary.counts += coarse.summary.counts;
   result.summary.residual = worst_of(coarse.summary.residual, fine.summary.residual);
   result.summary.status = worse(coarse.summary.status, fine.summary.status);
   return result;
@@ -147,6 +148,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution,
          const std::vector<Balance>& balance, Result& result) {
   const RodTree& tree = assembly.tree;
   add_rod(assembly.vessels.front(), solution.summary, true, result);
+  *result.counts += solution.summary.counts;
   result.model.rod_nodes += tree.node_count();
   for (const RodAssembly::End& end : assembly.ends) {
     EndReaction reaction;
@@ -183,6 +185,7 @@ void add(const RodAssembly& assembly, const RodSolution& solution,
 Result solve_rod_scene(const Scene& scene, const SolveOptions& options) {
   Stopwatch watch;
   Result result = begin_result(scene.name, "rod", scene.units, options.threads);
+  result.counts.emplace();
   result.model.terms = {"rod"};
   result.model.left_out = {{"surface", "the vessels are bare rods"},
                            {"contact", "bare rods have no surface"},

@@ -137,6 +137,15 @@ Json model(const ModelReport& m) {
           {"left_out", object(m.left_out)}, {"cleaning", object(m.cleaning)}};
 }
 
+Json counts(const Counts& c) {
+  return {{"factorisations", c.factorisations},
+          {"solves", c.solves},
+          {"gradients", c.gradients},
+          {"hessians", c.hessians},
+          {"outer", c.outer},
+          {"factor_nonzeros", c.factor_nonzeros}};
+}
+
 Json mouth(const MouthReport& m) {
   return {{"area", m.area},
           {"lumen", m.lumen},
@@ -227,6 +236,7 @@ std::string to_json(const Result& r) {
   value["model"] = model(r.model);
   value["seconds"] = object(r.seconds);
   value["iterations"] = object(r.iterations);
+  if (r.counts) value["counts"] = counts(*r.counts);
   value["environment"] = {{"blas", r.environment.blas},
                           {"threads", r.environment.threads},
                           {"inputs", object(r.environment.inputs)}};

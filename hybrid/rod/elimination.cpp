@@ -180,6 +180,7 @@ void RodElimination::complete(std::size_t node, double shift, const std::vector<
 void RodElimination::sweep(const std::vector<Pose>& poses, const std::vector<Vec6>& strain,
                            const std::vector<Vec6>& stress, bool symmetric, double shift,
                            const std::vector<Vec6>* pull) {
+  ++factorisations_;
   negative_ = 0;
   singular_ = false;
   general_ = !symmetric;
@@ -398,6 +399,7 @@ void RodElimination::eliminate_root(const std::vector<Pose>& poses, bool homogen
 
 void RodElimination::solve(std::vector<Vec6>& step, std::vector<Vec6>& stress,
                            std::vector<Vec6>& stretch) {
+  ++solves_;
   step.resize(links_.size() + 1);
   stress.resize(links_.size());
   stretch.resize(links_.size());

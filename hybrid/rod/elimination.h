@@ -86,6 +86,9 @@ class RodElimination {
   /// `stretch` is the change of log(g_i^-1 g_j) of each link, which is linear in the step.
   void solve(std::vector<Vec6>& step, std::vector<Vec6>& stress, std::vector<Vec6>& stretch);
 
+  int factorisations() const { return factorisations_; }  ///< sweeps to the root so far
+  int solves() const { return solves_; }                  ///< sweeps to the leaves so far
+
   /// Number of negative directions of the last factorised matrix within the motions that the
   /// supports leave free.
   int negative_directions() const { return negative_; }
@@ -129,7 +132,7 @@ class RodElimination {
   std::vector<GaugeSpring> gauge_;
   SupportChannels channels_;
   Vec6 root_step_ = Vec6::Zero();
-  int negative_ = 0;
+  int negative_ = 0, factorisations_ = 0, solves_ = 0;
   bool singular_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <vasorod/counts.h>
 #include <vasorod/status.h>
 
 #include "numerics/solver_options.h"
@@ -35,6 +36,9 @@ struct RodOptions : SolverOptions {
 struct RodSummary {
   Status status = Status::iteration_limit;
   int iterations = 0;  ///< total number of linear solves
+  /// Factorisations and solves, those of the certificate too. Forces and tangent are part of a
+  /// factorisation, so that the others are 0.
+  Counts counts;
   /// The larger of: out-of-balance nodal force over the largest force; misfit of strain and stress.
   double residual = 0;
   double last_step = 0;  ///< as in RodOptions::tolerance

@@ -7,6 +7,8 @@ namespace vasorod {
 RodSolution report_solution(RodProblem& problem, const RodState& state, const RodSummary& summary) {
   RodSolution solution;
   solution.summary = summary;
+  solution.summary.counts.factorisations = problem.elimination().factorisations();
+  solution.summary.counts.solves = problem.elimination().solves();
   const ScaledRod& rod = problem.rod();
   const std::vector<RodLink>& links = problem.links();
   const std::vector<Pose>& poses = state.poses;

@@ -11,7 +11,7 @@ TEST(SurfaceSolution, TheBriefReportSaysStatusCountsAndResidual) {
   solution.residual = 2.5e-9;
   solution.iterations = 321;
   solution.outer_iterations = 7;
-  solution.factorisations = 12;
+  solution.work.counts.factorisations = 12;
   EXPECT_EQ(solution.brief_report(),
             "buckled: residual 2.5e-09 after 321 iterations, 7 multiplier updates, 12 "
             "factorisations");

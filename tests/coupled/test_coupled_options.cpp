@@ -52,7 +52,7 @@ TEST(CoupledSolution, TheBriefReportHasTheWholesStatus) {
   solution.surface.residual = 1e-10;
   solution.surface.iterations = 9;
   solution.surface.outer_iterations = 2;
-  solution.surface.factorisations = 5;
+  solution.surface.work.counts.factorisations = 5;
   EXPECT_EQ(solution.brief_report(),
             "not_unique: residual 1e-10 after 9 iterations, 2 multiplier updates, 5 "
             "factorisations");

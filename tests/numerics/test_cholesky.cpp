@@ -41,6 +41,37 @@ TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
   }
 }
 
+// A chain eliminated from one end has no fill: the factor has its diagonal and one entry per link.
+TEST(Cholesky, CountsFactorisationsThatFailSolvesAndEntries) {
+  constexpr int n = 50;
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<int> along(n);
+  for (int i = 0; i < n; ++i) {
+    along[static_cast<size_t>(i)] = i;
+    entries.emplace_back(i, i, 3);
+    if (i > 0) entries.emplace_back(i, i - 1, 1);
+  }
+  Matrix good(n, n), bad(n, n);
+  good.setFromTriplets(entries.begin(), entries.end());
+  bad = good;
+  bad.coeffRef(n / 2, n / 2) = -3;
+  Work work;
+  Cholesky cholesky(&work);
+  cholesky.analyse(good, along);
+  EXPECT_EQ(work.counts, Counts{}) << "nothing is factorised yet";
+  EXPECT_FALSE(cholesky.factorise(bad));
+  EXPECT_TRUE(cholesky.factorise(good));
+  const Eigen::MatrixXd rhs = random_points(n, 2);
+  Eigen::MatrixXd x(n, 3);
+  cholesky.solve(rhs.data(), x.data(), 3);
+  EXPECT_EQ(work.counts, (Counts{.factorisations = 2, .solves = 1, .factor_nonzeros = 2 * n - 1}));
+  cholesky.precondition(rhs.data(), x.data(), 3);  // also compared with a solve in double precision
+  EXPECT_EQ(work.counts.solves, 3);
+  cholesky.precondition(rhs.data(), x.data(), 3);
+  EXPECT_EQ(work.counts.solves, 4);
+  EXPECT_GT(work.factor_seconds, 0);
+}
+
 // In single precision: close to the exact solution, symmetric and positive.
 TEST(Cholesky, PreconditionsAlmostAsItSolves) {
   const Matrix a = random_positive(400, 1, 0);

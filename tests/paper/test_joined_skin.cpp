@@ -55,14 +55,23 @@ double energy(const BodyProblem& problem, const std::vector<Points>& at) {
 TEST(JoinedSkin, WithoutASeamSectionsAreCarriedRigidly) {
   BodyProblem problem = two_tubes();
   problem.seams.clear();
-  const std::vector<Points> skin = joined_skin(problem);
+  Work work;
+  const std::vector<Points> skin = joined_skin(problem, &work);
+  EXPECT_EQ(work.counts, Counts{}) << "nothing is solved";
   EXPECT_EQ(skin[0], problem.bodies[0].carried);
   EXPECT_EQ(skin[1], problem.bodies[1].rest.points);
 }
 
 TEST(JoinedSkin, TheSeamIsClosedAndFixedEndsStay) {
   const BodyProblem problem = two_tubes();
-  const std::vector<Points> skin = joined_skin(problem);
+  Work work;
+  const std::vector<Points> skin = joined_skin(problem, &work);
+  // One linear problem: one matrix, one factor, all three components at once.
+  EXPECT_EQ(work.counts.hessians, 1);
+  EXPECT_EQ(work.counts.factorisations, 1);
+  EXPECT_EQ(work.counts.solves, 1);
+  EXPECT_EQ(work.counts.gradients, 0);
+  EXPECT_GT(work.factor_seconds, 0);
   for (int k = 0; k < around; ++k) {
     EXPECT_EQ(skin[0].row(ring + k), skin[1].row(k));
     EXPECT_EQ(skin[0].row(k), problem.bodies[0].carried.row(k));

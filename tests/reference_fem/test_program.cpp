@@ -161,6 +161,19 @@ TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
     EXPECT_TRUE(says);
     const double energy = one.json["energy"]["strain"];
     EXPECT_NEAR(two.json["energy"]["strain"].get<double>(), energy, 1e-9 * energy);
+    // One solve an iteration, and one factorisation more for the certificate.
+    nlohmann::json counts = one.json["counts"], same = two.json["counts"];
+    const int iterations = one.json["iterations"]["newton"];
+    EXPECT_EQ(counts["solves"], iterations);
+    EXPECT_EQ(counts["factorisations"], iterations + 1);
+    EXPECT_GT(counts["hessians"], iterations);
+    EXPECT_GE(counts["gradients"], counts["hessians"]);
+    EXPECT_GT(counts["outer"], 0);
+    // Each process has its order of elimination.
+    EXPECT_GT(counts["factor_nonzeros"], 0);
+    EXPECT_GT(same["factor_nonzeros"], 0);
+    same["factor_nonzeros"] = counts["factor_nonzeros"];
+    EXPECT_EQ(same, counts);
     double size = 0;
     for (int k = 0; k < 3; ++k)
       size = std::max(size, std::abs(one.json["ends"][0]["moment"][k].get<double>()));

@@ -154,6 +154,7 @@ inline Result example_result(int around = 24, int along = 30) {
              {{"svc", "2 points joined"}}};
   r.seconds = {{"read", 0.1}, {"fit", 0.2}, {"factor", 0.3}, {"solve", 0.4}, {"total", 1.0}};
   r.iterations = {{"rod", 7}, {"surface", 42}};
+  r.counts = {3, 40, 50, 5, 6, 7000000000};
   r.environment = {"openblas", 1, {{"svc.vtp", "sha256:00ff"}}, {}};
   GlennReport glenn;
   glenn.svc = "svc";

@@ -77,6 +77,12 @@ TEST(WriteJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(model.at("left_out").at("contact of heart"), "no vessel within reach");
   EXPECT_EQ(v.at("seconds").at("solve"), 0.4);
   EXPECT_EQ(v.at("iterations").at("surface"), 42);
+  EXPECT_EQ(v.at("counts"), Json({{"factorisations", 3},
+                                  {"solves", 40},
+                                  {"gradients", 50},
+                                  {"hessians", 5},
+                                  {"outer", 6},
+                                  {"factor_nonzeros", 7000000000}}));
   EXPECT_EQ(v.at("environment").at("blas"), "openblas");
   EXPECT_EQ(v.at("environment").at("threads"), 1);
   EXPECT_EQ(v.at("environment").at("inputs").at("svc.vtp"), "sha256:00ff");

@@ -38,6 +38,20 @@ TEST(Newton,
   EXPECT_NEAR(std::log2(error[1] / error[2]), 2, 0.05);
 }
 
+// A straight rod pulled by a dead force along its axis is a linear problem: the first step solves
+// it, the second finds nothing left, and the certificate factorises once more.
+TEST(Newton, CountsOfALinearProblemAreKnown) {
+  const RodTree tree =
+      chain(frame({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 1, {0, 0, 0}, 40, isotropic(100, 250, 1, 0.8));
+  RodConditions conditions;
+  conditions.supports = {clamp(0)};
+  conditions.loads = {{40, {1, 0, 0}, Vec3::Zero(), false}};
+  const RodSummary summary = solve_rod(tree, conditions).summary;
+  EXPECT_EQ(summary.status, Status::converged);
+  EXPECT_EQ(summary.iterations, 2);
+  EXPECT_EQ(summary.counts, (Counts{.factorisations = 3, .solves = 2}));
+}
+
 TEST(Newton, PrescribedEndPose) {  // case B12, 60 degrees, slenderness 1e3, second order in h
   const double r = 12e6;
   const RodTree tree =

@@ -63,6 +63,7 @@ with tempfile.TemporaryDirectory() as scratch:
         (join.hybrid_run("slit", 1.0, "biot", "paper"), result("paper", 9.0, 7.0, 1.0), 0),
     ]
     finished[2][1]["status"] = "iteration_limit"
+    finished[1][1]["counts"] = dict.fromkeys(join.counts.COLUMNS, 40)
     leave(store, finished)
     join.make_table(store, folder / "join.csv")
     rows, notes = read_table(folder / "join.csv")
@@ -73,6 +74,7 @@ assert [(row["fidelity"], row["around"]) for row in rows] == [
 ]
 assert rows[0]["mouth"] == 7 and rows[0]["support"] == 9 and rows[0]["rms_artery"] == 0.02
 assert rows[1]["failure"] == "status iteration_limit" and rows[1]["mouth"] is None
+assert rows[0]["solves"] == 40 and rows[1]["solves"] is None
 assert rows[2]["energy"] is None and rows[2]["support_reference"] == 10
 
 # The real programs' answers have the keys that the study reads.
@@ -98,5 +100,13 @@ now = [{"mouth": 7.02, "energy": 0.0501}, None]
 assert join.drifts(rows[:2], now) == []
 now[0]["mouth"] = 7.1
 assert len(join.drifts(rows[:2], now)) == 1 and "mouth 7" in join.drifts(rows[:2], now)[0]
+now[0] |= {"mouth": 7.0, "solves": 44, "factor_nonzeros": 40}
+assert join.drifts(rows[:2], now) == [], "a tenth more solves is within the tolerance"
+now[0] |= {"solves": 45, "factor_nonzeros": 41}
+assert [sentence.split(": ")[-1] for sentence in join.drifts(rows[:2], now)] == [
+    "solves 40 -> 45",
+    "factor_nonzeros 40 -> 41",
+]
+now[0] = {"mouth": 7.0, "energy": 0.05}
 now[1] = {"mouth": 7.0, "energy": 0.05}
-assert join.drifts(rows[:2], now)[1].endswith("converges now")
+assert [sentence.split()[-2:] for sentence in join.drifts(rows[:2], now)] == [["converges", "now"]]

@@ -55,6 +55,8 @@ with tempfile.TemporaryDirectory() as scratch:
     assert len(rows) == 4 and all(
         row["energy"] > 0 and row["failure"] is None for row in rows
     ), rows
+    assert all(0 < row["factorisations"] <= row["solves"] for row in rows), rows
+    assert all(row["factor_nonzeros"] > 0 for row in rows), rows
     assert notes[-1].startswith("accepted ") and notes[-1].endswith(": first")
     regression.accept(good, baselines, "again")
     assert [note.rsplit(": ")[-1] for note in read_table(baselines / regression.FILE)[1][-2:]] == [
@@ -102,5 +104,17 @@ moved = [dict(rows[0], force=1.4), dict(rows[1], force=100.0)]
 assert regression.drifts(rows, moved) == [], "0.4 of 100 is within 0.5 %"
 moved[0]["force"] = 1.6
 assert [(f[1], round(f[4], 9)) for f in regression.drifts(rows, moved)] == [("force", 0.006)]
+# counts have tolerances of their own; a table from before them has nothing to compare
+moved[0]["force"] = 1.0
+moved[0]["solves"] = 200
+assert regression.drifts(rows, moved) == [], "the baseline has no count"
+rows[0]["solves"] = 190
+assert regression.drifts(rows, moved) == [], "within a tenth"
+rows[0]["solves"] = 100
+assert [f[1:] for f in regression.drifts(rows, moved)] == [("solves", 100, 200, 1.0)]
+moved[0]["solves"] = 10
+assert [f[4] for f in regression.drifts(rows, moved)] == [-0.9], "fewer is a change too"
+moved[0]["solves"] = None
+assert regression.drifts(rows, moved) == []
 moved[0]["force"] = None
 assert [f[4] for f in regression.drifts(rows, moved)] == [None], "a number that went is a drift"

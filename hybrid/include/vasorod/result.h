@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <vasorod/counts.h>
 #include <vasorod/named_array.h>
 #include <vasorod/status.h>
 #include <vasorod/types.h>
@@ -293,11 +294,13 @@ struct Result {
   std::vector<ContactReport> contact;  ///< pairs of vessels within reach
   /// Where walls pass through themselves or each other.
   std::vector<SelfIntersection> self_intersections;
-  std::vector<VesselMetrics> metrics;     ///< extremes, per deformable vessel
-  std::vector<Criterion> criteria;        ///< the worst values beside their thresholds
-  ModelReport model;                      ///< what the model contained
-  std::map<std::string, double> seconds;  ///< wall clock, s: read, fit, factor, solve, write, total
+  std::vector<VesselMetrics> metrics;  ///< extremes, per deformable vessel
+  std::vector<Criterion> criteria;     ///< the worst values beside their thresholds
+  ModelReport model;                   ///< what the model contained
+  /// Wall clock, s: read, fit, solve, write, total; factor is a part of solve.
+  std::map<std::string, double> seconds;
   std::map<std::string, int> iterations;  ///< of the solvers: rod, surface
+  std::optional<Counts> counts;           ///< of rods at `rod`, else of surfaces; empty: `fit`
   Environment environment;                ///< what is needed to repeat the run
   std::optional<GlennReport> glenn;       ///< the operation; empty: none
   std::optional<FitReport> fit;           ///< of `fit` only

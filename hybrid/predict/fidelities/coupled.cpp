@@ -46,7 +46,7 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
   // A seam starts closed: a linear solve of the paper's quadratic energies deforms the carried
   // sections as little as possible.
   std::vector<Points> joined;
-  if (prediction.glenn) joined = joined_skin(problem.surfaces);
+  if (prediction.glenn) joined = joined_skin(problem.surfaces, &prediction.work);
   problem.carried = [&prediction, &sections, joined](double t) {
     std::vector<CarriedBody> bodies;
     for (size_t v = 0; v < prediction.vessels.size(); ++v) {

@@ -1,0 +1,75 @@
+// `counts` in result.json: how much the solver did, whatever the machine and the units.
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program/run_program.h"
+#include "program/small_glenn.h"
+
+namespace vasorod::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+// A tube between rigid ends, one of them moved sideways; `scale`: the length unit in mm.
+std::string bent_tube(const std::string& fidelity, const std::string& unit, double scale) {
+  const auto mm = [&](double value) { return Json(value / scale).dump(); };
+  return "scene: bent\nunits: {length: " + unit + ", stress: MPa}\nvessels:\n" +
+         "  - name: tube\n    tube: {length: " + mm(60) + ", radius: " + mm(6) +
+         ", around: 20, along: 30}\n    wall: {thickness: " + mm(0.6) +
+         ", young: 1.0, poisson: 0.3}\nends:\n  - {vessel: tube, end: start, hold: true}\n" +
+         "  - {vessel: tube, end: end, move: [" + mm(4) + ", 0, 0]}\nfidelity: " + fidelity + "\n";
+}
+
+Json solved(const std::string& scene) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << scene;
+  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                       (scratch / "out").string() + "' --json"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return Json::parse(run.out);
+}
+
+TEST(Counts, AreThoseOfTheSecondRunAndOfTheSameSceneInMetres) {
+  for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
+    const Json first = solved(bent_tube(fidelity, "mm", 1)).at("counts");
+    EXPECT_EQ(solved(bent_tube(fidelity, "mm", 1)).at("counts"), first) << fidelity;
+    EXPECT_EQ(solved(bent_tube(fidelity, "m", 1000)).at("counts"), first) << fidelity;
+    const bool surfaces = fidelity == "paper" || fidelity == "coupled";
+    for (const char* name : {"gradients", "hessians", "outer", "factor_nonzeros"})
+      EXPECT_EQ(first.at(name) > 0, surfaces) << fidelity << ' ' << name;
+    for (const char* name : {"factorisations", "solves"})
+      EXPECT_EQ(first.at(name) > 0, fidelity != "skin") << fidelity << ' ' << name;
+  }
+}
+
+// The paper's quadratic energies with the seam's pairs as one vertex each: one linear solve.
+TEST(Counts, OfASewnSkinAreThoseOfOneLinearProblem) {
+  const Json result = solved(small_glenn("skin"));
+  const Json& counts = result.at("counts");
+  EXPECT_EQ(counts.at("hessians"), 1);
+  EXPECT_EQ(counts.at("factorisations"), 1);
+  EXPECT_EQ(counts.at("solves"), 1);
+  EXPECT_EQ(counts.at("gradients"), 0);
+  EXPECT_EQ(counts.at("outer"), 0);
+  // A factor is at least as dense as a diagonal.
+  EXPECT_GT(counts.at("factor_nonzeros").get<double>(),
+            0.5 * result.at("model").at("vertices").get<double>());
+}
+
+TEST(Counts, AFitSolvesNothing) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << bent_tube("skin", "mm", 1);
+  const auto folder = (scratch / "out").string();
+  ASSERT_EQ(
+      run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" + folder + "'"))
+          .exit_code,
+      0);
+  const auto run =
+      run_program(vasorod("fit '" + folder + "/tube.vtp' -o '" + folder + "fit' --json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_FALSE(Json::parse(run.out).contains("counts"));
+}
+
+}  // namespace
+}  // namespace vasorod::testing

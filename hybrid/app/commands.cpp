@@ -46,8 +46,13 @@ void say_fit(const Result& result) {
               << place_text(readable(end.normal), 3) << '\n';
 }
 
+// What a reader opens first.
+const char* page_of(const CommandOptions& options) {
+  return options.report ? "report.html" : "result.json";
+}
+
 // The status, and of a solution what a reader should look at.
-void say_status(const Result& result) {
+void say_status(const Result& result, const CommandOptions& options) {
   const double residual = result.certificate.relative_residual;
   std::cout << result.scene << ": " << to_string(result.status) << " (" << result.fidelity << ")";
   if (is_unfinished(result.status))
@@ -66,7 +71,7 @@ void say_status(const Result& result) {
                 << number_text(criterion.value, 3)
                 << (criterion.unit.empty() ? "" : " " + criterion.unit)
                 << (criterion.verdict == Verdict::warning ? ": warning" : ": strong warning")
-                << " (report.html has the thresholds and their source)\n";
+                << " (" << page_of(options) << " has the thresholds and their source)\n";
 }
 
 void say(const Result& result, const CommandOptions& options) {
@@ -77,13 +82,16 @@ void say(const Result& result, const CommandOptions& options) {
   if (result.fit)
     say_fit(result);
   else
-    say_status(result);
+    say_status(result, options);
   for (const std::string& warning : result.validity.warnings) std::cout << "  " << warning << '\n';
-  std::cout << "  " << (options.folder / "report.html").string() << '\n';
+  std::cout << "  " << (options.folder / page_of(options)).string() << '\n';
 }
 
 int finish(Result& result, const CommandOptions& options) {
-  write_result_folder(result, options.folder, {options.solve.stop});
+  WriteOptions write;
+  write.stop = options.solve.stop;
+  write.report = options.report;
+  write_result_folder(result, options.folder, write);
   say(result, options);
   return result.status == Status::converged ? 0 : 1;
 }

@@ -11,6 +11,7 @@ namespace vasorod {
 struct CommandOptions {
   std::filesystem::path input, second, folder;
   bool json = false;
+  bool report = true;  ///< `solve` only; false: numbers and VTP only
   FitRequest fit;      ///< `fit` only
   SolveOptions solve;  ///< `solve` only
 };

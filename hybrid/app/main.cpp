@@ -75,6 +75,8 @@ int run(int argc, char** argv) {
   solve->add_option("scene", common.command.input, "Scene file (YAML)")->required();
   add_output(solve, &common);
   add_solving(solve, &common);
+  solve->add_flag("--no-report{false}", common.command.report,
+                  "Numbers and VTP only: no pictures and no report.html");
 
   auto* fit =
       app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");

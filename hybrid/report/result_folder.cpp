@@ -63,8 +63,9 @@ void write_result_folder(Result& result, const std::filesystem::path& folder,
   const auto start = std::chrono::steady_clock::now();
   FolderReplacement replacement(folder);
   for (const auto& [name, content] : geometry_files(result)) replacement.write(name, content);
-  std::vector<NamedPicture> pictures =
-      report_pictures(result, result.environment.threads, Haste(options));
+  std::vector<NamedPicture> pictures;
+  if (options.report)
+    pictures = report_pictures(result, result.environment.threads, Haste(options));
   if (std::any_of(pictures.begin(), pictures.end(), is_left_out)) {
     std::erase_if(pictures, is_left_out);
     result.model.left_out["pictures"] = "stopped by the time limit or a signal";
@@ -74,9 +75,8 @@ void write_result_folder(Result& result, const std::filesystem::path& folder,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.seconds["write"] = seconds;
   result.seconds["total"] += seconds;
-  replacement.write(
-      "report.html",
-      report_html(result, pictures));  // shows the seconds, so its own are not in them
+  if (options.report)  // it shows the seconds, so its own are not in them
+    replacement.write("report.html", report_html(result, pictures));
   replacement.write("result.json", to_json(result));
   replacement.commit();
 }

@@ -131,6 +131,41 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
   EXPECT_EQ(runs[0], runs[1]);
 }
 
+// All but pictures and page is the same, to the byte; what is printed names no page.
+TEST(Commands, WithoutAReportNumbersAndFieldsAreTheSame) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("skin");
+  std::string said[2];
+  for (const bool report : {true, false}) {
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / (report ? "with" : "without")).string() + "'" +
+                                         (report ? "" : " --no-report")));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    said[report ? 0 : 1] = run.out;
+  }
+  EXPECT_NE(said[0].find("with/report.html\n"), std::string::npos) << said[0];
+  EXPECT_NE(said[1].find("without/result.json\n"), std::string::npos) << said[1];
+  EXPECT_EQ(said[1].find("report.html"), std::string::npos) << said[1];
+  int without_page = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch / "with")) {
+    const std::string name = entry.path().filename();
+    const auto other = scratch / "without" / name;
+    if (name == "report.html" || entry.path().extension() == ".png") {
+      EXPECT_FALSE(std::filesystem::exists(other)) << name;
+      ++without_page;
+    } else if (name == "result.json") {
+      auto a = nlohmann::json::parse(contents_of(entry.path())),
+           b = nlohmann::json::parse(contents_of(other));
+      a.erase("seconds");
+      b.erase("seconds");
+      EXPECT_EQ(a, b);
+    } else {
+      EXPECT_EQ(contents_of(entry.path()), contents_of(other)) << name;
+    }
+  }
+  EXPECT_GT(without_page, 1);
+}
+
 // The largest difference of the numbers of one kind over the largest of them.
 double difference(const nlohmann::json& a, const nlohmann::json& b,
                   const std::vector<std::string>& kinds) {

@@ -34,6 +34,21 @@ TEST(ResultFolder, HoldsWhatTheContractSays) {
   EXPECT_EQ(text_of(base.path / "out/result.json"), to_json(result));
 }
 
+TEST(ResultFolder, WithoutAReportItHoldsNumbersAndVtpOnly) {
+  const test::TemporaryFolder base;
+  Result result = test::example_result();
+  write_result_folder(result, base.path / "out");  // whose pictures and page are to go
+  EXPECT_TRUE(fs::exists(base.path / "out/report.html"));
+  WriteOptions options;
+  options.report = false;
+  write_result_folder(result, base.path / "out", options);
+  for (const auto& entry : fs::directory_iterator(base.path / "out")) {
+    const std::string name = entry.path().filename().string(), end = entry.path().extension();
+    EXPECT_TRUE(end == ".vtp" || name == "scene.pvd" || name == "result.json") << name;
+  }
+  EXPECT_EQ(text_of(base.path / "out/result.json"), to_json(result));
+}
+
 TEST(ResultFolder, EverythingItWritesItMayReplace) {
   const test::TemporaryFolder base;
   Result result = test::example_result();

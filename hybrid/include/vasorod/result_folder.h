@@ -15,6 +15,7 @@ struct WriteOptions {
   /// first true, the pictures that remain are left out, and model.left_out says so.
   std::function<bool()> stop;
   double patience = 1;  ///< seconds
+  bool report = true;   ///< false: no pictures and no report.html, numbers and VTP only
 };
 
 /// Writes a result to `folder`. The folder must be absent, empty or an earlier result; it is

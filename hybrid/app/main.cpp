@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/ending.h"
+#include "app/heap.h"
 #include "app/stop.h"
 #include "app/streams.h"
 #include "data/sentence.h"
@@ -75,8 +76,9 @@ int run(int argc, char** argv) {
   solve->add_option("scene", common.command.input, "Scene file (YAML)")->required();
   add_output(solve, &common);
   add_solving(solve, &common);
-  solve->add_flag("--no-report{false}", common.command.report,
-                  "Numbers and VTP only: no pictures and no report.html");
+  solve->add_flag_callback(
+      "--no-report", [&common] { common.command.report = false; },
+      "Numbers and VTP only: no pictures and no report.html");
 
   auto* fit =
       app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");
@@ -127,6 +129,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  vasorod::keep_freed_memory();
   vasorod::keep_streams_apart();
   try {
     return run(argc, argv);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace vasorod {
 
@@ -17,7 +18,6 @@ struct Vertex {
   float x, y,
       nearness;  // sample grid; 1 / distance from the eye, linear over a triangle on the screen
   Vec3f normal;  // camera axes
-  Vec3f colour;
 };
 
 struct Corner {
@@ -59,8 +59,6 @@ void add_vertices(Canvas& canvas, const DrawnSurface& surface, const Camera& cam
     if (!(away > 1e-3 * camera.distance) || !at.allFinite())
       vertex.nearness = 0;  // behind the eye: not drawn
     vertex.normal.setZero();
-    const Colour colour = surface.values ? (*surface.scale)((*surface.values)[i]) : surface.colour;
-    vertex.colour = {colour[0], colour[1], colour[2]};
     canvas.vertices.push_back(vertex);
   }
   // Normals weighted by area: at this size they look the same as normals weighted by angle, and
@@ -117,18 +115,20 @@ void draw(const Canvas& canvas, std::uint32_t index, Layer& layer) {
   const float uc = -(b->y - a->y) * inverse, vc = (b->x - a->x) * inverse;
   const float to_b = b->nearness - a->nearness, to_c = c->nearness - a->nearness;
   constexpr float slack = -1e-5F;  // no gaps along shared edges
+  const float x = a->x, near = a->nearness;
   for (int row = top; row < bottom; ++row) {
     const float dy = static_cast<float>(row) + 0.5F - a->y;
-    const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(canvas.columns);
+    float* nearness = layer.nearness.data() + canvas.sample(0, row);
+    std::uint32_t* triangle = layer.triangle.data() + canvas.sample(0, row);
+    // Without branches, so that compilers take several samples at once.
     for (int column = left; column < right; ++column) {
-      const float dx = static_cast<float>(column) + 0.5F - a->x;
+      const float dx = static_cast<float>(column) + 0.5F - x;
       const float at_b = ub * dx + vb * dy, at_c = uc * dx + vc * dy;
-      if (at_b < slack || at_c < slack || at_b + at_c > 1 - slack) continue;
-      const float nearness = a->nearness + at_b * to_b + at_c * to_c;
-      const std::size_t sample = line + static_cast<std::size_t>(column);
-      if (nearness <= layer.nearness[sample]) continue;
-      layer.nearness[sample] = nearness;
-      layer.triangle[sample] = index;
+      const float here = near + at_b * to_b + at_c * to_c, before = nearness[column];
+      const bool hidden =
+          (at_b < slack) | (at_c < slack) | (at_b + at_c > 1 - slack) | (here <= before);
+      nearness[column] = hidden ? before : here;
+      triangle[column] = hidden ? triangle[column] : index;
     }
   }
 }
@@ -141,7 +141,8 @@ struct Shade {
 // The main light comes from above and left of the viewer, a weaker and cooler one from the right.
 // Brightness depends on the normal alone, and only weakly, so that a colour can still be found in
 // its scale.
-Shade shade(const Canvas& canvas, std::uint32_t index, float x, float y) {
+Shade shade(const Canvas& canvas, const std::vector<Vec3f>& colours, std::uint32_t index, float x,
+            float y) {
   const Corner& corner = canvas.triangles[index];
   const Vertex &a = canvas.vertices[corner.vertex[0]], &b = canvas.vertices[corner.vertex[1]],
                &c = canvas.vertices[corner.vertex[2]];
@@ -164,7 +165,8 @@ Shade shade(const Canvas& canvas, std::uint32_t index, float x, float y) {
   const float gloss16 = gloss4 * gloss4 * gloss4 * gloss4, edge = 1 - normal.z();
   const Vec3f light = Vec3f(0.64F, 0.65F, 0.67F) + lit * Vec3f(0.40F, 0.39F, 0.37F) +
                       filled * Vec3f(0.12F, 0.13F, 0.15F);
-  const Vec3f own = at_a * a.colour + at_b * b.colour + at_c * c.colour;
+  const Vec3f own = at_a * colours[corner.vertex[0]] + at_b * colours[corner.vertex[1]] +
+                    at_c * colours[corner.vertex[2]];
   Vec3f colour = own.cwiseProduct(light) * (1 - 0.28F * edge * edge) +
                  Vec3f::Constant(0.10F * gloss16 * gloss16);
   if (inside) colour *= 0.66F;
@@ -188,19 +190,30 @@ void outline(const Layer& layer, const Canvas& canvas, int row, std::vector<std:
 }
 
 // Edges that belong to one triangle only.
-std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std::uint32_t first) {
-  std::vector<std::array<std::uint32_t, 2>> edges, alone;
-  edges.reserve(3 * static_cast<std::size_t>(triangles.rows()));
+std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std::uint32_t first,
+                                                 Eigen::Index vertices) {
+  const auto ends = [&](Eigen::Index t, int k) -> std::pair<std::uint32_t, std::uint32_t> {
+    const auto a = static_cast<std::uint32_t>(triangles(t, k)),
+               b = static_cast<std::uint32_t>(triangles(t, (k + 1) % 3));
+    return {std::min(a, b), std::max(a, b)};
+  };
+  // The larger ends of all edges, sorted by the smaller end: each has few.
+  std::vector<std::uint32_t> end(static_cast<std::size_t>(vertices) + 2, 0);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) ++end[ends(t, k).first + 2];
+  for (std::size_t v = 2; v < end.size(); ++v) end[v] += end[v - 1];
+  std::vector<std::uint32_t> larger(3 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const auto a = static_cast<std::uint32_t>(triangles(t, k)),
-                 b = static_cast<std::uint32_t>(triangles(t, (k + 1) % 3));
-      edges.push_back({first + std::min(a, b), first + std::max(a, b)});
+      const auto [a, b] = ends(t, k);
+      larger[end[a + 1]++] = b;
     }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
-      alone.push_back(edges[i]);
+  std::vector<std::array<std::uint32_t, 2>> alone;
+  for (std::uint32_t a = 0; a < vertices; ++a) {
+    const auto from = larger.begin() + end[a], to = larger.begin() + end[a + 1];
+    for (auto b = from; b != to; ++b)
+      if (std::count(from, to, *b) == 1) alone.push_back({first + a, first + *b});
+  }
   return alone;
 }
 
@@ -228,6 +241,17 @@ void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const 
   }
 }
 
+std::vector<Vec3f> colours_of_vertices(const std::vector<DrawnSurface>& surfaces) {
+  std::vector<Vec3f> colours;
+  for (const DrawnSurface& surface : surfaces)
+    for (Eigen::Index i = 0; i < surface.points->rows(); ++i) {
+      const Colour colour =
+          surface.values ? (*surface.scale)((*surface.values)[i]) : surface.colour;
+      colours.emplace_back(colour[0], colour[1], colour[2]);
+    }
+  return colours;
+}
+
 // Sum of one pixel's samples, premultiplied.
 struct Sum {
   Vec3f colour = Vec3f::Zero();
@@ -238,7 +262,12 @@ class Resolver {
  public:
   Resolver(const Canvas& canvas, const Layer& solid, const Layer& glass,
            const std::vector<std::uint8_t>& borders, const std::vector<DrawnSurface>& surfaces)
-      : canvas_(canvas), solid_(solid), glass_(glass), borders_(borders), surfaces_(surfaces) {}
+      : canvas_(canvas),
+        solid_(solid),
+        glass_(glass),
+        borders_(borders),
+        surfaces_(surfaces),
+        colours_(colours_of_vertices(surfaces)) {}
 
   void start_row(int row) {
     for (int k = 0; k < samples; ++k) {
@@ -285,7 +314,8 @@ class Resolver {
   // A triangle is shaded once per pixel, at the pixel's middle.
   void shade_once(std::uint32_t triangle, std::uint32_t& former, Shade& result, int column,
                   int row) const {
-    if (triangle != former) result = shade(canvas_, triangle, middle(column), middle(row));
+    if (triangle != former)
+      result = shade(canvas_, colours_, triangle, middle(column), middle(row));
     former = triangle;
   }
   static float middle(int pixel) { return samples * (static_cast<float>(pixel) + 0.5F); }
@@ -293,6 +323,7 @@ class Resolver {
   const Layer &solid_, &glass_;
   const std::vector<std::uint8_t>& borders_;
   const std::vector<DrawnSurface>& surfaces_;
+  std::vector<Vec3f> colours_;
   std::array<std::vector<std::uint8_t>, samples> marks_;
 };
 
@@ -320,8 +351,15 @@ Box drawn_box(const Canvas& canvas, int width, int height) {
 
 }  // namespace
 
-Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
-               int height) {
+struct Drawing::Data {
+  int width, height;
+  Canvas canvas;
+  Layer solid, glass;
+  std::vector<std::uint8_t> borders;
+};
+
+Drawing::Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
+                 int height) {
   Canvas canvas{samples * width, samples * height, {}, {}};
   const std::size_t count =
       static_cast<std::size_t>(canvas.columns) * static_cast<std::size_t>(canvas.rows);
@@ -338,12 +376,18 @@ Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, 
   std::uint32_t first = 0;
   for (const DrawnSurface& surface : surfaces) {
     if (surface.opacity >= 1)
-      for (const auto& [a, b] : border(*surface.triangles, first))
+      for (const auto& [a, b] : border(*surface.triangles, first, surface.points->rows()))
         mark_edge(canvas, solid, canvas.vertices[a], canvas.vertices[b], borders);
     first += static_cast<std::uint32_t>(surface.points->rows());
   }
+  data_ = std::make_shared<const Data>(Data{width, height, std::move(canvas), std::move(solid),
+                                            std::move(glass), std::move(borders)});
+}
 
-  Picture picture{width, height, std::vector<std::uint8_t>(count / (samples * samples) * 4)};
+Picture Drawing::coloured(const std::vector<DrawnSurface>& surfaces) const {
+  const auto& [width, height, canvas, solid, glass, borders] = *data_;
+  Picture picture{width, height,
+                  std::vector<std::uint8_t>(borders.size() / (samples * samples) * 4)};
   Resolver resolver(canvas, solid, glass, borders, surfaces);
   const Box box = drawn_box(canvas, width, height);
   for (int row = box.top; row < box.bottom; ++row) {
@@ -361,6 +405,11 @@ Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, 
     }
   }
   return picture;
+}
+
+Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
+               int height) {
+  return Drawing(surfaces, camera, width, height).coloured(surfaces);
 }
 
 }  // namespace vasorod

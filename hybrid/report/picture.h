@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,25 @@ struct DrawnSurface {
   const ColourScale* scale = nullptr;
 };
 
-/// Smooth shading by a light beside the viewer, 2 x 2 samples per pixel, transparent background. A
-/// thin line marks depth jumps and the borders of solid bodies, so that a closed slit is visible.
+/// What is visible of bodies from one side. Their triangles are drawn once, and may then be
+/// coloured in several ways.
+class Drawing {
+ public:
+  /// Points, triangles and whether a body is transparent count here; the colours do not.
+  Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width, int height);
+
+  /// `surfaces`: those of the constructor in the colours and opacities to show; what was
+  /// transparent stays so.
+  Picture coloured(const std::vector<DrawnSurface>& surfaces) const;
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+/// A drawing in its own colours. Smooth shading by a light beside the viewer, 2 x 2 samples per
+/// pixel, transparent background. A thin line marks depth jumps and the borders of solid bodies, so
+/// that a closed slit is visible.
 Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
                int height);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "geometry/triangle_surface.h"
@@ -213,8 +214,8 @@ Picture stage_picture(const Stage& stage, const std::vector<DrawnBody>& bodies,
   return render(drawn, camera, stage_width, stage_height);
 }
 
-Picture field_picture(const DrawnField& field, const std::vector<DrawnBody>& bodies,
-                      const Camera& camera) {
+std::vector<DrawnSurface> in_colours_of(const DrawnField& field,
+                                        const std::vector<DrawnBody>& bodies) {
   std::vector<DrawnSurface> drawn;
   for (const DrawnBody& body : bodies) {
     DrawnSurface& surface = drawn.emplace_back();
@@ -224,10 +225,30 @@ Picture field_picture(const DrawnField& field, const std::vector<DrawnBody>& bod
     surface.scale = &field.scale;
     surface.opacity = !body.glass ? 1 : surface.values ? glass : faint_glass;
   }
-  Picture picture = render(drawn, camera, field_width, field_height);
-  draw_colour_bar(picture, field.scale);
-  return picture;
+  return drawn;
 }
+
+// The result from one side, drawn when the first field asks for it and shared by all that look from
+// there.
+class FieldDrawing {
+ public:
+  FieldDrawing(const std::vector<DrawnBody>& bodies, const Camera& camera)
+      : bodies_(bodies), camera_(camera) {}
+
+  Picture picture(const DrawnField& field) {
+    const std::vector<DrawnSurface> surfaces = in_colours_of(field, bodies_);
+    std::call_once(once_, [&] { drawing_.emplace(surfaces, camera_, field_width, field_height); });
+    Picture picture = drawing_->coloured(surfaces);
+    draw_colour_bar(picture, field.scale);
+    return picture;
+  }
+
+ private:
+  const std::vector<DrawnBody>& bodies_;
+  Camera camera_;
+  std::once_flag once_;
+  std::optional<Drawing> drawing_;
+};
 
 struct Task {
   NamedPicture* picture;
@@ -369,8 +390,8 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads,
   const auto field_camera = [&](const View& from) {
     return camera_from(from, bodies, double(field_width) / field_height, 0.2);
   };
-  const Camera common_camera = field_camera(view),
-               pressure_camera = turned ? field_camera(pressed) : common_camera;
+  FieldDrawing common_drawing(bodies, field_camera(view)),
+      pressure_drawing(bodies, field_camera(pressed));
   const auto of_pressure = [](const DrawnField& field) {
     return field.values == &VesselResult::contact_pressure;
   };
@@ -402,9 +423,8 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads,
         {&pictures[k], [&, k] { return stage_picture(stages[k], bodies, stage_camera); }});
   for (std::size_t k = 0; k < fields.size(); ++k)
     tasks.push_back({&pictures[stages.size() + k], [&, k] {
-                       return field_picture(
-                           fields[k], bodies,
-                           of_pressure(fields[k]) ? pressure_camera : common_camera);
+                       const bool own = turned && of_pressure(fields[k]);
+                       return (own ? pressure_drawing : common_drawing).picture(fields[k]);
                      }});
   draw_all(tasks, threads, stop);
   return pictures;

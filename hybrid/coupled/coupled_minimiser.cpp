@@ -13,6 +13,7 @@ constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e10;
 // A factorisation at a residual below this value is valid for the minimum.
 constexpr double near_enough = 1e-4;
 constexpr double worn_order = 1.3;
+constexpr int most_per_hessian = 30;  // even where it converges well
 // After this many points of negative curvature, the branch that the short steps follow no longer
 // exists.
 constexpr int patience_on_branch = 3;
@@ -23,6 +24,43 @@ constexpr double neutral_curvature = 1e-6;
 // Forces below `rounding` times stiffness times coordinates are cancellation errors, unless they
 // exceed `share_of_load` times the load.
 constexpr double rounding = 1e-14, share_of_load = 1e-2;
+
+// sum = a + factor * b, where the pattern of a, which `sum` has, contains that of b.
+void add_within(const Matrix& a, double factor, const Matrix& b, Matrix& sum) {
+  for (int column = 0; column < a.cols(); ++column) {
+    const int* row = a.innerIndexPtr();
+    int at = a.outerIndexPtr()[column];
+    const int end = a.outerIndexPtr()[column + 1];
+    for (Matrix::InnerIterator it(b, column); it; ++it) {
+      for (; row[at] != it.row(); ++at) sum.valuePtr()[at] = a.valuePtr()[at];
+      sum.valuePtr()[at] = a.valuePtr()[at] + factor * it.value();
+      ++at;
+    }
+    for (; at < end; ++at) sum.valuePtr()[at] = a.valuePtr()[at];
+  }
+}
+
+// Gives the matrix the pattern, with zeros where it has no entries. Returns false and changes
+// nothing where it has entries that the pattern lacks.
+bool pad(const Matrix& pattern, Matrix& matrix) {
+  if (pattern.cols() != matrix.cols()) return false;
+  std::vector<double> values(static_cast<size_t>(pattern.nonZeros()), 0.0);
+  const int* row = pattern.innerIndexPtr();
+  for (int column = 0; column < matrix.cols(); ++column) {
+    int at = pattern.outerIndexPtr()[column];
+    const int end = pattern.outerIndexPtr()[column + 1];
+    for (Matrix::InnerIterator it(matrix, column); it; ++it, ++at) {
+      while (at < end && row[at] < it.row()) ++at;
+      if (at == end || row[at] != it.row()) return false;
+      values[static_cast<size_t>(at)] = it.value();
+    }
+  }
+  if (pattern.nonZeros() != matrix.nonZeros()) {
+    matrix = pattern;
+    std::copy(values.begin(), values.end(), matrix.valuePtr());
+  }
+  return true;
+}
 
 // Thrown where CoupledMinimiserOptions::before says to stop.
 struct Interruption {};
@@ -55,8 +93,8 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
   turns_ = std::move(turns);
 }
 
-// The pattern changes with the contacts. An elimination order is reused until its fill becomes too
-// large.
+// The pattern changes with the contacts that press: fewer need no new analysis. An elimination
+// order is reused until its fill becomes too large.
 void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Before& before) {
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
@@ -128,15 +166,12 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
   before("Hessian");
   ++work_.counts.hessians;
   hessian_ = system_.hessian(z);
-  const Eigen::Map<const Eigen::VectorXi> outer(hessian_.outerIndexPtr(), hessian_.outerSize() + 1),
-      inner(hessian_.innerIndexPtr(), hessian_.nonZeros());
-  if (!std::equal(outer.begin(), outer.end(), analysed_outer_.begin(), analysed_outer_.end()) ||
-      !std::equal(inner.begin(), inner.end(), analysed_inner_.begin(), analysed_inner_.end())) {
+  if (!pad(analysed_, hessian_)) {
     analyse(factor_, hessian_, before);
-    analysed_outer_.assign(outer.begin(), outer.end());
-    analysed_inner_.assign(inner.begin(), inner.end());
+    analysed_ = hessian_;
   }
   metric_.resize(0, 0);
+  Matrix shifted;
   for (;;) {
     before("factorisation");
     ++factorisations;
@@ -147,9 +182,10 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
         metric_ = rest_;
         turn_matrix(turns_, metric_);
         for (int i = 0; i < metric_.cols(); ++i) metric_.coeffRef(i, i) += 1e-6 * mean_stiffness_;
+        shifted = hessian_;
       }
-      // The pattern of hessian_ contains that of metric_.
-      if (factor_.factorise(hessian_ + shift * metric_)) return true;
+      add_within(hessian_, shift, metric_, shifted);
+      if (factor_.factorise(shifted)) return true;
     }
     shift = shift == 0 ? first_shift : shift_growth * shift;
     if (shift > largest_shift || factorisations >= most) return false;
@@ -232,8 +268,15 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   double shift = 0, factored_at = 1;
   int stalls = 0, indefinite = 0;
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
+  // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, it is
+  // cheaper to go on with it than to factorise another.
+  const auto go_on_with_it = [&](bool convex) {
+    const int most = options.max_iterations - summary.iterations;
+    inner.max_iterations = std::min(convex ? most_per_hessian : options.per_hessian, most);
+    inner.patience = convex ? options.per_hessian : 0;
+  };
   if (options.reuse_hessian && factor_.factorised()) {
-    inner.max_iterations = options.per_hessian;
+    go_on_with_it(true);
     summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
@@ -261,8 +304,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
       stalls = 0;
       continue;
     }
-    inner.max_iterations =
-        std::min(options.per_hessian, options.max_iterations - summary.iterations);
+    go_on_with_it(fresh);
     summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted()) return;
     if (summary.status == LbfgsStatus::converged ||

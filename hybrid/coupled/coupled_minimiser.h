@@ -97,9 +97,9 @@ class CoupledMinimiser {
   Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty if H needed no shift
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
-  std::vector<int> order_;     // elimination order
-  double order_nonzeros_ = 0;  // entries of the factor for which order_ was found
-  std::vector<int> analysed_outer_, analysed_inner_;  // the pattern analysed by factor_
+  std::vector<int> order_;                // elimination order
+  double order_nonzeros_ = 0;             // entries of the factor for which order_ was found
+  Eigen::SparseMatrix<double> analysed_;  // its pattern is the one analysed by factor_
   double mean_stiffness_ = 1;
   Eigen::VectorXd turned_;  // the gradient in the frames of K0
 };

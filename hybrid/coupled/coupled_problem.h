@@ -61,7 +61,7 @@ struct CoupledOptions : SurfaceOptions {
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
   /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
-  /// most once a second. May be empty.
+  /// most once a second and for a hundredth of the time. May be empty.
   std::function<void(CoupledSolution&&)> keep;
 
   /// Empty when the options are valid, else one sentence that names the invalid option.

@@ -39,9 +39,9 @@ constexpr double path_step = 0.02;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
-// Seconds between two calls of CoupledOptions::keep: the report that it needs costs a few
-// iterations.
-constexpr double between_kept = 1;
+// Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
+// they may take: the report that each needs costs a few iterations.
+constexpr double between_kept = 1, share_of_keeping = 0.01;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ class CoupledSolver::Data {
 
   CoupledSolution solve() {
     stop_.emplace(stack_.options);
-    kept_at_ = -between_kept;
+    keep_next_ = 0;
     solution_ = {};
     stack_.work = {};
     if (stack_.any_modelled()) {
@@ -93,7 +93,8 @@ class CoupledSolver::Data {
   bool before(const std::string& step, const VectorXd& z) {
     if ((*stop_)()) return true;
     if (stack_.options.step) stack_.options.step(step);
-    if (!stack_.options.keep || stop_->seconds() < kept_at_ + between_kept) return false;
+    const double began = stop_->seconds();
+    if (!stack_.options.keep || began < keep_next_) return false;
     CoupledSolution state = solution_;
     state.status = Status::interrupted;
     state.surface.residual = stack_.minimiser->residual(z);
@@ -103,7 +104,8 @@ class CoupledSolver::Data {
     state.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     state.surface.work = work_so_far();
     stack_.options.keep(std::move(state));
-    kept_at_ = stop_->seconds();
+    const double ended = stop_->seconds();
+    keep_next_ = ended + std::max(between_kept, (ended - began) / share_of_keeping);
     return false;
   }
 
@@ -199,9 +201,10 @@ class CoupledSolver::Data {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
       inner.use_rest = !stepped && alone && outer == 1 && stack_.system->contacts.empty();
-      inner.reuse_hessian = outer > 1 && !stack_.contacts->pressing();
-      inner.certify = options.certify && tolerance <= options.tolerance;
-      const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, inner);
+      inner.reuse_hessian = outer > 1;
+      // Where multipliers still change, the minimum is certified when they are settled.
+      inner.certify = options.certify && !updates && tolerance <= options.tolerance;
+      CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, inner);
       count(summary);
       const bool minimum = summary.status == LbfgsStatus::converged;
       const bool stalled =
@@ -228,17 +231,25 @@ class CoupledSolver::Data {
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= slackness * options.contact_tolerance &&
                                  contact.force_change <= slackness * options.pressure_tolerance;
-      const bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
-                        turned && pressed_right;
-      if (good && (tolerance <= finest_tolerance || stalled ||
+      bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
+                  turned && pressed_right;
+      bool settled =
+          good && (tolerance <= finest_tolerance || stalled ||
                    worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall,
-                                         stack_.z) <= options.balance_tolerance)) {
-        if (options.certify && !summary.positive) {
-          if (tolerance <= options.tolerance)
-            return summary.neutral ? Status::not_unique : Status::unstable;
-          tolerance = options.tolerance;
-          continue;
-        }
+                                         stack_.z) <= options.balance_tolerance);
+      if (settled && options.certify && !inner.certify) {
+        inner.tolerance = tolerance = std::min(tolerance, options.tolerance);
+        inner.certify = true;
+        inner.reuse_hessian = false;
+        summary = stack_.minimiser->minimise(stack_.z, inner);
+        count(summary);
+        stack_.unstack();
+        if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
+        good = settled = !summary.left_saddle;  // below it multipliers change again
+      }
+      if (settled) {
+        if (options.certify && !summary.positive)
+          return summary.neutral ? Status::not_unique : Status::unstable;
         if (contact.penetration > options.contact_tolerance ||
             contact.force_change > options.pressure_tolerance)
           solution_.notes.push_back(
@@ -292,8 +303,8 @@ class CoupledSolver::Data {
 
   CoupledStack stack_;
   CoupledPath path_;
-  std::optional<StopCheck> stop_;   // of the present solve
-  double kept_at_ = -between_kept;  // when the state was last kept, seconds since the start
+  std::optional<StopCheck> stop_;  // of the present solve
+  double keep_next_ = 0;           // when the state is kept again, seconds since the start
   bool left_saddle_ = false;
   CoupledSolution solution_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,10 @@ struct Cholesky::Data {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *work_e = nullptr;
+  // The matrix in the order of elimination, and the place of each of its entries in the matrix as
+  // given: with them a new matrix of the same pattern is sorted in one pass.
+  cholmod_sparse* sorted = nullptr;
+  std::vector<int> place;
   bool factorised = false;
   bool tried = false;  // whether `single` has been decided on
   std::optional<SingleFactor> single;
@@ -41,6 +46,7 @@ struct Cholesky::Data {
     cholmod_free_dense(&work, &common);
     cholmod_free_dense(&work_e, &common);
     cholmod_free_factor(&factor, &common);
+    cholmod_free_sparse(&sorted, &common);
     cholmod_finish(&common);
   }
   Data(const Data&) = delete;
@@ -154,6 +160,31 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
                  ? cholmod_analyze(&view, &d.common)
                  : cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &d.common);
   if (!d.factor) fail(d.common, "analysed");
+  cholmod_free_sparse(&d.sorted, &d.common);
+  d.place.clear();
+}
+
+// Entries of the lower triangle in the order of elimination, column by column, as the supernodal
+// factorisation reads them. CHOLMOD would sort each matrix anew, which takes a tenth of the time.
+void Cholesky::sort(const Matrix& matrix) {
+  Data& d = *data_;
+  if (!d.sorted) {
+    std::vector<double> number(static_cast<size_t>(matrix.nonZeros()));
+    std::iota(number.begin(), number.end(), 0.0);
+    cholmod_sparse view = view_of(matrix);
+    view.x = number.data();
+    auto* perm = static_cast<int*>(d.factor->Perm);
+    cholmod_sparse* upper = cholmod_ptranspose(&view, 1, perm, nullptr, 0, &d.common);
+    if (!upper) fail(d.common, "sorted");
+    d.sorted = cholmod_ptranspose(upper, 1, nullptr, nullptr, 0, &d.common);
+    cholmod_free_sparse(&upper, &d.common);
+    if (!d.sorted) fail(d.common, "sorted");
+    const auto* numbers = static_cast<const double*>(d.sorted->x);
+    d.place.assign(numbers, numbers + cholmod_nnz(d.sorted, &d.common));
+  }
+  auto* values = static_cast<double*>(d.sorted->x);
+  const double* from = matrix.valuePtr();
+  for (size_t k = 0; k < d.place.size(); ++k) values[k] = from[d.place[k]];
 }
 
 bool Cholesky::factorise(const Matrix& matrix) {
@@ -168,9 +199,10 @@ bool Cholesky::factorise(const Matrix& matrix) {
   }
   d.tried = false;
   d.single.reset();
-  cholmod_sparse view = view_of(matrix);
   d.common.status = CHOLMOD_OK;
-  cholmod_factorize(&view, d.factor, &d.common);
+  sort(matrix);
+  double no_shift[2] = {0, 0};
+  cholmod_super_numeric(d.sorted, nullptr, no_shift, d.factor, &d.common);
   if (d.common.status < CHOLMOD_OK) fail(d.common, "factorised");
   d.factorised = d.common.status == CHOLMOD_OK && d.factor->minor == d.factor->n;
   return d.factorised;

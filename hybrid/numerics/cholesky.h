@@ -62,6 +62,8 @@ class Cholesky {
  private:
   friend std::vector<int> elimination_order(const Eigen::SparseMatrix<double>&,
                                             const std::vector<int>&, Ordering, Work*);
+  void sort(const Eigen::SparseMatrix<double>& matrix);
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

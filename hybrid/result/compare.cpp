@@ -247,27 +247,45 @@ VesselComparison compare_vessel(const std::string& name, const fs::path& folder_
   return result;
 }
 
-std::vector<ReactionComparison> compare_reactions(const Result& a, const Result& b,
-                                                  const fs::path& folder_a,
-                                                  const fs::path& folder_b) {
+const EndReaction* end_of(const Result& result, const EndReaction& like) {
+  const auto found = std::find_if(
+      result.ends.begin(), result.ends.end(),
+      [&](const EndReaction& end) { return end.vessel == like.vessel && end.end == like.end; });
+  return found == result.ends.end() ? nullptr : &*found;
+}
+
+// Two results of one scene may differ in their supported ends only where their fidelities do, and
+// then one of them has all ends of the other.
+std::vector<LoneEnd> lone_ends(const Result& a, const Result& b, const fs::path& folder_a,
+                               const fs::path& folder_b) {
+  std::vector<LoneEnd> lone;
+  for (const EndReaction& end : a.ends)
+    if (end_of(b, end) == nullptr) lone.push_back({end.vessel, end.end, true});
+  const std::size_t only_a = lone.size();
+  for (const EndReaction& end : b.ends)
+    if (end_of(a, end) == nullptr) lone.push_back({end.vessel, end.end, false});
+  const bool nested = only_a == 0 || only_a == lone.size();
+  if (lone.empty() || (nested && a.fidelity != b.fidelity)) return lone;
+  if (nested)
+    refuse(folder_a, folder_b,
+           "the first has " + std::to_string(a.ends.size()) + " supported ends and the second " +
+               std::to_string(b.ends.size()));
+  refuse(
+      folder_a, folder_b,
+      "only the first has the end " + shortened(lone[0].end) + " of " + shortened(lone[0].vessel));
+}
+
+// Of the ends that both have.
+std::vector<ReactionComparison> compare_reactions(const Result& a, const Result& b) {
   double largest_force = 0, largest_moment = 0;
   for (const EndReaction& end : a.ends) {
     largest_force = std::max(largest_force, end.force.norm());
     largest_moment = std::max(largest_moment, end.moment.norm());
   }
-  if (a.ends.size() != b.ends.size())
-    refuse(folder_a, folder_b,
-           "the first has " + std::to_string(a.ends.size()) + " supported ends and the second " +
-               std::to_string(b.ends.size()));
   std::vector<ReactionComparison> reactions;
   for (const EndReaction& end : a.ends) {
-    const auto other =
-        std::find_if(b.ends.begin(), b.ends.end(), [&](const EndReaction& candidate) {
-          return candidate.vessel == end.vessel && candidate.end == end.end;
-        });
-    if (other == b.ends.end())
-      refuse(folder_a, folder_b,
-             "only the first has the end " + shortened(end.end) + " of " + shortened(end.vessel));
+    const EndReaction* other = end_of(b, end);
+    if (other == nullptr) continue;
     ReactionComparison reaction{end.vessel, end.end,       end.force, other->force,
                                 end.moment, other->moment, 0,         0};
     reaction.moment_b += (other->center - end.center).cross(other->force);
@@ -290,7 +308,7 @@ Comparison compare_results(const fs::path& folder_a, const fs::path& folder_b) {
   const Result a = read_json(folder_a / "result.json"), b = read_json(folder_b / "result.json");
   require_one_scene(folder_a, a, folder_b, b);
   Comparison comparison{
-      a.scene, a.length_unit, a.stress_unit, header(folder_a, a), header(folder_b, b), {}, {}};
+      a.scene, a.length_unit, a.stress_unit, header(folder_a, a), header(folder_b, b), {}, {}, {}};
   for (const VesselResult& vessel : a.vessels) {
     if (vessel.obstacle) continue;
     const VesselComparison compared = compare_vessel(vessel.name, folder_a, folder_b);
@@ -300,7 +318,8 @@ Comparison compare_results(const fs::path& folder_a, const fs::path& folder_b) {
                  std::to_string(compared.rest_distance) + " radii apart");
     comparison.vessels.push_back(compared);
   }
-  comparison.reactions = compare_reactions(a, b, folder_a, folder_b);
+  comparison.reactions = compare_reactions(a, b);
+  comparison.lone_ends = lone_ends(a, b, folder_a, folder_b);
   return comparison;
 }
 

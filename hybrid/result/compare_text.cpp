@@ -74,6 +74,10 @@ std::string comparison_json(const Comparison& comparison) {
                              {"moment_a", row(end.moment_a)},
                              {"moment_b", row(end.moment_b)},
                              {"moment_difference", end.moment_difference}});
+  value["ends_of_one"] = Json::array();
+  for (const LoneEnd& end : comparison.lone_ends)
+    value["ends_of_one"].push_back(
+        {{"vessel", end.vessel}, {"end", end.end}, {"in", end.in_a ? "a" : "b"}});
   return json_text(value);
 }
 
@@ -96,14 +100,21 @@ std::string comparison_table(const Comparison& comparison) {
          text(vessel.centerline ? vessel.centerline->largest : none), text(vessel.rest_distance)});
   }
   result += "\n" + table(rows);
-  if (comparison.reactions.empty()) return result;
+  // All of them are in one of the two.
+  std::string lone;
+  for (const LoneEnd& end : comparison.lone_ends)
+    lone += (lone.empty() ? std::string("supported in ") + (end.in_a ? "A" : "B") + " only: "
+                          : std::string(", ")) +
+            end.vessel + " " + end.end;
+  if (!lone.empty()) lone += '\n';
+  if (comparison.reactions.empty()) return lone.empty() ? result : result + "\n" + lone;
   rows = {{"reaction", "|force A|", "|force B|", "difference", "|moment A|", "|moment B|",
            "difference"}};
   for (const ReactionComparison& end : comparison.reactions)
     rows.push_back({end.vessel + " " + end.end, text(end.force_a.norm()), text(end.force_b.norm()),
                     text(end.force_difference), text(end.moment_a.norm()),
                     text(end.moment_b.norm()), text(end.moment_difference)});
-  return result + "\n" + table(rows) + "differences over the largest of A\n";
+  return result + "\n" + table(rows) + "differences over the largest of A\n" + lone;
 }
 
 }  // namespace vasorod

@@ -204,6 +204,52 @@ TEST_F(Compare, DifferentScenesAreRefusedInASentence) {
   refused([](Result& b) { b.vessels[0].rest.col(0).array() += 4; }, "rest shapes of svc");
 }
 
+// `paper` solves no rod of an artery, so it states fewer supports than `coupled`.
+TEST_F(Compare, EndsThatOnlyOneFidelitySupportsAreNamed) {
+  Result coupled = test::example_result();
+  coupled.ends.push_back({"rpa", "start", {0, 0, 4}, {0, 2, 0}, {0, 0, 0}});
+  coupled.ends.push_back({"rpa", "end", {0, 0, -1}, {0, 1, 0}, {9, 0, 0}});
+  Result paper = test::example_result();
+  paper.fidelity = coupled.fidelity + " of another kind";
+  paper.ends[0].force += Vec3(0, 0, 1);
+
+  const Comparison first = compare(coupled, paper), second = compare(paper, coupled);
+  for (const Comparison* c : {&first, &second}) {
+    ASSERT_EQ(c->reactions.size(), 1u);
+    EXPECT_EQ(c->reactions[0].vessel, "svc");
+    ASSERT_EQ(c->lone_ends.size(), 2u);
+    EXPECT_EQ(c->lone_ends[1].vessel, "rpa");
+    EXPECT_EQ(c->lone_ends[1].end, "end");
+    EXPECT_EQ(c->lone_ends[1].in_a, c == &first);
+    const auto value = nlohmann::json::parse(comparison_json(*c));
+    EXPECT_EQ(value.at("ends").size(), 1u);
+    EXPECT_EQ(value.at("ends_of_one").at(0).at("vessel"), "rpa");
+    EXPECT_EQ(value.at("ends_of_one").at(0).at("end"), "start");
+    EXPECT_EQ(value.at("ends_of_one").at(0).at("in"), c == &first ? "a" : "b");
+    const std::string sentence = c == &first ? "supported in A only: rpa start, rpa end\n"
+                                             : "supported in B only: rpa start, rpa end\n";
+    EXPECT_NE(comparison_table(*c).find(sentence), std::string::npos) << comparison_table(*c);
+  }
+  // Over the largest of A's ends, also of those that B does not have.
+  EXPECT_NEAR(first.reactions[0].force_difference, 1.0 / 4, 1e-12);
+
+  paper.ends.clear();
+  const Comparison none = compare(coupled, paper);
+  EXPECT_TRUE(none.reactions.empty());
+  EXPECT_NE(comparison_table(none).find("supported in A only: svc start, rpa start, rpa end\n"),
+            std::string::npos);
+
+  // Each with an end of its own: two scenes.
+  paper.ends = {coupled.ends[1]};
+  coupled.ends.erase(coupled.ends.begin() + 1);
+  EXPECT_THROW(compare(coupled, paper), InputError);
+  // One fidelity states the same ends of one scene.
+  paper = coupled;
+  paper.ends.pop_back();
+  EXPECT_THROW(compare(coupled, paper), InputError);
+  EXPECT_THROW(compare(paper, coupled), InputError);
+}
+
 TEST_F(Compare, WhatIsMissingIsSaidInASentence) {
   write(test::example_result(), base_.path / "a");
   EXPECT_THROW(compare_results(base_.path / "a", base_.path / "none"), InputError);
@@ -251,6 +297,7 @@ TEST_F(Compare, JsonAndTableSayTheSame) {
   EXPECT_NEAR(value.at("vessels").at(0).at("surface").at("rms").get<double>(), 0.1, 1e-9);
   EXPECT_EQ(value.at("seconds_ratio"), 4.0);
   EXPECT_EQ(value.at("ends").at(0).at("force_a").at(0), 0.1);
+  EXPECT_TRUE(value.at("ends_of_one").empty());
   const std::string table = comparison_table(c);
   EXPECT_NE(table.find("svc"), std::string::npos);
   EXPECT_NE(table.find("1.000e-01"), std::string::npos) << table;

@@ -52,6 +52,13 @@ struct ReactionComparison {
   double moment_difference = 0;
 };
 
+/// An end whose support only one of the two results states.
+struct LoneEnd {
+  std::string vessel,  ///< name of the vessel
+      end;             ///< name of the end, as in EndReaction
+  bool in_a = false;   ///< stated by A; else by B
+};
+
 /// Where one of the two results comes from.
 struct ComparedResult {
   std::string folder,  ///< path of the result folder
@@ -69,12 +76,16 @@ struct Comparison {
   ComparedResult a,                           ///< the first result
       b;                                      ///< the second result
   std::vector<VesselComparison> vessels;      ///< deformable vessels, in A's order
-  std::vector<ReactionComparison> reactions;  ///< supported ends, in A's order
+  std::vector<ReactionComparison> reactions;  ///< ends that both support, in A's order
+  /// Ends that only the fidelity of one supports: `paper` solves no rod of an artery and states
+  /// none of its supports, `coupled` does.
+  std::vector<LoneEnd> lone_ends;
 };
 
 /// Reads and compares two result folders. Throws InputError (one sentence) if a folder is not a
-/// result, or if the results belong to different scenes: another name, unit, vessel, end or input
-/// file, or rest shapes more than half a radius apart.
+/// result, or if the results belong to different scenes: another name, unit, vessel or input file,
+/// rest shapes more than half a radius apart, or other ends: of one fidelity any, of two fidelities
+/// if each has an end that the other has not.
 Comparison compare_results(const std::filesystem::path& folder_a,
                            const std::filesystem::path& folder_b);
 

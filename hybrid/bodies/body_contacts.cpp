@@ -149,6 +149,8 @@ ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
     }
     if (!pair.contact) continue;
     pair.in_reach |= !pair.own();
+    for (const ContactPoint& c : pair.contact->contacts())
+      if (c.stick > 0) state.slip = std::max(state.slip, contact_slip(c, slave.now).norm());
     const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
     change += pair_change;
     sum += pair_sum;
@@ -216,6 +218,17 @@ StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
   return all;
 }
 
+double BodyContacts::gap_from_itself(const ScaledBodies& scaled) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Pair& pair : pairs_) {
+    if (!pair.own() || !pair.contact) continue;
+    const Points& now = scaled.bodies[static_cast<size_t>(pair.slave)].now;
+    for (const ContactPoint& c : pair.contact->contacts())
+      smallest = std::min(smallest, FoundContacts::gap(c, now, now));
+  }
+  return smallest;
+}
+
 bool BodyContacts::pressing() const {
   return std::any_of(pairs_.begin(), pairs_.end(),
                      [](const Pair& pair) { return !pair.pressed.empty(); });
@@ -244,6 +257,7 @@ void require_contact(const ContactState& state, double penetration, double force
   unmet.require("penetration over the mean edge", state.penetration, penetration);
   unmet.require("change of the contact forces by the last update", state.force_change,
                 force_change);
+  unmet.require("slip of walls in contact over the mean edge", state.slip, penetration);
   if (!state.touched.empty()) unmet.add("a vessel was touched only now");
 }
 

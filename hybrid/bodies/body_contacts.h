@@ -15,6 +15,8 @@ struct ContactState {
   double penetration = 0;
   /// Change of the contact forces in the last multiplier update over their sum.
   double force_change = 0;
+  /// Farthest that a wall in contact with itself slid since the last search, scaled length.
+  double slip = 0;
   /// Whether the set of contacts that carry pressure changed.
   bool pressed_changed = false;
   /// Bodies not among the unknowns that a contact now presses on.
@@ -49,6 +51,10 @@ class BodyContacts {
   /// Finds what touches itself again, at the bodies' current positions, and keeps the multipliers.
   /// A collapse can bring walls together within one minimisation. False: nothing was searched.
   bool follow(const ScaledBodies& scaled);
+
+  /// Smallest gap of any wall from itself at the bodies' current positions, between the walls found
+  /// last, scaled length; infinite where none face each other.
+  double gap_from_itself(const ScaledBodies& scaled) const;
 
   /// The contacts numbered for the stack. `first` is the first row of each body in the stack, -1
   /// for a body that is not among the unknowns.

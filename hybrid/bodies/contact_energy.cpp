@@ -28,6 +28,14 @@ Stencil stencil_of(const ContactPoint& contact) {
 
 }  // namespace
 
+Vec3 contact_slip(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
+  if (contact.master[0] < 0) return Vec3::Zero();
+  Vec3 slip = Vec3(p.row(contact.slave)) - contact.held;
+  for (size_t k = 0; k < 3; ++k)
+    slip -= contact.weight[static_cast<int>(k)] * p.row(contact.master[k]).transpose();
+  return slip - contact.normal.dot(slip) * contact.normal;
+}
+
 double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
   double gap = contact.normal.dot(p.row(contact.slave)) - contact.slack;
   if (contact.master[0] >= 0)
@@ -46,6 +54,7 @@ double contact_energy(const std::vector<ContactPoint>& contacts,
   for (const ContactPoint& c : contacts) {
     const double pressure = contact_pressure(c, p);
     sum += c.area / (2 * c.stiffness) * (pressure * pressure - c.multiplier * c.multiplier);
+    if (c.stick > 0) sum += c.area * c.stick / 2 * contact_slip(c, p).squaredNorm();
   }
   return sum;
 }
@@ -56,8 +65,14 @@ double contact_energy_gradient(const std::vector<ContactPoint>& contacts,
   for (const ContactPoint& c : contacts) {
     const double pressure = contact_pressure(c, p);
     sum += c.area / (2 * c.stiffness) * (pressure * pressure - c.multiplier * c.multiplier);
-    if (pressure == 0) continue;
     const Stencil s = stencil_of(c);
+    if (c.stick > 0) {
+      const Vec3 slip = contact_slip(c, p);
+      sum += c.area * c.stick / 2 * slip.squaredNorm();
+      for (size_t k = 0; k < static_cast<size_t>(s.count); ++k)
+        gradient.row(s.vertex[k]) += c.area * c.stick * s.share[k] * slip.transpose();
+    }
+    if (pressure == 0) continue;
     for (size_t k = 0; k < static_cast<size_t>(s.count); ++k)
       gradient.row(s.vertex[k]) -= c.area * pressure * s.share[k] * c.normal.transpose();
   }
@@ -68,15 +83,18 @@ void contact_energy_hessian(const std::vector<ContactPoint>& contacts,
                             const Eigen::Ref<const Points>& p,
                             std::vector<Eigen::Triplet<double>>& entries) {
   for (const ContactPoint& c : contacts) {
-    if (contact_pressure(c, p) == 0) continue;
+    const double across = contact_pressure(c, p) > 0 ? c.stiffness - c.stick : -c.stick;
+    if (across == 0) continue;
     const Stencil s = stencil_of(c);
     for (size_t a = 0; a < static_cast<size_t>(s.count); ++a)
       for (size_t b = 0; b < static_cast<size_t>(s.count); ++b) {
-        const double factor = c.area * c.stiffness * s.share[a] * s.share[b];
+        const double stick = c.area * c.stick * s.share[a] * s.share[b];
+        const double factor = c.area * across * s.share[a] * s.share[b];
         for (int row = 0; row < 3; ++row)
           for (int column = 0; column < 3; ++column)
-            entries.emplace_back(3 * s.vertex[a] + row, 3 * s.vertex[b] + column,
-                                 factor * c.normal[row] * c.normal[column]);
+            entries.emplace_back(
+                3 * s.vertex[a] + row, 3 * s.vertex[b] + column,
+                factor * c.normal[row] * c.normal[column] + (row == column ? stick : 0));
       }
   }
 }
@@ -85,12 +103,12 @@ Eigen::SparseMatrix<double> contact_energy_bound(const std::vector<ContactPoint>
                                                  const Eigen::Ref<const Points>& p) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const ContactPoint& c : contacts) {
-    if (contact_pressure(c, p) == 0) continue;
+    const double largest = std::max(contact_pressure(c, p) > 0 ? c.stiffness : 0, c.stick);
+    if (largest == 0) continue;
     const Stencil s = stencil_of(c);
     for (size_t a = 0; a < static_cast<size_t>(s.count); ++a)
       for (size_t b = 0; b < static_cast<size_t>(s.count); ++b)
-        entries.emplace_back(s.vertex[a], s.vertex[b],
-                             c.area * c.stiffness * s.share[a] * s.share[b]);
+        entries.emplace_back(s.vertex[a], s.vertex[b], c.area * largest * s.share[a] * s.share[b]);
   }
   Eigen::SparseMatrix<double> bound(p.rows(), p.rows());
   bound.setFromTriplets(entries.begin(), entries.end());

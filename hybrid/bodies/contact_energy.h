@@ -6,8 +6,12 @@
 // minimisation m is set to p, so p converges to the pressure for any k, and is exactly 0 where the
 // walls are apart.
 //
-// Units: g length, p and m stress, k stress / length, A length^2 (rest area of the vertex),
-// E force * length.
+// A contact may also stick: it then resists sliding across its normal from where it was held,
+//
+//   E += A s / 2 |slip|^2
+//
+// Units: g length, p and m stress, k and s stress / length, A length^2 (rest area of the
+// vertex), E force * length.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -30,10 +34,15 @@ struct ContactPoint {
   double area = 0;        ///< A, rest area of the vertex, length^2
   double stiffness = 0;   ///< k, stress / length
   double multiplier = 0;  ///< m, stress
+  double stick = 0;       ///< s, stress / length; only where the plane moves with a triangle
+  /// x_slave - sum weight x_master from where on it slips, length.
+  Vec3 held = Vec3::Zero();
 };
 
 /// g, length.
 double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p);
+/// How far the vertex slid over the plane from where it was held, length.
+Vec3 contact_slip(const ContactPoint& contact, const Eigen::Ref<const Points>& p);
 /// max(0, m - k g), stress.
 double contact_pressure(const ContactPoint& contact, const Eigen::Ref<const Points>& p);
 

@@ -53,6 +53,8 @@ class FoundContacts {
   void begin();
   /// Takes a contact with the multiplier of its slot.
   void add(ContactPoint contact, Eigen::Index slot);
+  /// The multiplier of a slot.
+  double multiplier(Eigen::Index slot) const { return multiplier_[slot]; }
   /// Multipliers of slots that were not taken are zero from here on.
   void end();
 

@@ -5,14 +5,25 @@
 // it. The gap is measured between the faces that meet: the outer faces outside, the inner faces
 // inside,
 //
-//   g = d - 2 o - min(0, the same at rest),   o: from the surface to that face
+//   g = n.(x - y) - 2 o - min(0, the same at rest),   o: from the surface to that face
 //
-// with d the height over the tangent plane of the wall that was hit. Every vertex is a slave with
-// half its area, so that two walls in contact carry the pressure once.
+// with y where the ray hits and n halfway between the two normals. Which of the two it is, a lumen
+// or the space between folds, and whether the walls are through each other already, follows from
+// how often the surface winds around the space outside the vertex (facing_walls.h), not from
+// earlier searches: a step of the path may carry walls through each other by any depth.
+//
+// Planes that are frozen until the next search know nothing of the wall's curvature: in a minimum
+// of walls that meet in a point or on a line, the vertices that press would leave the crest along
+// the wall, which costs nothing but their share of the force, without end. The next search then
+// finds other vertices, and the two cycle. Walls that press on each other therefore stick until the
+// next search, with the stiffness at which a slip of one edge takes a tangential force as large as
+// the normal one. The caller accepts a result where nothing slips further than a small share of an
+// edge (ContactState::slip); the tangential force that is left is this share of the normal force.
 //
 // A wall that is bent sharply is not in contact with itself: what is nearer along the surface than
 // half a turn of the wall about its own face, or a few edges, does not count. Nor do rims of open
-// ends and what the caller excludes.
+// ends, where the multipliers of soft sections and of contact would hinder each other, and what the
+// caller excludes.
 #pragma once
 
 #include <array>
@@ -22,6 +33,10 @@
 #include "bodies/found_contacts.h"
 
 namespace vasorod {
+
+class FacingWalls;
+class NearOnSurface;
+struct FacingWall;
 
 /// Contacts of one surface with itself. In `refresh`, slave and master are the same positions.
 class SelfContact : public FoundContacts {
@@ -35,21 +50,23 @@ class SelfContact : public FoundContacts {
   void refresh(const Points& slave, const Points& master, double reach) override;
 
  private:
-  struct Meeting;
-  class Neighbours;
-  Meeting meeting(const class RayHits& rays, const TriangleSurface& now, const Points& normals,
-                  int vertex, bool outside, double farthest) const;
-  double allowance(const Meeting& meeting, int vertex, bool outside) const;
+  void search(int vertex, double nearer, double reach);
+  void meet(int vertex, bool outside, const FacingWall& wall, double reach);
+  bool excluded(int vertex) const;
+  bool own(int vertex, const std::array<int, 3>& corner) const;
+  double allowance(const FacingWall& wall, int vertex, bool outside) const;
 
   ContactSide side_;
   std::array<double, 2> offset_;  // from the surface to the inner, outer face
   double stiffness_;
   Eigen::VectorXd area_;
   double edge_;  // mean
-  std::unique_ptr<Neighbours> neighbours_;
-  std::vector<int> opposite_;  // per slot: a vertex of the wall met last; -1: none
-  // Of the last search of the whole wall: where it was, and per slot how far it may move before
-  // something comes within reach.
+  std::unique_ptr<NearOnSurface> near_;
+  std::unique_ptr<FacingWalls> walls_;  // made by the first search
+  Points now_;                          // of the present search
+  // Of the last search of the whole wall: where it was, and per slot (two a vertex: inside,
+  // outside) how far the wall may move before something on the vertex's ray comes within reach.
+  // Something beside the ray may be nearer.
   Points searched_;
   std::vector<double> clearance_;
   std::vector<double> never_;  // per slot: infinite where nothing is searched, else 0

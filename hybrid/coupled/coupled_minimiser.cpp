@@ -282,7 +282,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   }
   while (summary.factorisations < options.max_factorisations &&
          summary.iterations < options.max_iterations) {
-    if (options.follow) options.follow(z);
+    const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
     if (!factorise(z, shift, summary.factorisations, options.max_factorisations, before)) {
       summary.unfactorised = true;
@@ -291,6 +291,8 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     }
     fresh = shift == 0;
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
+    if (closing && !(inner.largest_step > 0 && inner.largest_step < options.closing_step))
+      inner.largest_step = options.closing_step;
     const bool at_rest =
         factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest && !fresh) {
@@ -304,7 +306,8 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
       stalls = 0;
       continue;
     }
-    go_on_with_it(fresh);
+    // Walls that close are looked for before each Hessian, which must not be far apart then.
+    go_on_with_it(fresh && !closing);
     summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted()) return;
     if (summary.status == LbfgsStatus::converged ||

@@ -37,8 +37,10 @@ struct CoupledMinimiserOptions {
   /// Determine the sign of the smallest curvature at the end, and leave saddles.
   bool certify = true;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
-  /// Called with the point reached before each new Hessian: may change the contacts. May be empty.
-  std::function<void(const Eigen::VectorXd& z)> follow;
+  /// Called with the point reached before each new Hessian: may change the contacts. Returns
+  /// whether steps are bounded by `closing_step` from here on. May be empty.
+  std::function<bool(const Eigen::VectorXd& z)> follow;
+  double closing_step = 0;  ///< LbfgsOptions::largest_step where `follow` asks for it
   /// Called before each ordering and factorisation, which cannot be stopped inside, with the best
   /// point so far; returning true interrupts. May be empty.
   std::function<bool(const std::string& step, const Eigen::VectorXd& z)> before;

@@ -67,43 +67,54 @@ void CoupledPath::turn_minimiser() {
 }
 
 bool CoupledPath::advance(double t) {
-  CoupledSystem& system = *stack_.system;
   const bool first = carried_.points.empty();
   const std::optional<Local> before = std::move(last_);
   if (first)
     last_.reset();
   else
     last_ = local_state();
-  const bool line =
-      before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
-  const double along = line ? (t - last_->time) / (last_->time - before->time) : 0;
   time_ = t;
   carried_ = carried_at(t);
   for (size_t b = 0; b < carried_.points.size(); ++b)
     stack_.scaled.bodies[b].placed = carried_.points[b];
-  system.set_time(t);
-  if (line) stack_.z = last_->z + along * (last_->z - before->z);
+  stack_.system->set_time(t);
+  const bool line =
+      before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
+  place(line ? &*before : nullptr);
+  turn_minimiser();
+  return !first;
+}
+
+void CoupledPath::hold_back() {
+  stack_.z = last_->z;
+  place(nullptr);
+}
+
+// The start on the line from `before` through the last state, or where that is null, with the last
+// state's deviation; without a last state, as the rods carry.
+void CoupledPath::place(const Local* before) {
+  CoupledSystem& system = *stack_.system;
+  const double along = before ? (time_ - last_->time) / (last_->time - before->time) : 0;
+  if (before) stack_.z = last_->z + along * (last_->z - before->z);
   for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
     const int w = stack_.first_wall[b];
     if (w < 0) continue;
     Points x = carried_.points[b];
-    for (Eigen::Index i = 0; !first && i < x.rows(); ++i) {
+    for (Eigen::Index i = 0; last_ && i < x.rows(); ++i) {
       Vec3 deviation = last_->deviation[b].row(i);
-      if (line)
+      if (before)
         deviation += along * (last_->deviation[b].row(i) - before->deviation[b].row(i)).transpose();
       x.row(i) += (carried_.rotations[b][index(i)] * deviation).transpose();
     }
-    system.put(w, x, !first, stack_.z);
+    system.put(w, x, last_.has_value(), stack_.z);
     for (size_t k = 0; k < carried_.sections[b].size(); ++k) {
       Pose pose = carried_.sections[b][k];
-      if (t < 1) system.set_target(w, static_cast<int>(k), pose);
-      if (!first) pose = pose * last_->sections[b][k];
+      if (time_ < 1) system.set_target(w, static_cast<int>(k), pose);
+      if (last_) pose = pose * last_->sections[b][k];
       system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
     }
   }
-  turn_minimiser();
   stack_.unstack();
-  return !first;
 }
 
 void CoupledPath::rebuild() {

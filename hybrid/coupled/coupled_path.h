@@ -22,6 +22,10 @@ class CoupledPath {
   /// there is nothing to extrapolate from.
   bool advance(double t);
 
+  /// After advance() to a later time: starts from the walls as they were at the previous time, not
+  /// from their extrapolation.
+  void hold_back();
+
   /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
 
@@ -41,6 +45,7 @@ class CoupledPath {
   };
   Carried carried_at(double t) const;
   Local local_state() const;
+  void place(const Local* before);
   void turn_minimiser();
 
   CoupledStack& stack_;

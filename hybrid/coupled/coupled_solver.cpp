@@ -28,6 +28,8 @@ constexpr double slack_contact = 10;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
+// A state on the path that is no result is only a start.
+constexpr double passable_residual = 1e-5;
 // This many consecutive minimisations without a minimum end the solve.
 constexpr int most_failures = 3;
 // A step of the path moves the wall against its rod by a few percent of the radius; a kink moves it
@@ -36,6 +38,11 @@ constexpr double jump = 0.2;
 // On the path, Newton steps are bounded by this fraction of the radius. Otherwise a soft direction
 // would cross the low energy barrier between a smooth and a kinked minimum.
 constexpr double path_step = 0.02;
+// Walls that an extrapolated start carries through themselves by more than this many mean edges
+// would be crumpled on their way back: they start where they were.
+constexpr double deepest_start = 0.1;
+// Walls that are nearer to themselves than this many mean edges approach in bounded steps.
+constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
@@ -117,8 +124,20 @@ class CoupledSolver::Data {
     bool buckled = false;
     for (const double t : stack_.options.times) {
       const bool stepped = path_.advance(t);
+      if (stepped && stack_.may_touch_itself() && stack_.follow(stack_.z) < -deepest_start) {
+        path_.hold_back();
+        stack_.follow(stack_.z);
+      }
       const Points predicted = positions();
+      const size_t notes = solution_.notes.size();
       solution_.status = settle(t, stepped);
+      // On the way a buckled pattern that creeps around its tube is near enough to go on from.
+      if (t < 1 && solution_.status == Status::iteration_limit && !stack_.contacts->pressing() &&
+          solution_.surface.residual <= passable_residual) {
+        solution_.status = Status::not_unique;
+        solution_.notes.resize(notes);
+        buckled = true;
+      }
       buckled |= left_saddle_;
       if (stepped && predicted.rows() == stack_.system->vertex_count())
         buckled |=
@@ -151,7 +170,10 @@ class CoupledSolver::Data {
       return stop(iteration, residual);
     };
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
-    if (stack_.may_touch_itself()) inner.follow = [this](const VectorXd& z) { stack_.follow(z); };
+    if (stack_.may_touch_itself()) {
+      inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
+      inner.closing_step = path_step * stack_.ring_radius();
+    }
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -230,6 +252,7 @@ class CoupledSolver::Data {
       const double slackness = outer > patience_with_contact ? slack_contact : 1;
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= slackness * options.contact_tolerance &&
+                                 contact.slip <= slackness * options.contact_tolerance &&
                                  contact.force_change <= slackness * options.pressure_tolerance;
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;

@@ -129,9 +129,10 @@ void CoupledStack::stack_contacts() {
   system->contacts = stacked.points;
 }
 
-void CoupledStack::follow(const Eigen::VectorXd& at) {
+double CoupledStack::follow(const Eigen::VectorXd& at) {
   unstack(at);
   if (contacts->follow(scaled)) stack_contacts();
+  return contacts->gap_from_itself(scaled);
 }
 
 bool CoupledStack::may_touch_itself() const {

@@ -30,8 +30,9 @@ class CoupledStack {
   void stack_contacts();
   /// Sets the bodies' `now` from z.
   void unstack() { unstack(z); }
-  /// Finds what touches itself at a point on the way.
-  void follow(const Eigen::VectorXd& at);
+  /// Finds what touches itself at a point on the way. Returns the smallest gap of a wall from
+  /// itself, scaled length; infinite where none are within reach.
+  double follow(const Eigen::VectorXd& at);
   bool may_touch_itself() const;
   /// Updates the multipliers of the seam after a minimisation.
   void update_seams();

@@ -24,11 +24,17 @@ class RayHits {
   RayHits& operator=(RayHits&&) noexcept;
   ~RayHits();
 
+  /// Moves the points (n x 3, as many as before); the triangles stay the same.
+  void refit(const Points& points);
+
   /// All hits of the ray from `origin` in the unit `direction` up to `farthest` (length), from near
   /// to far. A ray through an edge may hit both its triangles; one parallel to a triangle does not
   /// hit it.
   std::vector<RayHit> along(const Vec3& origin, const Vec3& direction,
                             double farthest = std::numeric_limits<double>::infinity()) const;
+  /// The same into `hits`, whose storage is used again.
+  void along(const Vec3& origin, const Vec3& direction, double farthest,
+             std::vector<RayHit>& hits) const;
 
  private:
   struct Tree;

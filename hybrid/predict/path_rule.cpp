@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "judge/lumen_pressure.h"
 #include "judge/validity.h"
 
 namespace vasorod {
@@ -10,6 +12,9 @@ namespace {
 
 constexpr double follow_from = 0.7, first_shares[] = {0.25, 0.5}, share_step = 0.05;
 constexpr int most_steps = 40;
+// In collapse pressures, and over the pressure.
+constexpr double collapses_from = 0.9, first_pressure = 0.8, pressure_step = 1.0 / 6,
+                 pressure_growth = 0.1;
 // A section free to flatten kinks earlier: for t / R 0.1 and L / R 10, between 0.40 and 0.45 of the
 // limit.
 constexpr double soft_share = 0.5;
@@ -46,9 +51,31 @@ std::vector<double> path_times(double share) {
   return times;
 }
 
+std::vector<double> pressure_times(double scan, double after, double collapse) {
+  if (-after < collapses_from * collapse) return {1};
+  std::vector<double> times;
+  for (double p = first_pressure * collapse; p < -after && times.size() < most_steps;
+       p += std::max(pressure_step * collapse, pressure_growth * p))
+    if (const double t = (-p - scan) / (after - scan); t > 0 && t < 1) times.push_back(t);
+  times.push_back(1);
+  return times;
+}
+
 std::vector<double> path_times(const Prediction& prediction) {
   if (prediction.glenn) return {1};
-  return path_times(share_of_limit(prediction));
+  std::set<double> times;
+  const auto add = [&times](const std::vector<double>& more) {
+    times.insert(more.begin(), more.end());
+  };
+  add(path_times(share_of_limit(prediction)));
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    const PreparedVessel& prepared = vessel.prepared;
+    if (prepared.obstacle() || !prepared.spec.pressure) continue;
+    add(pressure_times(prepared.spec.pressure->scan, prepared.spec.pressure->after,
+                       collapse_pressure(prepared.spec.wall->material, prepared.thickness(),
+                                         prepared.vessel.mean_radius)));
+  }
+  return {times.begin(), times.end()};
 }
 
 }  // namespace vasorod

@@ -1,4 +1,5 @@
-// Decides when `coupled` follows a motion in steps and does not jump to its end, and the steps.
+// Decides when `coupled` follows a motion or a pressure in steps and does not jump to its end, and
+// the steps.
 #pragma once
 
 #include <vector>
@@ -18,8 +19,15 @@ double share_of_limit(const Prediction& prediction);
 /// from there, the path advances in small steps, each extrapolated from the previous two.
 std::vector<double> path_times(double share);
 
-/// The times for a prediction. An operation jumps: its pose is only a start, and no path leads from
-/// rest to it.
+/// The times, up to 1, of the steps of a pressure that goes from `scan` to `after`, where outside
+/// pressure is negative; `collapse`: the pressure outside at which a long section collapses, p_c of
+/// judge/lumen_pressure.h. Below 0.9 p_c outside, one step. Past it a section closes between p_c
+/// and 1.75 p_c, or higher where held ends are near: the steps are at most p_c / 6 and a tenth of
+/// the pressure, whichever is larger.
+std::vector<double> pressure_times(double scan, double after, double collapse);
+
+/// The times for a prediction: those of its motion and those of its vessels' pressures. An
+/// operation jumps: its pose is only a start, and no path leads from rest to it.
 std::vector<double> path_times(const Prediction& prediction);
 
 }  // namespace vasorod

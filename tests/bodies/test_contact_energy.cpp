@@ -8,11 +8,14 @@ namespace {
 
 using namespace testing;
 
-// Three contacts: pressing, open with a multiplier, and against a body at rest.
+// Pressing, open with a multiplier, against a body at rest, and two that stick: pressing and open.
 std::vector<ContactPoint> contacts() {
-  return {{0, {3, 4, 5}, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0, 0.8), 1.5, 0.7, 2, 1},
-          {1, {4, 5, 6}, Vec3(0.1, 0.8, 0.1), Vec3(0, 1, 0), -9, 0.4, 2, 1},
-          {2, {-1, -1, -1}, Vec3::Zero(), Vec3(0, 0, 1), 2.5, 0.9, 3, 0}};
+  return {
+      {0, {3, 4, 5}, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0, 0.8), 1.5, 0.7, 2, 1},
+      {1, {4, 5, 6}, Vec3(0.1, 0.8, 0.1), Vec3(0, 1, 0), -9, 0.4, 2, 1},
+      {2, {-1, -1, -1}, Vec3::Zero(), Vec3(0, 0, 1), 2.5, 0.9, 3, 0},
+      {3, {0, 1, 2}, Vec3(0.4, 0.4, 0.2), Vec3(0, 0.8, 0.6), 3, 0.6, 2, 1, 5, Vec3(0.1, 0, 0.3)},
+      {6, {0, 2, 5}, Vec3(0.3, 0.3, 0.4), Vec3(1, 0, 0), -9, 0.6, 2, 0, 1.5, Vec3(0, 0.2, 0)}};
 }
 
 Points gradient_at(const Points& p) {
@@ -45,6 +48,20 @@ TEST(ContactEnergy, PressureIsTheMultiplierAtAClosedGapAndZeroWhenApart) {
   EXPECT_EQ(contact_pressure(c, p), 0);
   p(0, 2) = 1.9;
   EXPECT_NEAR(contact_pressure(c, p), 4, 1e-12);
+}
+
+TEST(ContactEnergy, StickingResistsSlidingOverThePlaneOnly) {
+  ContactPoint c{0, {1, 2, 3}, Vec3(0.5, 0.25, 0.25), Vec3(0, 0, 1), -9, 0.5, 10, 0, 4};
+  Points p(4, 3);
+  p << 0.3, -0.4, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  EXPECT_EQ(contact_slip(c, p), Vec3(0.3, -0.4, 0));
+  EXPECT_DOUBLE_EQ(contact_energy({c}, p), 0.5 * 4 / 2 * 0.25);
+  p(0, 2) = 7;  // away from the plane
+  EXPECT_DOUBLE_EQ(contact_energy({c}, p), 0.5 * 4 / 2 * 0.25);
+  p.rowwise() += Vec3(1, 2, 3).transpose();  // both together
+  EXPECT_NEAR(contact_energy({c}, p), 0.5 * 4 / 2 * 0.25, 1e-15);
+  c.held = Vec3(0.3, -0.4, 1);
+  EXPECT_NEAR(contact_energy({c}, p), 0, 1e-15);
 }
 
 TEST(ContactEnergy, ForcesOnBothSidesAddUpToZero) {

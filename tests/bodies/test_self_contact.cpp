@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bodies/self_contact.h"
+#include "geometry/triangle_surface.h"
 #include "straight_tube.h"
 
 namespace vasorod {
@@ -78,21 +79,50 @@ TEST(SelfContact, LegsOfAHairpinFaceEachOtherOutside) {
   EXPECT_NEAR(smallest, 2 * (bend - radius) - thickness, 0.05);
 }
 
-// A wall that was carried through the one that it faced is pushed back, not further on.
+// Walls that were carried through each other, by more than an edge and however they came there, are
+// pushed back and not further on.
 TEST(SelfContact, WallsThatPassedThroughEachOtherArePushedBack) {
   const TriangleSurface rest = tube();
-  SelfContact contact = contact_of(rest);
-  const Points before = flattened(rest, 0.6), after = flattened(rest, -0.2);
-  contact.refresh(before, before, 1);
-  contact.refresh(after, after, 1);
-  bool crown = false;
-  for (const ContactPoint& c : contact.contacts()) {
-    if (std::abs(after(c.slave, 0)) > 0.1 * radius) continue;
-    crown = true;
-    EXPECT_NEAR(FoundContacts::gap(c, after, after), -0.2 - thickness, 0.03);
-    EXPECT_NEAR(c.normal.y() * rest.points(c.slave, 1), std::abs(rest.points(c.slave, 1)), 0.01);
+  for (const double height : {-0.2, -1.5, -2.5}) {
+    SelfContact contact = contact_of(rest);
+    const Points after = flattened(rest, height);
+    contact.refresh(after, after, 3);
+    bool crown = false;
+    for (const ContactPoint& c : contact.contacts()) {
+      if (std::abs(after(c.slave, 0)) > 0.1 * radius) continue;
+      crown = true;
+      const double side = rest.points(c.slave, 1);
+      EXPECT_NEAR(FoundContacts::gap(c, after, after), height - thickness, 0.04);
+      EXPECT_NEAR(c.normal.y() * side, std::abs(side), 0.01);
+    }
+    EXPECT_TRUE(crown);
   }
-  EXPECT_TRUE(crown);
+}
+
+// Where walls press on each other they stick, by the normal force over an edge; elsewhere not.
+TEST(SelfContact, WallsThatPressStickUntilTheNextSearch) {
+  const TriangleSurface rest = tube();
+  SelfContact contact = contact_of(rest);
+  const Points now = flattened(rest, 0.3);
+  contact.refresh(now, now, 1);
+  const double edge = mean_edge_length(rest);
+  int pressed = 0, open = 0;
+  for (const ContactPoint& c : contact.contacts()) {
+    EXPECT_LT(contact_slip(c, now).norm(), 1e-14);
+    const double pressure = contact_pressure(c, now);
+    EXPECT_NEAR(c.stick, pressure / edge, 1e-12);
+    (pressure > 0 ? pressed : open) += 1;
+  }
+  EXPECT_GT(pressed, 0);
+  Points slid = now;
+  for (Eigen::Index i = 0; i < slid.rows(); ++i)
+    if (rest.points(i, 1) > 0) slid(i, 0) += 0.01;
+  for (const ContactPoint& c : contact.contacts()) {
+    if (std::abs(now(c.slave, 0)) > 0.1 * radius) continue;
+    EXPECT_NEAR(contact_slip(c, slid).norm(), 0.01, 2e-3);
+  }
+  contact.refresh(slid, slid, 1);
+  for (const ContactPoint& c : contact.contacts()) EXPECT_LT(contact_slip(c, slid).norm(), 1e-14);
 }
 
 TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {

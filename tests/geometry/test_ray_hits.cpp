@@ -49,6 +49,25 @@ TEST(RayHits, WhatIsFartherThanAskedIsNotFound) {
   EXPECT_EQ(rays.along(from, Vec3::UnitX(), 40).size(), 2U);
 }
 
+TEST(RayHits, RefitMovesThePoints) {
+  TriangleSurface surface = tube();
+  RayHits rays(surface);
+  surface.points.col(0) *= 0.5;
+  rays.refit(surface.points);
+  const RayHits built(surface);
+  std::vector<RayHit> hits{{7, 7, true}};  // what was there before goes
+  for (const double aside : {0.0, 3.3, 9.1}) {
+    const Vec3 from(-25, aside, 17.3);
+    rays.along(from, Vec3::UnitX(), 50, hits);
+    const auto expected = built.along(from, Vec3::UnitX(), 50);
+    ASSERT_EQ(hits.size(), 2U);
+    for (size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(hits[k].triangle, expected[k].triangle);
+      EXPECT_EQ(hits[k].distance, expected[k].distance);
+    }
+  }
+}
+
 TEST(RayHits, DoNotDependOnTheUnit) {
   TriangleSurface small = tube();
   const RayHits rays(small);

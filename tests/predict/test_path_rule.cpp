@@ -35,6 +35,37 @@ TEST(PathRule, TimesRiseToOneInBoundedSteps) {
   }
 }
 
+TEST(PathRule, APressureThatCollapsesNothingIsOneStep) {
+  for (const double after : {5.0, 0.0, -0.5, -0.89})
+    for (const double scan : {-0.1, 0.0, 3.0})
+      EXPECT_EQ(pressure_times(scan, after, 1), std::vector<double>{1}) << after;
+  EXPECT_GT(pressure_times(0, -0.9, 1).size(), 1u);
+  // Collapsed already when it was seen, and no further after.
+  for (const double scan : {-3.0, -4.0})
+    EXPECT_EQ(pressure_times(scan, -3, 1), std::vector<double>{1}) << scan;
+}
+
+TEST(PathRule, APressurePastCollapseRisesInPortions) {
+  for (const double scan : {-0.2, 0.0, 4.0})
+    for (double outside = 0.9; outside < 200; outside *= 1.07) {
+      const double collapse = 2.5, after = -outside * collapse;
+      const std::vector<double> times = pressure_times(scan * collapse, after, collapse);
+      const auto outside_at = [&](double t) {
+        return -(scan * collapse + t * (after - scan * collapse)) / collapse;
+      };
+      EXPECT_EQ(times.back(), 1);
+      EXPECT_NEAR(outside_at(times.front()), 0.8, 1e-12) << "before the collapse";
+      EXPECT_LE(times.size(), 41u);
+      for (size_t i = 1; i < times.size(); ++i) {
+        ASSERT_LT(times[i - 1], times[i]) << outside;
+        const double from = outside_at(times[i - 1]), to = outside_at(times[i]);
+        if (outside < 40) {  // as long as forty steps do
+          EXPECT_LE(to - from, std::max(1.0 / 6, 0.1 * from) + 1e-9) << outside << " " << i;
+        }
+      }
+    }
+}
+
 // A tube whose rod is bent to a constant curvature, or twisted at a constant rate.
 Prediction strained_tube(const Vec3& u, bool rigid_ends) {
   Prediction prediction;

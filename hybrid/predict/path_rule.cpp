@@ -4,8 +4,11 @@
 #include <cmath>
 #include <set>
 
+#include "bodies/reach.h"
+#include "geometry/closest_point.h"
 #include "judge/lumen_pressure.h"
 #include "judge/validity.h"
+#include "rod/binding.h"
 
 namespace vasorod {
 namespace {
@@ -18,6 +21,16 @@ constexpr double collapses_from = 0.9, first_pressure = 0.8, pressure_step = 1.0
 // A section free to flatten kinks earlier: for t / R 0.1 and L / R 10, between 0.40 and 0.45 of the
 // limit.
 constexpr double soft_share = 0.5;
+
+// Over the radius: how deep the start of a single step may lie inside another vessel, and the step
+// of what is pressed deeper.
+constexpr double deepest_start = 0.5, way_step = 0.15;
+
+Points carried(const PredictedVessel& vessel) {
+  const Vessel& mine = vessel.prepared.vessel;
+  return vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.carry)
+                           : mine.surface.points;
+}
 
 }  // namespace
 
@@ -61,6 +74,34 @@ std::vector<double> pressure_times(double scan, double after, double collapse) {
   return times;
 }
 
+std::vector<double> pressing_times(double way, double depth) {
+  if (depth <= deepest_start) return {1};
+  std::vector<double> times;
+  const int steps = std::min(most_steps, static_cast<int>(std::ceil(way / way_step)));
+  for (int k = 1; k <= steps; ++k) times.push_back(static_cast<double>(k) / steps);
+  return times;
+}
+
+double carried_depth(const Prediction& prediction, size_t vessel) {
+  const PredictedVessel& mine = prediction.vessels[vessel];
+  if (!mine.rod_solved || mine.prepared.obstacle()) return 0;
+  const Points &rest = mine.prepared.vessel.surface.points, now = carried(mine);
+  const Box box = box_of(now);
+  double deepest = 0;
+  for (size_t o = 0; o < prediction.vessels.size(); ++o) {
+    const TriangleSurface& surface = prediction.vessels[o].prepared.vessel.surface;
+    const Points other = carried(prediction.vessels[o]);
+    if (o == vessel || !within_reach(box, box_of(other), 0)) continue;
+    const ClosestPoint before(surface), after({other, surface.triangles});
+    for (Eigen::Index i = 0; i < now.rows(); ++i) {
+      const ClosestPoint::Hit end = after.query(now.row(i));
+      if (end.on_boundary || -end.signed_distance <= deepest) continue;
+      if (before.query(rest.row(i)).signed_distance > 0) deepest = -end.signed_distance;
+    }
+  }
+  return deepest / mine.prepared.vessel.mean_radius;
+}
+
 std::vector<double> path_times(const Prediction& prediction) {
   if (prediction.glenn) return {1};
   std::set<double> times;
@@ -68,9 +109,17 @@ std::vector<double> path_times(const Prediction& prediction) {
     times.insert(more.begin(), more.end());
   };
   add(path_times(share_of_limit(prediction)));
-  for (const PredictedVessel& vessel : prediction.vessels) {
-    const PreparedVessel& prepared = vessel.prepared;
-    if (prepared.obstacle() || !prepared.spec.pressure) continue;
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    const PreparedVessel& prepared = prediction.vessels[v].prepared;
+    if (prepared.obstacle()) continue;
+    if (const double depth = carried_depth(prediction, v); depth > 0)
+      add(pressing_times((carried(prediction.vessels[v]) - prepared.vessel.surface.points)
+                                 .rowwise()
+                                 .norm()
+                                 .maxCoeff() /
+                             prepared.vessel.mean_radius,
+                         depth));
+    if (!prepared.spec.pressure) continue;
     add(pressure_times(prepared.spec.pressure->scan, prepared.spec.pressure->after,
                        collapse_pressure(prepared.spec.wall->material, prepared.thickness(),
                                          prepared.vessel.mean_radius)));

@@ -26,6 +26,16 @@ std::vector<double> path_times(double share);
 /// the pressure, whichever is larger.
 std::vector<double> pressure_times(double scan, double after, double collapse);
 
+/// The times, up to 1, of the steps of a motion that carries a vessel's wall through another
+/// vessel: `way`: how far its points move at most, `depth`: how deep they end inside the other
+/// vessel, both over the vessel's radius. Up to half a radius, one step; past it the start would
+/// lie beyond the other vessel's middle, and contact would push the wall on instead of back.
+std::vector<double> pressing_times(double way, double depth);
+
+/// How deep the rods carry the wall of a vessel into other vessels that it was outside of, over its
+/// radius.
+double carried_depth(const Prediction& prediction, size_t vessel);
+
 /// The times for a prediction: those of its motion and those of its vessels' pressures. An
 /// operation jumps: its pose is only a start, and no path leads from rest to it.
 std::vector<double> path_times(const Prediction& prediction);

@@ -66,6 +66,23 @@ TEST(PathRule, APressurePastCollapseRisesInPortions) {
     }
 }
 
+TEST(PathRule, WhatIsPressedDeepGoesThereInPortionsOfItsRadius) {
+  for (const double depth : {0.0, 0.3, 0.5})
+    EXPECT_EQ(pressing_times(3, depth), std::vector<double>{1}) << depth;
+  for (const double way : {0.6, 1.0, 4.6, 5.9, 40.0}) {
+    const std::vector<double> times = pressing_times(way, 0.51);
+    EXPECT_EQ(times.back(), 1);
+    EXPECT_LE(times.size(), 40u);
+    for (size_t k = 0; k < times.size(); ++k) {
+      const double step = times[k] - (k > 0 ? times[k - 1] : 0);
+      EXPECT_NEAR(step, times[0], 1e-12);
+      if (way < 6) {  // as long as forty steps do
+        EXPECT_LE(step * way, 0.15 + 1e-12);
+      }
+    }
+  }
+}
+
 // A tube whose rod is bent to a constant curvature, or twisted at a constant rate.
 Prediction strained_tube(const Vec3& u, bool rigid_ends) {
   Prediction prediction;
@@ -115,6 +132,33 @@ TEST(PathRule, WhatDoesNotMoveHasNoPathAndAnOperationJumps) {
   prediction.vessels[0].rod_solved = false;
   EXPECT_EQ(share_of_limit(prediction), 0);
   EXPECT_EQ(path_times(prediction), std::vector<double>{1});
+}
+
+// Two parallel tubes of radius 10, their axes 25 apart; one is carried towards the other by `way`.
+Prediction pressed_tubes(double way) {
+  Prediction prediction = strained_tube(Vec3::Zero(), true);
+  for (Pose& pose : prediction.vessels[0].rod.poses) pose.position.x() += way;
+  PredictedVessel& obstacle = prediction.vessels.emplace_back();
+  obstacle.prepared = shapes::judged_tube(140);
+  obstacle.prepared.vessel.surface.points.rowwise() += Eigen::RowVector3d(25, 0, -20);
+  obstacle.prepared.spec.role = Role::obstacle;
+  return prediction;
+}
+
+TEST(PathRule, WhatIsCarriedDeepIntoAnotherVesselIsFollowed) {
+  // The nearest point ends way - 5 deep, until it passes the other axis.
+  for (const double way : {4.0, 6.0, 9.0, 13.0}) {
+    const Prediction prediction = pressed_tubes(way);
+    EXPECT_NEAR(carried_depth(prediction, 0), std::max(0.0, way - 5) / 10, 0.01) << way;
+    EXPECT_EQ(carried_depth(prediction, 1), 0) << "an obstacle stays";
+    EXPECT_EQ(path_times(prediction).size() > 1, way > 10) << way;
+  }
+}
+
+TEST(PathRule, WhatLayInsideAtRestDoesNotCount) {
+  Prediction prediction = pressed_tubes(2);
+  prediction.vessels[1].prepared.vessel.surface.points.col(0).array() -= 15;
+  EXPECT_LT(carried_depth(prediction, 0), 0.25) << "it moved by 0.2";
 }
 
 }  // namespace

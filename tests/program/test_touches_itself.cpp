@@ -3,6 +3,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "program/run_program.h"
 
@@ -59,6 +60,35 @@ TEST(TouchesItself, ATubeCollapsedByPressure) {
             "    pressure: {scan: 0, after: -3.134796e-4}\n"
             "ends:\n  - {vessel: tube, end: start, hold: true}\n"
             "  - {vessel: tube, end: end, hold: true}\n"));
+}
+
+// Carried into the gap between two cylinders that narrows like a V, until its walls meet.
+TEST(TouchesItself, ATubePressedFlatBetweenTwoObstacles) {
+  const json result = solve(
+      "scene: flat\nvessels:\n"
+      "  - name: tube\n    tube: {length: 60, radius: 10, around: 28, along: 28}\n"
+      "    wall: {thickness: 1, young: 1.0, poisson: 0.3}\n"
+      "  - name: upper\n    role: obstacle\n"
+      "    tube: {length: 100, radius: 6, around: 20, along: 60, "
+      "position: [-35.48745, 25.43405, 30], tangent: [0.978148, -0.207912, 0], "
+      "normal: [0, 0, 1]}\n    wall: {thickness: 1, young: 1.0, poisson: 0.3}\n"
+      "  - name: lower\n    role: obstacle\n"
+      "    tube: {length: 100, radius: 6, around: 20, along: 60, "
+      "position: [-35.48745, -25.43405, 30], tangent: [0.978148, 0.207912, 0], "
+      "normal: [0, 0, 1]}\n    wall: {thickness: 1, young: 1.0, poisson: 0.3}\n"
+      "ends:\n  - {vessel: tube, end: start, move: [46, 0, 0]}\n"
+      "  - {vessel: tube, end: end, move: [46, 0, 0]}\n");
+  EXPECT_EQ(result.at("status"), "buckled") << result.at("certificate").dump();
+  EXPECT_TRUE(result.at("self_intersections").empty());
+  EXPECT_LT(result.at("balance")[0].at("residual").get<double>(), 1e-6);
+  std::set<std::string> pressing;
+  for (const json& contact : result.at("contact")) {
+    EXPECT_GT(contact.at("area").get<double>(), 0) << contact;
+    EXPECT_NEAR(contact.at("smallest_gap").get<double>(), 0, 3e-3) << contact;
+    pressing.insert(contact.at("b"));
+  }
+  EXPECT_EQ(pressing, (std::set<std::string>{"tube", "upper", "lower"}));
+  EXPECT_LT(result.at("metrics")[0].at("smallest_lumen_ratio").get<double>(), 0.27095);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // between them is inside out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 

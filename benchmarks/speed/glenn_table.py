@@ -20,7 +20,13 @@ import textwrap
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 SCENES = REPOSITORY / "benchmarks" / "cases" / "glenn"
 PAGE = REPOSITORY / "docs" / "speed.md"
-TIMED = (("infant", "paper"), ("infant", "skin"), ("infant", "rod"), ("adult", "paper"))
+TIMED = (
+    ("infant", "coupled"),
+    ("infant", "paper"),
+    ("infant", "skin"),
+    ("infant", "rod"),
+    ("adult", "paper"),
+)
 CUTS = (("short", "infant_short"), ("middle", "infant"), ("long", "infant_long"))
 STAGES = ("read", "fit", "surgery", "solve", "collect", "write", "total")
 REPEATS = 3

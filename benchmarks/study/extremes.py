@@ -313,7 +313,8 @@ def reference_section(sensitivity, accuracy):
     return text
 
 
-def write_page(baselines, docs):
+def write_page(baselines, docs, more=()):
+    """`more`: further sections of the page."""
     text = [
         "# How far each solver was pushed\n",
         paragraph(
@@ -327,4 +328,5 @@ def write_page(baselines, docs):
     text += reference_section(
         read_table(baselines / "sensitivity.csv")[0], read_table(baselines / "accuracy.csv")[0]
     )
+    text += more
     (docs / "extremes.md").write_text("\n".join(text).rstrip() + "\n")

@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accuracy  # noqa: E402
 import calculix  # noqa: E402
 import extremes  # noqa: E402
+import glenns  # noqa: E402
 import inflated  # noqa: E402
 import irregular  # noqa: E402
 import join  # noqa: E402
@@ -31,6 +32,7 @@ import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
 from store import REPOSITORY, Store  # noqa: E402
+from tables import read_table  # noqa: E402
 
 BASELINES = REPOSITORY / "benchmarks" / "baselines"
 
@@ -53,6 +55,7 @@ WHOLE = {
     "join": join.all_runs,
     "pressure": pressure.all_runs,
     "inflated": inflated.all_runs,
+    "glenns": glenns.all_runs,
 }  # of no case
 
 
@@ -123,6 +126,7 @@ def tables(arguments):
     pressure.make_table(store, arguments.baselines / pressure.FILE)
     inflated.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
+    glenns.make_table(store, arguments.baselines / glenns.FILE)
     if not (
         arguments.baselines / regression.FILE
     ).exists():  # the first; from then on `accept` alone changes it
@@ -139,7 +143,10 @@ def write_report(arguments):
     import report  # needs matplotlib
 
     report.write_report(arguments.baselines, arguments.docs)
-    extremes.write_page(arguments.baselines, arguments.docs)
+    more = []
+    if (arguments.baselines / glenns.FILE).exists():
+        more = glenns.section(*read_table(arguments.baselines / glenns.FILE))
+    extremes.write_page(arguments.baselines, arguments.docs, more)
 
 
 def check(arguments):

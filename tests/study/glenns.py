@@ -1,0 +1,57 @@
+"""The study of Glenn shunts on the adult anatomy: scenes are what their names say, the table's rows
+are those of the results, the chapter counts them. Usage: glenns.py SOURCE_FOLDER VASOROD."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
+import glenns  # noqa: E402
+from finished import leave  # noqa: E402
+from store import Store  # noqa: E402
+from tables import read_table  # noqa: E402
+
+runs = [glenns.run(*pick) for pick in glenns.picks()]
+assert len({run.identity for run in runs}) == len(runs) == 24
+assert glenns.all_runs() == (runs if glenns.has_anatomy() else [])
+glenn = glenns.scene("low", "upper side", -60)["surgery"]["glenn"]
+assert glenn["cut"] == glenns.CUTS["low"] and glenn["rotation_deg"] == -60
+assert glenn["svc"] == "svc" and glenn["keep"], "what is not picked stays the scene's"
+
+
+def result(status, crossings=(), notes=()):
+    return {
+        "status": status,
+        "ends": [],
+        "balance": [],
+        "energy": {},
+        "metrics": [],
+        "certificate": {"notes": list(notes)},
+        "validity": {"largest_strain": 0.7},
+        "self_intersections": list(crossings),
+    }
+
+
+crossing = {"a": "svc", "b": "svc", "depth": 1.25}
+endings = [result("converged")] * 22
+endings += [result("self_intersecting", [crossing]), result("interrupted", notes=["too long"])]
+glenns.has_anatomy = lambda: True
+with tempfile.TemporaryDirectory() as scratch:
+    folder = Path(scratch)
+    store = Store(folder / "study", {})
+    glenns.make_table(store, folder / glenns.FILE)
+    assert not (folder / glenns.FILE).exists(), "a share of the runs is no table"
+    leave(
+        store,
+        [(one, end, int(end["status"] != "converged")) for one, end in zip(runs, endings)],
+    )
+    glenns.make_table(store, folder / glenns.FILE)
+    rows, notes = read_table(folder / glenns.FILE)
+assert [row["ending"] for row in rows[-2:]] == ["self_intersecting", "interrupted"]
+assert rows[-2]["crossings"] == "svc, svc: 1.25" and rows[-1]["sentence"] == "too long"
+assert rows[0]["strain"] == 0.7 and rows[-1]["strain"] is None
+text = "\n".join(glenns.section(rows, notes))
+assert "`converged` 22 of 24 (91.7 %), `self_intersecting` 1 of 24 (4.2 %)" in " ".join(
+    text.split()
+), text
+assert "| low | towards the vein | -60 | interrupted | 2.0 | - | too long |" in text, text

@@ -223,7 +223,8 @@ class CoupledSolver::Data {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
       inner.use_rest = !stepped && alone && outer == 1 && stack_.system->contacts.empty();
-      inner.reuse_hessian = outer > 1;
+      // What touches itself is looked for before a Hessian, so that each minimum begins with one.
+      inner.reuse_hessian = outer > 1 && !(inner.follow && stack_.contacts->pressing());
       // Where multipliers still change, the minimum is certified when they are settled.
       inner.certify = options.certify && !updates && tolerance <= options.tolerance;
       CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, inner);
@@ -241,7 +242,6 @@ class CoupledSolver::Data {
       const double seam_gap = stack_.largest_seam_gap();
       const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;
       const double tie = stack_.system->worst_tie(stack_.z);
-      const bool tied = tie <= options.tie_tolerance;
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
@@ -250,6 +250,9 @@ class CoupledSolver::Data {
         tolerance = std::max(first_tolerance, options.tolerance);
       }
       const double slackness = outer > patience_with_contact ? slack_contact : 1;
+      // A vertex that opens and closes moves the soft sections, too.
+      const bool tied =
+          tie <= (stack_.contacts->pressing() ? slackness : 1) * options.tie_tolerance;
       const bool pressed_right = contact.touched.empty() &&
                                  contact.penetration <= slackness * options.contact_tolerance &&
                                  contact.slip <= slackness * options.contact_tolerance &&
@@ -274,7 +277,8 @@ class CoupledSolver::Data {
         if (options.certify && !summary.positive)
           return summary.neutral ? Status::not_unique : Status::unstable;
         if (contact.penetration > options.contact_tolerance ||
-            contact.force_change > options.pressure_tolerance)
+            contact.slip > options.contact_tolerance ||
+            contact.force_change > options.pressure_tolerance || tie > options.tie_tolerance)
           solution_.notes.push_back(
               "contacts that still open and close were accepted at ten times their tolerance");
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;

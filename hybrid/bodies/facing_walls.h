@@ -63,7 +63,7 @@ FacingWall FacingWalls::first(int vertex, bool outside, double farthest, const S
   for (const RayHit& hit : hits_) {
     if (hit.triangle >= now_.triangles.rows() || skip(corners_of(hit.triangle))) continue;
     seen = std::min(seen, hit.distance);
-    const FacingWall wall = wall_at(hit.triangle, from + hit.distance * direction);
+    FacingWall wall = wall_at(hit.triangle, from + hit.distance * direction);
     if (faces(wall, normal)) return wall;
   }
   return {};

@@ -1,12 +1,14 @@
 // Contact in `coupled`, printed as Markdown (docs/wall.md):
-//   contact_accuracy [plate] [penalty] [refinement] [tubes]
+//   contact_accuracy [plate] [penalty] [refinement] [tubes] [ring]
 // Without arguments, all of them. E 1, nu 0.3. The tubes (R 8, L 60, t 1.2, between rigid ends) are
 // pressed by 3 onto a perpendicular rigid cylinder of radius 12, or onto another tube.
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "accuracy/collapsed_ring.h"
 #include "accuracy/pressed_tubes.h"
 #include "accuracy/printed.h"
 
@@ -88,12 +90,36 @@ void tubes() {
   }
 }
 
+void ring() {
+  print_head("A ring collapsed by a pressure from outside: its area over the circle's",
+             "| around | p R^3 / D | published | here | off by | wall against itself, over its "
+             "length |");
+  for (const auto& [around, all] :
+       {std::pair{96, std::vector{3.5, 4.0, 5.0, 5.24689, 10.3360, 20.0, 40.0}},
+        {128, {5.0, 10.3360}}}) {
+    const CollapsedRing collapsed(around);
+    for (const double q : all) {
+      const CoupledSolution solution = collapsed.at(q);
+      const double area = collapsed.area_ratio(solution), published = published_area(q);
+      std::printf(
+          "| %d | %g | %.5f | %.5f | %.1f %% | %.3g%s |\n", around, q, published, area,
+          100 * std::abs(area / published - 1),
+          solution.surface.contacts.at(0).area / collapsed.length,
+          remark(solution.status == Status::buckled && solution.smallest_curvature_positive));
+      std::fflush(stdout);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vasorod::bench
 
 int main(int count, char** arguments) {
   using namespace vasorod::bench;
-  return run_parts(
-      {{"plate", plate}, {"penalty", penalty}, {"refinement", refinement}, {"tubes", tubes}}, count,
-      arguments);
+  return run_parts({{"plate", plate},
+                    {"penalty", penalty},
+                    {"refinement", refinement},
+                    {"tubes", tubes},
+                    {"ring", ring}},
+                   count, arguments);
 }

@@ -10,6 +10,7 @@
 #include "bodies/seam_band.h"
 #include "bodies/self_contact.h"
 #include "bodies/unmet_criteria.h"
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -35,6 +36,11 @@ constexpr double held_band = 2;
 bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
   if (a.obstacle != b.obstacle) return b.obstacle;
   return a.mean_edge <= b.mean_edge;
+}
+
+void leave_out(const std::vector<char>& marked, std::vector<double>& share) {
+  for (size_t i = 0; i < marked.size(); ++i)
+    if (marked[i]) share[i] = 0;
 }
 
 // Root mean square radius of the narrowest open end, 0 where there is none.
@@ -82,10 +88,10 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
     if (joined.body_a == pair.slave) seam.push_back(joined.vertex_a);
     if (joined.body_b == pair.slave) seam.push_back(joined.vertex_b);
   }
-  std::vector<char> out(static_cast<size_t>(body.rest.points.rows()), 0);
-  if (!seam.empty()) out = seam_band(body.rest, seam, body.thickness);
-  for (size_t i = 0; i < body.fixed.size(); ++i) out[i] |= body.fixed[i];
-  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(out), {}},
+  std::vector<double> share(index(body.rest.points.rows()), 1);
+  leave_out(seam_band(body.rest, seam, body.thickness), share);
+  leave_out(body.fixed, share);
+  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(share)},
                                        body.thickness, stiffness_of(pair, scaled));
 }
 
@@ -113,20 +119,11 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
   const auto side = [&](int index, const std::vector<int>& seam,
                         const std::vector<int>& overlapping) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    std::vector<char> out;
-    std::vector<double> share;
-    if (!seam.empty()) {
-      share = seam_share(body.rest, seam, body.thickness);
-      for (const double s : share) out.push_back(s == 0);
-    }
-    if (!overlapping.empty()) {
-      // Two mean edges are subtracted because seam_band() adds them.
-      const std::vector<char> beside =
-          seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge);
-      out.resize(beside.size(), 0);
-      for (size_t i = 0; i < out.size(); ++i) out[i] |= beside[i];
-    }
-    return ContactSide{body.rest, body.offset, std::move(out), std::move(share)};
+    std::vector<double> share = seam_share(body.rest, seam, body.thickness);
+    // Two mean edges are subtracted because seam_band() adds them.
+    leave_out(seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge),
+              share);
+    return ContactSide{body.rest, body.offset, std::move(share), !seam.empty()};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),
@@ -252,12 +249,19 @@ double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled, bool sea
   return smallest;
 }
 
-void require_contact(const ContactState& state, double penetration, double force_change,
+bool is_settled(const ContactState& state, const SurfaceOptions& options, double slackness) {
+  return state.touched.empty() && state.penetration <= slackness * options.contact_tolerance &&
+         state.slip <= slackness * options.contact_tolerance &&
+         state.force_change <= slackness * options.pressure_tolerance;
+}
+
+void require_contact(const ContactState& state, const SurfaceOptions& options,
                      UnmetCriteria& unmet) {
-  unmet.require("penetration over the mean edge", state.penetration, penetration);
+  unmet.require("penetration over the mean edge", state.penetration, options.contact_tolerance);
   unmet.require("change of the contact forces by the last update", state.force_change,
-                force_change);
-  unmet.require("slip of walls in contact over the mean edge", state.slip, penetration);
+                options.pressure_tolerance);
+  unmet.require("slip of walls in contact over the mean edge", state.slip,
+                options.contact_tolerance);
   if (!state.touched.empty()) unmet.add("a vessel was touched only now");
 }
 

@@ -6,6 +6,7 @@
 
 #include "bodies/found_contacts.h"
 #include "bodies/scaled_bodies.h"
+#include "bodies/surface_options.h"
 
 namespace vasorod {
 
@@ -33,9 +34,11 @@ struct StackedContacts {
 };
 
 class UnmetCriteria;
-/// Lists which contact criteria of a state exceed their tolerances: penetration over the mean edge,
-/// the change of pressures over the pressures, bodies that were not among the unknowns.
-void require_contact(const ContactState& state, double penetration, double force_change,
+/// Whether no body is to join the unknowns, and no criterion exceeds its tolerance of the options
+/// times `slackness`.
+bool is_settled(const ContactState& state, const SurfaceOptions& options, double slackness = 1);
+/// Lists what is_settled() finds wrong, with slackness 1.
+void require_contact(const ContactState& state, const SurfaceOptions& options,
                      UnmetCriteria& unmet);
 
 /// Contacts of all pairs of a problem, a body and itself among them. All values in scaled units.

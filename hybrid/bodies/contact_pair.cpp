@@ -42,7 +42,7 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
   feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
     const int v = surface.triangles(foot.triangle, k);
-    if (!side.excluded.empty() && side.excluded[index(v)]) return feature;
+    if (side.left_out(v)) return feature;
     feature.vertex[index(k)] = v;
     feature.offset += foot.weight[k] * offset_at(side, v);
   }
@@ -64,8 +64,8 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
-      deepest_(slave_.share.empty() ? std::numeric_limits<double>::infinity()
-                                    : through_the_mouth * mean_edge_length(slave_.rest)),
+      deepest_(slave_.joined ? through_the_mouth * mean_edge_length(slave_.rest)
+                             : std::numeric_limits<double>::infinity()),
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
@@ -102,8 +102,8 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const double margin = reach + slave_.offset + master_.offset;
   std::vector<int> near;
   for (int i = 0; i < slave.rows(); ++i)
-    if (slave_.excluded.empty() || !slave_.excluded[static_cast<size_t>(i)])
-      if (box.exteriorDistance(Vec3(slave.row(i))) <= margin && area_[i] > 0) near.push_back(i);
+    if (!slave_.left_out(i) && area_[i] > 0 && box.exteriorDistance(Vec3(slave.row(i))) <= margin)
+      near.push_back(i);
   if (near.empty()) {
     end();
     return;

@@ -7,6 +7,7 @@
 
 #include "data/index.h"
 #include "geometry/closest_point.h"
+#include "geometry/fans.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -18,39 +19,19 @@ constexpr double facing = -0.5;
 // through a vertex or an edge hits several triangles at once.
 constexpr double slope_1 = 0.0137, slope_2 = 0.0071;
 
-// The surface with a fan over each open end.
-TriangleSurface closed(const TriangleSurface& surface, const std::vector<std::vector<int>>& loops) {
-  TriangleSurface all = surface;
-  Eigen::Index count = surface.triangles.rows();
-  for (const auto& loop : loops) count += static_cast<Eigen::Index>(loop.size());
-  all.triangles.conservativeResize(count, 3);
-  all.points.conservativeResize(surface.points.rows() + static_cast<Eigen::Index>(loops.size()), 3);
-  Eigen::Index t = surface.triangles.rows();
-  for (size_t l = 0; l < loops.size(); ++l) {
-    const std::vector<int>& loop = loops[l];
-    const auto centre = static_cast<int>(surface.points.rows()) + static_cast<int>(l);
-    all.points.row(centre) = surface.points(loop, Eigen::all).colwise().mean();
-    for (size_t k = 0; k < loop.size(); ++k)
-      all.triangles.row(t++) << loop[(k + 1) % loop.size()], loop[k], centre;
-  }
-  return all;
-}
-
 }  // namespace
 
 FacingWalls::FacingWalls(const TriangleSurface& surface)
     : now_(surface),
       loops_(boundary_loops(surface.triangles)),
-      closed_(closed(surface, loops_)),
+      closed_{with_centroids(surface.points, loops_),
+              with_fans(surface.triangles, loops_, surface.points.rows())},
       normals_(vertex_normals(surface)),
       rays_(closed_) {}
 
 void FacingWalls::refit(const Points& points) {
   now_.points = points;
-  closed_.points.topRows(points.rows()) = points;
-  for (size_t l = 0; l < loops_.size(); ++l)
-    closed_.points.row(points.rows() + static_cast<Eigen::Index>(l)) =
-        points(loops_[l], Eigen::all).colwise().mean();
+  closed_.points = with_centroids(points, loops_);
   normals_ = vertex_normals(now_);
   rays_.refit(closed_.points);
 }

@@ -11,9 +11,12 @@ namespace vasorod {
 /// One side of a pair.
 struct ContactSide {
   TriangleSurface rest;
-  double offset = 0;           ///< from the surface to the wall's outer face, length
-  std::vector<char> excluded;  ///< per vertex; empty: none
-  std::vector<double> share;   ///< per vertex: of `offset` that counts there; empty: all of it
+  double offset = 0;          ///< from the surface to the wall's outer face, length
+  std::vector<double> share;  ///< per vertex: of `offset` that counts; 0: left out; empty: all 1
+  bool joined = false;        ///< to the other side's vessel, by a seam
+  bool left_out(int vertex) const {
+    return !share.empty() && share[static_cast<size_t>(vertex)] == 0;
+  }
 };
 
 /// Contacts between one slave and one master surface.

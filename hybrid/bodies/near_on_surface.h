@@ -2,11 +2,10 @@
 #pragma once
 
 #include <unordered_map>
-#include <unordered_set>
-#include <utility>
-#include <vector>
 
 #include <vasorod/types.h>
+
+#include "geometry/edge_paths.h"
 
 namespace vasorod {
 
@@ -19,12 +18,10 @@ class NearOnSurface {
   bool are(int a, int b) const;
 
  private:
-  std::unordered_set<int> around(int source) const;
-
   Points points_;
   double limit_;
-  std::vector<std::vector<std::pair<int, double>>> edges_;  // per vertex: neighbour, length
-  mutable std::unordered_map<int, std::unordered_set<int>> within_;
+  EdgePaths paths_;
+  mutable std::unordered_map<int, std::unordered_map<int, double>> within_;
 };
 
 }  // namespace vasorod

@@ -36,11 +36,11 @@ SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
       side_.rest,
       std::max(bent_edges * edge_, std::numbers::pi * std::max(offset_[0], offset_[1])));
   settled_ = settled * edge_;
-  side_.excluded.resize(index(side_.rest.points.rows()), 0);
+  side_.share.resize(index(side_.rest.points.rows()), 1);
   for (const std::vector<int>& loop : boundary_loops(side_.rest.triangles))
-    for (const int v : loop) side_.excluded[index(v)] = 1;
+    for (const int v : loop) side_.share[index(v)] = 0;
   for (int i = 0; i < side_.rest.points.rows(); ++i)
-    if (!(area_[i] > 0) || excluded(i))
+    if (!(area_[i] > 0) || side_.left_out(i))
       for (const bool outside : {false, true})
         never_[slot_of(i, outside)] = std::numeric_limits<double>::infinity();
 }
@@ -48,10 +48,6 @@ SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
 SelfContact::SelfContact(SelfContact&&) noexcept = default;
 SelfContact& SelfContact::operator=(SelfContact&&) noexcept = default;
 SelfContact::~SelfContact() = default;
-
-bool SelfContact::excluded(int vertex) const {
-  return side_.excluded[index(vertex)] != 0;
-}
 
 // What the gap lacks at rest already.
 double SelfContact::allowance(const FacingWall& wall, int vertex, bool outside) const {
@@ -68,8 +64,8 @@ bool SelfContact::own(int vertex, const std::array<int, 3>& corner) const {
 
 // Takes what a vertex faces as a contact if it is within reach.
 void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double reach) {
-  if (wall.triangle < 0 ||
-      std::any_of(wall.corner.begin(), wall.corner.end(), [this](int v) { return excluded(v); }))
+  if (wall.triangle < 0 || std::any_of(wall.corner.begin(), wall.corner.end(),
+                                       [this](int v) { return side_.left_out(v); }))
     return;
   // The normals of two walls in contact are opposite but for the mesh; halfway between them both
   // walls agree on the direction of the force.

@@ -52,7 +52,6 @@ class SelfContact : public FoundContacts {
  private:
   void search(int vertex, double nearer, double reach);
   void meet(int vertex, bool outside, const FacingWall& wall, double reach);
-  bool excluded(int vertex) const;
   bool own(int vertex, const std::array<int, 3>& corner) const;
   double allowance(const FacingWall& wall, int vertex, bool outside) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/within_pattern.h"
+
 namespace vasorod {
 namespace {
 
@@ -24,43 +26,6 @@ constexpr double neutral_curvature = 1e-6;
 // Forces below `rounding` times stiffness times coordinates are cancellation errors, unless they
 // exceed `share_of_load` times the load.
 constexpr double rounding = 1e-14, share_of_load = 1e-2;
-
-// sum = a + factor * b, where the pattern of a, which `sum` has, contains that of b.
-void add_within(const Matrix& a, double factor, const Matrix& b, Matrix& sum) {
-  for (int column = 0; column < a.cols(); ++column) {
-    const int* row = a.innerIndexPtr();
-    int at = a.outerIndexPtr()[column];
-    const int end = a.outerIndexPtr()[column + 1];
-    for (Matrix::InnerIterator it(b, column); it; ++it) {
-      for (; row[at] != it.row(); ++at) sum.valuePtr()[at] = a.valuePtr()[at];
-      sum.valuePtr()[at] = a.valuePtr()[at] + factor * it.value();
-      ++at;
-    }
-    for (; at < end; ++at) sum.valuePtr()[at] = a.valuePtr()[at];
-  }
-}
-
-// Gives the matrix the pattern, with zeros where it has no entries. Returns false and changes
-// nothing where it has entries that the pattern lacks.
-bool pad(const Matrix& pattern, Matrix& matrix) {
-  if (pattern.cols() != matrix.cols()) return false;
-  std::vector<double> values(static_cast<size_t>(pattern.nonZeros()), 0.0);
-  const int* row = pattern.innerIndexPtr();
-  for (int column = 0; column < matrix.cols(); ++column) {
-    int at = pattern.outerIndexPtr()[column];
-    const int end = pattern.outerIndexPtr()[column + 1];
-    for (Matrix::InnerIterator it(matrix, column); it; ++it, ++at) {
-      while (at < end && row[at] < it.row()) ++at;
-      if (at == end || row[at] != it.row()) return false;
-      values[static_cast<size_t>(at)] = it.value();
-    }
-  }
-  if (pattern.nonZeros() != matrix.nonZeros()) {
-    matrix = pattern;
-    std::copy(values.begin(), values.end(), matrix.valuePtr());
-  }
-  return true;
-}
 
 // Thrown where CoupledMinimiserOptions::before says to stop.
 struct Interruption {};

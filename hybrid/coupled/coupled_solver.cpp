@@ -132,18 +132,16 @@ class CoupledSolver::Data {
       const size_t notes = solution_.notes.size();
       solution_.status = settle(t, stepped);
       // On the way a buckled pattern that creeps around its tube is near enough to go on from.
-      if (t < 1 && solution_.status == Status::iteration_limit && !stack_.contacts->pressing() &&
-          solution_.surface.residual <= passable_residual) {
-        solution_.status = Status::not_unique;
-        solution_.notes.resize(notes);
-        buckled = true;
-      }
+      const bool passable = t < 1 && solution_.status == Status::iteration_limit &&
+                            !stack_.contacts->pressing() &&
+                            solution_.surface.residual <= passable_residual;
+      if (passable) solution_.notes.resize(notes);
       buckled |= left_saddle_;
       if (stepped && predicted.rows() == stack_.system->vertex_count())
         buckled |=
             (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
-      if (solution_.status != Status::converged && solution_.status != Status::equilibrium_only &&
-          solution_.status != Status::not_unique)
+      if (!passable && solution_.status != Status::converged &&
+          solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique)
         return;
       solution_.reached = t;
     }
@@ -253,10 +251,7 @@ class CoupledSolver::Data {
       // A vertex that opens and closes moves the soft sections, too.
       const bool tied =
           tie <= (stack_.contacts->pressing() ? slackness : 1) * options.tie_tolerance;
-      const bool pressed_right = contact.touched.empty() &&
-                                 contact.penetration <= slackness * options.contact_tolerance &&
-                                 contact.slip <= slackness * options.contact_tolerance &&
-                                 contact.force_change <= slackness * options.pressure_tolerance;
+      const bool pressed_right = is_settled(contact, options, slackness);
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;
       bool settled =
@@ -276,9 +271,7 @@ class CoupledSolver::Data {
       if (settled) {
         if (options.certify && !summary.positive)
           return summary.neutral ? Status::not_unique : Status::unstable;
-        if (contact.penetration > options.contact_tolerance ||
-            contact.slip > options.contact_tolerance ||
-            contact.force_change > options.pressure_tolerance || tie > options.tie_tolerance)
+        if (!is_settled(contact, options) || tie > options.tie_tolerance)
           solution_.notes.push_back(
               "contacts that still open and close were accepted at ten times their tolerance");
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
@@ -300,7 +293,7 @@ class CoupledSolver::Data {
         if (!turned)
           unmet.require("change of a turning load's moment",
                         moment_change / stack_.system->largest_moment(), options.moment_tolerance);
-        require_contact(contact, options.contact_tolerance, options.pressure_tolerance, unmet);
+        require_contact(contact, options, unmet);
         unmet.require(
             "imbalance of a vessel's forces",
             worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall, stack_.z),

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "data/index.h"
+#include "geometry/fans.h"
 #include "geometry/ray_hits.h"
 #include "geometry/triangle_surface.h"
 #include "surface_file/self_intersections.h"
@@ -74,24 +75,14 @@ class Whole {
     normals_ = vertex_normals(surface_);
     bodies_of_triangles_.resize(index(surface_.triangles.rows()));
     for (int t = 0; t < surface_.triangles.rows(); ++t) bodies_of_triangles_[index(t)] = body_of(t);
-    TriangleSurface closed = surface_;
     std::map<int, int> body_of_point;
     for (int t = 0; t < surface_.triangles.rows(); ++t)
       for (int k = 0; k < 3; ++k) body_of_point[surface_.triangles(t, k)] = body_of(t);
-    for (const std::vector<int>& loop : boundary_loops(surface_.triangles)) {
-      const auto center = static_cast<int>(closed.points.rows());
-      closed.points.conservativeResize(center + 1, 3);
-      closed.points.row(center).setZero();
-      for (const int vertex : loop)
-        closed.points.row(center) += surface_.points.row(vertex) / double(loop.size());
-      auto row = closed.triangles.rows();
-      closed.triangles.conservativeResize(row + std::ssize(loop), 3);
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        closed.triangles.row(row++) << loop[(k + 1) % loop.size()], loop[k], center;
-        bodies_of_triangles_.push_back(body_of_point[loop[k]]);
-      }
-    }
-    rays_.emplace(closed);
+    const auto loops = boundary_loops(surface_.triangles);
+    for (const std::vector<int>& loop : loops)
+      for (const int vertex : loop) bodies_of_triangles_.push_back(body_of_point[vertex]);
+    rays_.emplace(TriangleSurface{with_centroids(surface_.points, loops),
+                                  with_fans(surface_.triangles, loops, surface_.points.rows())});
   }
 
   // Whether the space just outside the wall at a vertex is inside a vessel; then the next wall.

@@ -165,7 +165,7 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
 }
 
 // Entries of the lower triangle in the order of elimination, column by column, as the supernodal
-// factorisation reads them. CHOLMOD would sort each matrix anew, which takes a tenth of the time.
+// factorisation reads them. CHOLMOD would sort each matrix anew.
 void Cholesky::sort(const Matrix& matrix) {
   Data& d = *data_;
   if (!d.sorted) {

@@ -36,14 +36,10 @@ class PaperMinimiser {
  public:
   /// `system` and `constant` must outlive this; the multipliers of the joins and the contacts may
   /// change between calls. `constant` keeps the factor of the constant matrix, also for a later
-  /// system with the same matrix. What this does is added to `work`, which must outlive it; null:
-  /// it is not counted. `constant` has its own.
-  PaperMinimiser(const PaperSystem& system, KeptFactor& constant, Work* work = nullptr)
-      : system_(system),
-        constant_(constant),
-        work_(work ? *work : own_work_),
-        bound_(&work_),
-        hessian_(&work_) {}
+  /// system with the same matrix; it counts by itself. What this does is added to `work`, which
+  /// must outlive it.
+  PaperMinimiser(const PaperSystem& system, KeptFactor& constant, Work& work)
+      : system_(system), constant_(constant), work_(work), bound_(&work), hessian_(&work) {}
 
   /// Factorises the constant matrix: paper_energy_bound() with the springs' mean share and the
   /// contacts that carry pressure at p. Required at first and after the contacts changed.
@@ -74,7 +70,6 @@ class PaperMinimiser {
 
   const PaperSystem& system_;
   KeptFactor& constant_;
-  Work own_work_;
   Work& work_;
   KeptFactor bound_;  // for the local-global iteration only
   Cholesky hessian_;

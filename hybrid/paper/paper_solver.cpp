@@ -81,7 +81,7 @@ class PaperRun {
     system_.k_j = joining_stiffness(problem_.seams, scaled_, options_.seam_stiffness);
     system_.joins = stacked_joins(problem_.seams, first_, seam_multipliers_);
     stack_contacts();
-    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_, &work_);
+    minimiser_ = std::make_unique<PaperMinimiser>(system_, bound_, work_);
     positions_.resize(system_.vertex_count(), 3);
     for (size_t b = 0; b < scaled_.bodies.size(); ++b)
       if (first_[b] >= 0)
@@ -163,9 +163,7 @@ class PaperRun {
       const double seam_gap = largest_gap(system_.joins, positions_);
       const bool seam_closed = seam_gap <= options_.seam_tolerance * seam_radius_;
       const ContactState contact = contacts_.refresh(scaled_);
-      const bool pressed_right = contact.touched.empty() &&
-                                 contact.penetration <= options_.contact_tolerance &&
-                                 contact.force_change <= options_.pressure_tolerance;
+      const bool pressed_right = is_settled(contact, options_);
       const double imbalance = worst_balance(sum_forces(scaled_, system_, first_, positions_));
       const bool balanced = imbalance <= options_.balance_tolerance;
       if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
@@ -182,7 +180,7 @@ class PaperRun {
         if (!seam_closed)
           unmet.require("seam gap over the mouth's radius", seam_gap / seam_radius_,
                         options_.seam_tolerance);
-        require_contact(contact, options_.contact_tolerance, options_.pressure_tolerance, unmet);
+        require_contact(contact, options_, unmet);
         unmet.require("imbalance of a vessel's forces", imbalance, options_.balance_tolerance);
         solution_.notes.push_back(unmet.sentence(
             "after " + std::to_string(solution_.outer_iterations) + " multiplier updates"));

@@ -47,11 +47,7 @@ void keep_state(Prediction&& state, const SolveOptions& options) {
 void keep_rods(const Prediction& prediction, const SolveOptions& options) {
   if (!options.keep) return;
   auto state = std::make_shared<Prediction>(prediction);
-  for (PredictedVessel& vessel : state->vessels) {
-    const Vessel& mine = vessel.prepared.vessel;
-    vessel.positions = vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.carry)
-                                         : mine.surface.points;
-  }
+  for (PredictedVessel& vessel : state->vessels) vessel.positions = carried_surface(vessel);
   state->watch.lap("solve");
   state->status = Status::interrupted;
   options.keep([state = std::shared_ptr<const Prediction>(state), threads = options.threads] {

@@ -1,14 +1,15 @@
 #include "predict/path_rule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "bodies/reach.h"
 #include "geometry/closest_point.h"
 #include "judge/lumen_pressure.h"
 #include "judge/validity.h"
-#include "rod/binding.h"
 
 namespace vasorod {
 namespace {
@@ -26,10 +27,14 @@ constexpr double soft_share = 0.5;
 // of what is pressed deeper.
 constexpr double deepest_start = 0.5, way_step = 0.15;
 
-Points carried(const PredictedVessel& vessel) {
-  const Vessel& mine = vessel.prepared.vessel;
-  return vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.carry)
-                           : mine.surface.points;
+// Whether the scene lets the two touch.
+bool may_touch(const Prediction& prediction, size_t a, size_t b) {
+  const auto& contact = prediction.scene->contact;
+  const auto name = [&](size_t v) { return prediction.vessels[v].prepared.spec.name; };
+  return !contact ||
+         std::any_of(contact->begin(), contact->end(), [&](const std::array<std::string, 2>& pair) {
+           return pair == std::array{name(a), name(b)} || pair == std::array{name(b), name(a)};
+         });
 }
 
 }  // namespace
@@ -85,13 +90,14 @@ std::vector<double> pressing_times(double way, double depth) {
 double carried_depth(const Prediction& prediction, size_t vessel) {
   const PredictedVessel& mine = prediction.vessels[vessel];
   if (!mine.rod_solved || mine.prepared.obstacle()) return 0;
-  const Points &rest = mine.prepared.vessel.surface.points, now = carried(mine);
+  const Points &rest = mine.prepared.vessel.surface.points, now = carried_surface(mine);
   const Box box = box_of(now);
   double deepest = 0;
   for (size_t o = 0; o < prediction.vessels.size(); ++o) {
+    if (o == vessel || !may_touch(prediction, vessel, o)) continue;
     const TriangleSurface& surface = prediction.vessels[o].prepared.vessel.surface;
-    const Points other = carried(prediction.vessels[o]);
-    if (o == vessel || !within_reach(box, box_of(other), 0)) continue;
+    const Points other = carried_surface(prediction.vessels[o]);
+    if (!within_reach(box, box_of(other), 0)) continue;
     const ClosestPoint before(surface), after({other, surface.triangles});
     for (Eigen::Index i = 0; i < now.rows(); ++i) {
       const ClosestPoint::Hit end = after.query(now.row(i));
@@ -112,13 +118,10 @@ std::vector<double> path_times(const Prediction& prediction) {
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {
     const PreparedVessel& prepared = prediction.vessels[v].prepared;
     if (prepared.obstacle()) continue;
-    if (const double depth = carried_depth(prediction, v); depth > 0)
-      add(pressing_times((carried(prediction.vessels[v]) - prepared.vessel.surface.points)
-                                 .rowwise()
-                                 .norm()
-                                 .maxCoeff() /
-                             prepared.vessel.mean_radius,
-                         depth));
+    if (const double depth = carried_depth(prediction, v); depth > 0) {
+      const Points way = carried_surface(prediction.vessels[v]) - prepared.vessel.surface.points;
+      add(pressing_times(way.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius, depth));
+    }
     if (!prepared.spec.pressure) continue;
     add(pressure_times(prepared.spec.pressure->scan, prepared.spec.pressure->after,
                        collapse_pressure(prepared.spec.wall->material, prepared.thickness(),

@@ -32,8 +32,8 @@ std::vector<double> pressure_times(double scan, double after, double collapse);
 /// lie beyond the other vessel's middle, and contact would push the wall on instead of back.
 std::vector<double> pressing_times(double way, double depth);
 
-/// How deep the rods carry the wall of a vessel into other vessels that it was outside of, over its
-/// radius.
+/// How deep the rods carry the wall of a vessel into other vessels that it may touch and was
+/// outside of, over its radius.
 double carried_depth(const Prediction& prediction, size_t vessel);
 
 /// The times for a prediction: those of its motion and those of its vessels' pressures. An

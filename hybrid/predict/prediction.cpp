@@ -2,12 +2,20 @@
 
 #include <vasorod/error.h>
 
+#include "rod/binding.h"
+
 namespace vasorod {
 
 size_t vessel_named(const Prediction& prediction, const std::string& name) {
   for (size_t v = 0; v < prediction.vessels.size(); ++v)
     if (prediction.vessels[v].prepared.spec.name == name) return v;
   throw InputError("no vessel " + name);
+}
+
+Points carried_surface(const PredictedVessel& vessel) {
+  const Vessel& mine = vessel.prepared.vessel;
+  return vessel.rod_solved ? carried_points(mine.rod, vessel.rod.poses, mine.carry)
+                           : mine.surface.points;
 }
 
 int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {

@@ -62,6 +62,9 @@ struct Prediction {
 /// Index of the vessel with that name in `vessels`.
 size_t vessel_named(const Prediction& prediction, const std::string& name);
 
+/// The vessel's surface as its rod carries it, n x 3; at rest where the rod was not solved.
+Points carried_surface(const PredictedVessel& vessel);
+
 /// The node of the vessel's rod that the join places: the vein's mouth; -1 for other vessels.
 int mouth_of(const Prediction& prediction, const PredictedVessel& vessel);
 

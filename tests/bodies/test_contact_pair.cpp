@@ -39,7 +39,7 @@ TEST(ContactPair, OnlyAShareOfTheThicknessCountsWhereTheCallerSaysSo) {
     return std::vector<double>(static_cast<size_t>(surface.points.rows()), share);
   };
   ContactPair whole({slave, 0.1, {}}, {master, 0.2, {}}, 1),
-      part({slave, 0.1, {}, all(slave, 0.5)}, {master, 0.2, {}, all(master, 0.25)}, 1);
+      part({slave, 0.1, all(slave, 0.5)}, {master, 0.2, all(master, 0.25)}, 1);
   whole.refresh(slave.points, master.points, 1);
   part.refresh(slave.points, master.points, 1);
   EXPECT_NEAR(smallest_gap(part, slave.points, master.points) -
@@ -51,12 +51,10 @@ TEST(ContactPair, OnlyAShareOfTheThicknessCountsWhereTheCallerSaysSo) {
 // mouth. Without a seam it is pushed out from there too.
 TEST(ContactPair, WhatCameInThroughTheMouthIsNotPushedOut) {
   const TriangleSurface slave = beside(0), shallow = beside(1.93), deep = beside(1.2);
-  const std::vector<double> all(static_cast<size_t>(slave.points.rows()), 1);
   const double edge = mean_edge_length(slave);
   const auto deepest = [&](const TriangleSurface& master, bool joined) {
     // At rest they are apart.
-    ContactPair pair({slave, 0, {}, joined ? all : std::vector<double>()},
-                     {beside(3), 0, {}, joined ? all : std::vector<double>()}, 1);
+    ContactPair pair({slave, 0, {}, joined}, {beside(3), 0, {}, joined}, 1);
     pair.refresh(slave.points, master.points, 1);
     return -smallest_gap(pair, slave.points, master.points);
   };
@@ -126,14 +124,14 @@ TEST(ContactPair, RimsAndExcludedVerticesAreLeftOut) {
   ASSERT_FALSE(pair.contacts().empty());
   for (const ContactPoint& c : pair.contacts()) EXPECT_GT(slave.points(c.slave, 2), 2.8);
 
-  std::vector<char> upper(static_cast<size_t>(slave.points.rows()), 0);
+  std::vector<double> upper(static_cast<size_t>(slave.points.rows()), 1);
   for (int i = 0; i < slave.points.rows(); ++i)
-    upper[static_cast<size_t>(i)] = slave.points(i, 2) > 4;
+    if (slave.points(i, 2) > 4) upper[static_cast<size_t>(i)] = 0;
   ContactPair without_slaves({slave, 0, upper}, {master, 0, {}}, 1);
   without_slaves.refresh(slave.points, master.points, 1);
   for (const ContactPoint& c : without_slaves.contacts()) EXPECT_LE(slave.points(c.slave, 2), 4);
 
-  ContactPair without_masters({slave, 0, {}}, {master, 0, std::vector<char>(upper.size(), 1)}, 1);
+  ContactPair without_masters({slave, 0, {}}, {master, 0, std::vector<double>(upper.size(), 0)}, 1);
   without_masters.refresh(slave.points, master.points, 1);
   EXPECT_TRUE(without_masters.contacts().empty());
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bodies/facing_walls.h"
+#include "bodies/hairpin.h"
 #include "straight_tube.h"
 
 namespace vasorod {
@@ -86,18 +87,9 @@ TEST(FacingWalls, WallsThroughEachOtherAreInsideOut) {
 // A tube bent to a ring whose ends overlap side by side: where they are through each other, the
 // space outside a vertex lies inside the other leg.
 TEST(FacingWalls, WhatLiesInsideAnotherLegIsWoundOnce) {
-  const double length = 60;
+  const double length = 60, bend = 3.5;
   const TriangleSurface rest = tube_surface(testing::straight_tube(length, radius, around, 60));
-  Points now = rest.points;
-  const double bend = 3.5, arc = M_PI * bend, leg = (length - arc) / 2;
-  for (Eigen::Index i = 0; i < now.rows(); ++i) {
-    const Vec3 p = rest.points.row(i);
-    const double angle = std::clamp((p.z() - leg) / bend, 0.0, M_PI);
-    const double beyond = p.z() < leg ? p.z() - leg : std::max(0.0, p.z() - leg - arc);
-    const Vec3 centre(bend - bend * std::cos(angle), 0, bend * std::sin(angle));
-    const Vec3 out(std::cos(angle), 0, -std::sin(angle)), on(std::sin(angle), 0, std::cos(angle));
-    now.row(i) = centre + p.x() * out + Vec3(0, p.y(), 0) + beyond * on;
-  }
+  const Points now = testing::hairpin(rest.points, length, bend);
   FacingWalls walls(rest);
   walls.refit(now);
   // Legs of radius 5 with axes 7 apart, well away from the bend and the ends.

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "bodies/hairpin.h"
 #include "bodies/self_contact.h"
 #include "geometry/triangle_surface.h"
 #include "straight_tube.h"
@@ -15,8 +16,8 @@ TriangleSurface tube() {
   return tube_surface(testing::straight_tube(12, radius, around, along));
 }
 
-SelfContact contact_of(const TriangleSurface& rest, std::vector<char> excluded = {}) {
-  return {ContactSide{rest, thickness / 2, std::move(excluded)}, thickness, 1};
+SelfContact contact_of(const TriangleSurface& rest, std::vector<double> share = {}) {
+  return {ContactSide{rest, thickness / 2, std::move(share)}, thickness, 1};
 }
 
 // Pressed flat to half of `height` on each side of y = 0.
@@ -59,16 +60,7 @@ TEST(SelfContact, OppositeWallsOfAFlatLumenFaceEachOtherInside) {
 TEST(SelfContact, LegsOfAHairpinFaceEachOtherOutside) {
   const double length = 60, bend = 7;  // radius of the axis' bend
   const TriangleSurface rest = tube_surface(testing::straight_tube(length, radius, around, 60));
-  Points now = rest.points;
-  const double arc = M_PI * bend, leg = (length - arc) / 2;
-  for (Eigen::Index i = 0; i < now.rows(); ++i) {
-    const Vec3 p = rest.points.row(i);
-    const double angle = std::clamp((p.z() - leg) / bend, 0.0, M_PI);
-    const double beyond = p.z() < leg ? p.z() - leg : std::max(0.0, p.z() - leg - arc);
-    const Vec3 centre(bend - bend * std::cos(angle), 0, bend * std::sin(angle));
-    const Vec3 out(std::cos(angle), 0, -std::sin(angle)), on(std::sin(angle), 0, std::cos(angle));
-    now.row(i) = centre + p.x() * out + Vec3(0, p.y(), 0) + beyond * on;
-  }
+  const Points now = testing::hairpin(rest.points, length, bend);
   SelfContact contact = contact_of(rest);
   contact.refresh(now, now, 5);
   ASSERT_FALSE(contact.contacts().empty());
@@ -127,10 +119,10 @@ TEST(SelfContact, WallsThatPressStickUntilTheNextSearch) {
 
 TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {
   const TriangleSurface rest = tube();
-  std::vector<char> excluded(static_cast<size_t>(rest.points.rows()), 0);
+  std::vector<double> share(static_cast<size_t>(rest.points.rows()), 1);
   for (int i = 0; i < rest.points.rows(); ++i)
-    excluded[static_cast<size_t>(i)] = rest.points(i, 2) > 6;
-  SelfContact contact = contact_of(rest, excluded);
+    if (rest.points(i, 2) > 6) share[static_cast<size_t>(i)] = 0;
+  SelfContact contact = contact_of(rest, share);
   const Points now = flattened(rest, 0.3);
   contact.refresh(now, now, 1);
   ASSERT_FALSE(contact.contacts().empty());

@@ -1,30 +1,24 @@
 #include <gtest/gtest.h>
 
-#include "coupled/collapsed_ring.h"
+#include "accuracy/collapsed_ring.h"
 
 namespace vasorod {
 namespace {
 
-using namespace testing;
+using bench::CollapsedRing, bench::published_area;
 
 // Flaherty, Keller and Rubinow 1972: areas over that of the circle. Opposite walls touch in a point
 // from q = 5.247 on, along a line from 10.336 on. 96 points around: 2 % (1.1 % at most was
 // measured, and half of it with 128).
 TEST(SelfContact, ACollapsedRingIsInContactWithItselfAsPublished) {
   const CollapsedRing ring;
-  struct Published {
-    double q, share;
-    bool touches;
-  };
-  for (const Published& published :
-       {Published{4, 0.56639, false}, Published{5.24689, 0.27095, true},
-        Published{10.3360, 0.20943, true}}) {
-    const CoupledSolution solution = ring.at(published.q);
+  for (const auto& [q, touches] : {std::pair{4., false}, {5.24689, true}, {10.3360, true}}) {
+    const CoupledSolution solution = ring.at(q);
     EXPECT_EQ(solution.status, Status::buckled) << solution.brief_report();
-    EXPECT_NEAR(ring.area_ratio(solution), published.share, 0.02 * published.share) << published.q;
+    EXPECT_NEAR(ring.area_ratio(solution), published_area(q), 0.02 * published_area(q)) << q;
     const ContactSolution& contact = solution.surface.contacts.at(0);
-    EXPECT_EQ(contact.within_reach, published.touches) << published.q;
-    EXPECT_EQ(contact.area > 0, published.touches) << published.q;
+    EXPECT_EQ(contact.within_reach, touches) << q;
+    EXPECT_EQ(contact.area > 0, touches) << q;
     EXPECT_EQ(contact.force, Vec3::Zero());
     // What one wall feels the other gives: nothing is left over.
     EXPECT_LT(solution.surface.bodies[0].residual, 1e-6);
@@ -40,7 +34,7 @@ TEST(SelfContact, AStartFarAwayDoesNotCarryWallsThroughEachOther) {
   const CoupledSolution solution = CoupledSolver(ring.under(12), options).solve();
   EXPECT_EQ(solution.status, Status::buckled) << solution.brief_report();
   const Points section = ring.middle(solution);
-  const int quarter = CollapsedRing::around / 4;
+  const int quarter = ring.around / 4;
   EXPECT_GT(section(quarter, 1), section(3 * quarter, 1));
   EXPECT_GT(solution.surface.contacts.at(0).area, 0);
 }
@@ -54,7 +48,7 @@ TEST(SelfContact, WithoutItTheWallsPassThroughEachOther) {
   options.times = {0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
   const CoupledSolution solution = CoupledSolver(std::move(problem), options).solve();
   const Points section = ring.middle(solution);
-  const int quarter = CollapsedRing::around / 4;
+  const int quarter = ring.around / 4;
   EXPECT_LT(section(quarter, 1), section(3 * quarter, 1));
 }
 

@@ -69,7 +69,7 @@ TEST(Cholesky, CountsFactorisationsThatFailSolvesAndEntries) {
   EXPECT_EQ(work.counts.solves, 3);
   cholesky.precondition(rhs.data(), x.data(), 3);
   EXPECT_EQ(work.counts.solves, 4);
-  EXPECT_GT(work.factor_seconds, 0);
+  EXPECT_GT(work.factor_seconds, 0) << "it is measured; how long is not tested";
 }
 
 // In single precision: close to the exact solution, symmetric and positive.

@@ -71,7 +71,7 @@ TEST(JoinedSkin, TheSeamIsClosedAndFixedEndsStay) {
   EXPECT_EQ(work.counts.factorisations, 1);
   EXPECT_EQ(work.counts.solves, 1);
   EXPECT_EQ(work.counts.gradients, 0);
-  EXPECT_GT(work.factor_seconds, 0);
+  EXPECT_GT(work.factor_seconds, 0) << "it is measured; how long is not tested";
   for (int k = 0; k < around; ++k) {
     EXPECT_EQ(skin[0].row(ring + k), skin[1].row(k));
     EXPECT_EQ(skin[0].row(k), problem.bodies[0].carried.row(k));

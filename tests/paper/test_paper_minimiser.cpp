@@ -53,7 +53,8 @@ TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
   for (const auto& [ratio, most] : {std::pair{0.01, 8}, std::pair{0.1, 16}, std::pair{1.0, 22}}) {
     Problem problem(40, 80, {0.1, 1, ratio});
     KeptFactor bound;
-    PaperMinimiser minimiser(problem.system, bound);
+    Work work;
+    PaperMinimiser minimiser(problem.system, bound, work);
     minimiser.factorise(problem.start);
     PaperMinimiserOptions options;
     options.tolerance = 1e-6;
@@ -68,7 +69,8 @@ TEST(PaperMinimiser, ConvergesWithinTheMeasuredNumberOfIterations) {
 TEST(PaperMinimiser, EnergyNeverRises) {
   Problem problem(24, 40, {0.01, 1, 3});
   KeptFactor bound;
-  PaperMinimiser minimiser(problem.system, bound);
+  Work work;
+  PaperMinimiser minimiser(problem.system, bound, work);
   minimiser.factorise(problem.start);
   std::vector<double> energies;
   PaperMinimiserOptions options;
@@ -86,7 +88,8 @@ TEST(PaperMinimiser, EnergyNeverRises) {
 TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
   Problem problem(24, 40, {0.1, 1, 0.3});
   KeptFactor bound;
-  PaperMinimiser minimiser(problem.system, bound);
+  Work work;
+  PaperMinimiser minimiser(problem.system, bound, work);
   minimiser.factorise(problem.start);
 
   Points by_lbfgs = problem.start;
@@ -122,7 +125,8 @@ TEST(PaperMinimiser, LocalGlobalAndLbfgsAndTrueHessianAgree) {
 TEST(PaperMinimiser, TheTrueHessianTakesOverWhereEdgesBuckle) {
   Problem problem(24, 40, {0.1, 1, 10});
   KeptFactor bound;
-  PaperMinimiser minimiser(problem.system, bound);
+  Work work;
+  PaperMinimiser minimiser(problem.system, bound, work);
   minimiser.factorise(problem.start);
   PaperMinimiserOptions options;
   options.tolerance = 1e-8;
@@ -140,7 +144,8 @@ TEST(PaperMinimiser, ASingleUnloadedBodyIsAtRestAtOnce) {
   append_body(system, t, t.points, std::vector<Mat3>(n, Mat3::Identity()), {1, 1, 1},
               std::vector<char>(n, 0));
   KeptFactor bound;
-  PaperMinimiser minimiser(system, bound);
+  Work work;
+  PaperMinimiser minimiser(system, bound, work);
   minimiser.factorise(t.points);
   Points p = t.points;
   const PaperMinimiserSummary summary = minimiser.minimise(p, {});

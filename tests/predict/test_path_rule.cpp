@@ -85,7 +85,9 @@ TEST(PathRule, WhatIsPressedDeepGoesThereInPortionsOfItsRadius) {
 
 // A tube whose rod is bent to a constant curvature, or twisted at a constant rate.
 Prediction strained_tube(const Vec3& u, bool rigid_ends) {
+  static const Scene scene;
   Prediction prediction;
+  prediction.scene = &scene;
   PredictedVessel& vessel = prediction.vessels.emplace_back();
   vessel.prepared = shapes::judged_tube();
   const RodTree& rod = vessel.prepared.vessel.rod;
@@ -141,6 +143,7 @@ Prediction pressed_tubes(double way) {
   PredictedVessel& obstacle = prediction.vessels.emplace_back();
   obstacle.prepared = shapes::judged_tube(140);
   obstacle.prepared.vessel.surface.points.rowwise() += Eigen::RowVector3d(25, 0, -20);
+  obstacle.prepared.spec.name = "obstacle";
   obstacle.prepared.spec.role = Role::obstacle;
   return prediction;
 }
@@ -153,6 +156,22 @@ TEST(PathRule, WhatIsCarriedDeepIntoAnotherVesselIsFollowed) {
     EXPECT_EQ(carried_depth(prediction, 1), 0) << "an obstacle stays";
     EXPECT_EQ(path_times(prediction).size() > 1, way > 10) << way;
   }
+}
+
+// `contact` of the scene says who touches whom; what does not touch presses nothing.
+TEST(PathRule, OnlyWhatMayTouchIsPressed) {
+  Prediction prediction = pressed_tubes(13);
+  const double depth = carried_depth(prediction, 0);
+  Scene scene;
+  prediction.scene = &scene;
+  for (const std::array<std::string, 2>& pair :
+       {std::array<std::string, 2>{"tube", "obstacle"}, {"obstacle", "tube"}}) {
+    scene.contact = {{pair}};
+    EXPECT_EQ(carried_depth(prediction, 0), depth);
+  }
+  scene.contact.emplace();
+  EXPECT_EQ(carried_depth(prediction, 0), 0);
+  EXPECT_EQ(path_times(prediction), std::vector<double>{1});
 }
 
 TEST(PathRule, WhatLayInsideAtRestDoesNotCount) {

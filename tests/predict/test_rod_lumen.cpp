@@ -240,7 +240,9 @@ TEST(RodLumen, AHeldTubeBowsAtHaringxsPressure) {
     const Result result = predict(scene);
     EXPECT_EQ(result.certificate.smallest_curvature_positive.value_or(false), factor < 1)
         << factor << ' ' << to_string(result.status);
-    if (factor < 1) EXPECT_LT(axis_moved_by(result), 1e-9);
+    if (factor < 1) {
+      EXPECT_LT(axis_moved_by(result), 1e-9);
+    }
   }
 }
 

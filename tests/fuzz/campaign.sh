@@ -43,7 +43,7 @@ most_findings=20 # of one target; then the rest of its share is not used
 seeds_of() {
   echo tests/fuzz/found
   case "$1" in
-    scene | solve) printf '%s\n' tests/fuzz/seeds/scene benchmarks/cases/{rod,tube} ;;
+    scene) printf '%s\n' tests/fuzz/seeds/scene benchmarks/cases/{rod,tube} ;;
     compare) printf '%s\n' tests/fuzz/seeds/{compare,vtp} ;;
     *) echo "tests/fuzz/seeds/$1" ;;
   esac

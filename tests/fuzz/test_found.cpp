@@ -134,8 +134,9 @@ TEST_F(Found, SeedsAreRead) {
       ++surfaces;
     }
   EXPECT_EQ(surfaces, 17);
-  for (const auto& entry : fs::directory_iterator(seeds / "scene"))
-    EXPECT_EQ(refusal([&] { read_scene(entry.path()); }), "") << entry.path();
+  for (const char* scenes : {"scene", "solve"})
+    for (const auto& entry : fs::directory_iterator(seeds / scenes))
+      EXPECT_EQ(refusal([&] { read_scene(entry.path()); }), "") << entry.path();
 }
 
 }  // namespace

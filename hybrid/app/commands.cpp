@@ -1,9 +1,11 @@
 #include "app/commands.h"
 
 #include <cmath>
+#include <fstream>
 #include <iostream>
 
 #include <vasorod/compare.h>
+#include <vasorod/error.h>
 #include <vasorod/read_scene.h>
 #include <vasorod/result_folder.h>
 
@@ -12,6 +14,7 @@
 #include "data/sentence.h"
 #include "predict/kept_state.h"
 #include "result/folder_replacement.h"
+#include "result/read_folder.h"
 #include "result/unknown_validity.h"
 
 namespace vasorod {
@@ -146,6 +149,17 @@ int fit_command(const CommandOptions& options) {
 int compare_command(const CommandOptions& options) {
   const Comparison comparison = compare_results(options.input, options.second);
   std::cout << (options.json ? comparison_json(comparison) : comparison_table(comparison));
+  return 0;
+}
+
+int draw_command(const CommandOptions& options) {
+  const std::filesystem::path& file = options.folder;
+  if (file.extension() != ".png")
+    throw InputError(file.string() + ": expected the name of a picture that ends in .png");
+  const std::string png = draw_result(read_result_folder(options.input), options.draw);
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(png.data(), static_cast<std::streamsize>(png.size()));
+  if (!stream.flush()) throw FileError(file.string() + ": cannot be written");
   return 0;
 }
 

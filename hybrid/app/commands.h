@@ -6,6 +6,8 @@
 #include <vasorod/fit.h>
 #include <vasorod/predict.h>
 
+#include "report/draw_result.h"
+
 namespace vasorod {
 
 struct CommandOptions {
@@ -14,10 +16,12 @@ struct CommandOptions {
   bool report = true;  ///< `solve` only; false: numbers and VTP only
   FitRequest fit;      ///< `fit` only
   SolveOptions solve;  ///< `solve` only
+  DrawOptions draw;    ///< `draw` only; the picture's file is `folder`
 };
 
 int solve_command(const CommandOptions& options);    ///< 0 converged, 1 any other status
 int fit_command(const CommandOptions& options);      ///< 0
 int compare_command(const CommandOptions& options);  ///< 0
+int draw_command(const CommandOptions& options);     ///< 0
 
 }  // namespace vasorod

@@ -1,6 +1,7 @@
 // The program `vasorod`: command-line options and exit codes.
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <unistd.h>
@@ -58,6 +59,58 @@ void add_solving(CLI::App* app, Common* common) {
       ->check(number("a number of at least 0", [](double value) { return value >= 0; }));
 }
 
+// An option of three finite numbers.
+void add_vec3(CLI::App* app, const std::string& name, const std::string& help,
+              const std::function<void(const Vec3&)>& take) {
+  app->add_option_function<std::vector<double>>(
+         name,
+         [take](const std::vector<double>& v) {
+           take({v.at(0), v.at(1), v.at(2)});
+         },
+         help)
+      ->expected(3)
+      ->check(number("a finite number", [](double) { return true; }));
+}
+
+void add_drawing(CLI::App* app, CommandOptions* command) {
+  DrawOptions* draw = &command->draw;
+  app->add_option("result", command->input, "Result folder")->required();
+  app->add_option("-o,--output", command->folder, "Picture, a PNG file")->required();
+  app->add_option("--colour", draw->colour, listed(drawable_colours()) + "; by default vessel")
+      ->check(CLI::IsMember(drawable_colours()));
+  app->add_option_function<std::vector<double>>(
+         "--range",
+         [draw](const std::vector<double>& v) {
+           draw->range = {{v.at(0), v.at(1)}};
+         },
+         "Values of the first and the last colour; by default the field's")
+      ->expected(2)
+      ->check(number("a finite number", [](double) { return true; }));
+  app->add_option("--only", draw->only, "Names of the vessels to draw");
+  add_vec3(app, "--from", "Direction towards the eye; by default as in report.html",
+           [draw](const Vec3& v) { draw->from = v; });
+  add_vec3(app, "--up", "Direction that is up; by default as in report.html",
+           [draw](const Vec3& v) { draw->up = v; });
+  add_vec3(app, "--centre", "Place in the middle; by default everything fits",
+           [draw](const Vec3& v) { draw->centre = v; });
+  app->add_option("--height", draw->height, "Height of what is visible, length units")
+      ->check(number("a number above 0", [](double value) { return value > 0; }));
+  app->add_option_function<std::vector<double>>(
+         "--mark",
+         [draw](const std::vector<double>& v) {
+           for (std::size_t k = 0; k + 2 < v.size(); k += 3)
+             draw->marks.emplace_back(v[k], v[k + 1], v[k + 2]);
+         },
+         "Place that a red ball marks; may be repeated")
+      ->type_size(3)
+      ->expected(-1)
+      ->check(number("a finite number", [](double) { return true; }));
+  app->add_flag("--rest", draw->rest, "The shape at rest");
+  app->add_flag("--mesh", draw->mesh, "The edges of the triangles");
+  app->add_flag("--rod", draw->rod, "Transparent walls, the rods and their directors inside");
+  app->add_option("--size", draw->size, "Width and height, pixels")->check(CLI::Range(16, 8192));
+}
+
 bool has_command(const CLI::App& app, const std::string& name) {
   return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; })
               .empty();
@@ -98,9 +151,13 @@ int run(int argc, char** argv) {
       ->required();
   compare->add_flag("--json", common.command.json, "Print JSON instead of the table");
 
+  auto* draw = app.add_subcommand("draw", "One picture of a result, from a chosen side");
+  add_drawing(draw, &common.command);
+
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first[0] != '-' && !has_command(app, first)) {
-    std::cerr << "vasorod: found the command \"" << first << "\", expected solve, fit or compare\n";
+    std::cerr << "vasorod: found the command \"" << first
+              << "\", expected solve, fit, compare or draw\n";
     return 2;
   }
   try {
@@ -119,9 +176,10 @@ int run(int argc, char** argv) {
       std::cerr << "vasorod: " << what << '\n';
     };
 
-  const int exit_code = *solve ? solve_command(common.command)
-                        : *fit ? fit_command(common.command)
-                               : compare_command(common.command);
+  const int exit_code = *solve  ? solve_command(common.command)
+                        : *fit  ? fit_command(common.command)
+                        : *draw ? draw_command(common.command)
+                                : compare_command(common.command);
   if (!std::cout.flush()) throw FileError("standard output: cannot be written");
   return exit_code;
 }

@@ -217,9 +217,12 @@ std::vector<std::array<std::uint32_t, 2>> border(const Triangles& triangles, std
   return alone;
 }
 
-// Marks the samples beside a border's edge, unless a solid body hides them.
-void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const Vertex& b,
-               std::vector<std::uint8_t>& marks) {
+enum Mark : std::uint8_t { unmarked = 0, on_border, on_mesh };
+
+// Marks the samples under an edge, and `spread` more on each side, unless a body of one of the
+// layers hides them.
+void mark_edge(const Canvas& canvas, const std::vector<const Layer*>& layers, const Vertex& a,
+               const Vertex& b, Mark mark, int spread, std::vector<std::uint8_t>& marks) {
   if (a.nearness <= 0 || b.nearness <= 0) return;
   constexpr float slack = 0.003F;  // of the distance: the edge lies on the facets it bounds
   const float most = 4.0F * static_cast<float>(std::max(canvas.columns, canvas.rows));
@@ -232,12 +235,37 @@ void mark_edge(const Canvas& canvas, const Layer& solid, const Vertex& a, const 
           y < static_cast<float>(canvas.rows - 1)))
       continue;
     const float nearness = a.nearness + t * (b.nearness - a.nearness) + slack;
-    for (int row = -1; row <= 1; ++row)
-      for (int column = -1; column <= 1; ++column) {
+    for (int row = -spread; row <= spread; ++row)
+      for (int column = -spread; column <= spread; ++column) {
         const std::size_t sample =
             canvas.sample(static_cast<int>(x) + column, static_cast<int>(y) + row);
-        if (nearness >= solid.nearness[sample]) marks[sample] = 1;
+        if (std::all_of(layers.begin(), layers.end(),
+                        [&](const Layer* layer) { return nearness >= layer->nearness[sample]; }))
+          marks[sample] = mark;
       }
+  }
+}
+
+// The borders of solid bodies, and the edges of bodies whose mesh is shown. A transparent body
+// hides the mesh behind it, too.
+void mark_edges(const Canvas& canvas, const std::vector<DrawnSurface>& surfaces, const Layer& solid,
+                const Layer& glass, std::vector<std::uint8_t>& marks) {
+  std::vector<const Layer*> all{&solid};
+  if (!glass.nearness.empty()) all.push_back(&glass);
+  std::uint32_t first = 0;
+  for (const DrawnSurface& surface : surfaces) {
+    const auto vertex = [&](std::uint32_t k) -> const Vertex& { return canvas.vertices[k]; };
+    if (surface.mesh)
+      for (Eigen::Index t = 0; t < surface.triangles->rows(); ++t)
+        for (int k = 0; k < 3; ++k) {
+          const int a = (*surface.triangles)(t, k), b = (*surface.triangles)(t, (k + 1) % 3);
+          mark_edge(canvas, all, vertex(first + static_cast<std::uint32_t>(a)),
+                    vertex(first + static_cast<std::uint32_t>(b)), on_mesh, 0, marks);
+        }
+    if (surface.opacity >= 1)
+      for (const auto& [a, b] : border(*surface.triangles, first, surface.points->rows()))
+        mark_edge(canvas, {&solid}, vertex(a), vertex(b), on_border, 1, marks);
+    first += static_cast<std::uint32_t>(surface.points->rows());
   }
 }
 
@@ -290,10 +318,13 @@ class Resolver {
         colour = shown.colour;
         alpha = 1;
       }
-      if (borders_[at] ||
+      if (borders_[at] == on_border ||
           marks_[static_cast<std::size_t>(s / samples)][static_cast<std::size_t>(x)]) {
         colour *= 0.4F;
         alpha = std::max(alpha, 0.6F);
+      } else if (borders_[at] == on_mesh) {
+        colour *= 0.55F;
+        alpha = std::max(alpha, 0.45F);
       }
       if (!glass_.triangle.empty() && glass_.nearness[at] > solid_.nearness[at]) {
         shade_once(glass_.triangle[at], former_pane, pane, column, row);
@@ -372,14 +403,8 @@ Drawing::Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera
   for (std::uint32_t t = 0; t < canvas.triangles.size(); ++t)
     draw(canvas, t, surfaces[canvas.triangles[t].body].opacity < 1 ? glass : solid);
 
-  std::vector<std::uint8_t> borders(count, 0);
-  std::uint32_t first = 0;
-  for (const DrawnSurface& surface : surfaces) {
-    if (surface.opacity >= 1)
-      for (const auto& [a, b] : border(*surface.triangles, first, surface.points->rows()))
-        mark_edge(canvas, solid, canvas.vertices[a], canvas.vertices[b], borders);
-    first += static_cast<std::uint32_t>(surface.points->rows());
-  }
+  std::vector<std::uint8_t> borders(count, unmarked);
+  mark_edges(canvas, surfaces, solid, glass, borders);
   data_ = std::make_shared<const Data>(Data{width, height, std::move(canvas), std::move(solid),
                                             std::move(glass), std::move(borders)});
 }

@@ -29,13 +29,14 @@ struct DrawnSurface {
   float opacity = 1;                        ///< below 1: transparent, less so at the outline
   const Eigen::VectorXd* values = nullptr;  ///< per vertex, coloured by `scale`
   const ColourScale* scale = nullptr;
+  bool mesh = false;  ///< draws the edges of the triangles
 };
 
 /// What is visible of bodies from one side. Their triangles are drawn once, and may then be
 /// coloured in several ways.
 class Drawing {
  public:
-  /// Points, triangles and whether a body is transparent count here; the colours do not.
+  /// Points, triangles, mesh and whether a body is transparent count here; the colours do not.
   Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width, int height);
 
   /// `surfaces`: those of the constructor in the colours and opacities to show; what was

@@ -120,18 +120,6 @@ Vec3 up_of(const Result& result, const std::vector<Seen>& scene) {
   return level_up(scene);
 }
 
-struct View {
-  Vec3 towards_eye, up;
-};
-
-View view_of(const Result& result, const std::vector<DrawnBody>& bodies) {
-  std::vector<Seen> scene;
-  scene.reserve(bodies.size());
-  for (const DrawnBody& body : bodies) scene.push_back({&body.current, body.wanted});
-  const Vec3 up = up_of(result, scene);
-  return {clearest_direction(scene, up), up};
-}
-
 // The stages of an operation are seen from above, because the incision lies on the recipient's
 // upper side.
 View stage_view(const Result& result, const View& common) {
@@ -376,8 +364,16 @@ Camera camera_from(const View& view, const std::vector<DrawnBody>& bodies, doubl
 
 }  // namespace
 
+View report_view(const Result& result, const std::vector<DrawnBody>& bodies) {
+  std::vector<Seen> scene;
+  scene.reserve(bodies.size());
+  for (const DrawnBody& body : bodies) scene.push_back({&body.current, body.wanted});
+  const Vec3 up = up_of(result, scene);
+  return {clearest_direction(scene, up), up};
+}
+
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect) {
-  return camera_from(view_of(result, bodies), bodies, aspect, 0);
+  return camera_from(report_view(result, bodies), bodies, aspect, 0);
 }
 
 std::vector<NamedPicture> report_pictures(const Result& result, int threads,
@@ -385,7 +381,7 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads,
   const std::vector<DrawnBody> bodies = drawn_bodies(result);
   const std::vector<Stage> stages = stages_of(result, bodies);
   const std::vector<DrawnField> fields = drawn_fields(result);
-  const View view = view_of(result, bodies), pressed = view_of_pressure(bodies, view);
+  const View view = report_view(result, bodies), pressed = view_of_pressure(bodies, view);
   const bool turned = pressed.towards_eye != view.towards_eye;
   const auto field_camera = [&](const View& from) {
     return camera_from(from, bodies, double(field_width) / field_height, 0.2);

@@ -53,6 +53,14 @@ struct DrawnBody {
 /// Refers to `result`, which must outlive it.
 std::vector<DrawnBody> drawn_bodies(const Result& result);
 
+/// From where a picture looks.
+struct View {
+  Vec3 towards_eye, up;
+};
+
+/// The side from which the pictures of a result look: the bodies in the result are seen best.
+View report_view(const Result& result, const std::vector<DrawnBody>& bodies);
+
 /// The camera of the view and of the pictures of the result. The wanted bodies fill it, at rest and
 /// in the result.
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect);

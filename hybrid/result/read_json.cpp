@@ -61,6 +61,13 @@ Result result_of(const Json& value, const fs::path& folder) {
     result.seconds[name] = number(seconds);
   for (const auto& [name, sum] : value.at("environment").at("inputs").items())
     result.environment.inputs[name] = sum.get<std::string>();
+  if (const auto glenn = value.find("glenn"); glenn != value.end()) {
+    GlennReport& report = result.glenn.emplace();
+    report.svc = glenn->at("svc").get<std::string>();
+    report.rpa = glenn->at("rpa").get<std::string>();
+    for (std::size_t k = 0; k < 2; ++k)
+      report.incision.ends[k] = vector(glenn->at("incision").at("ends").at(k));
+  }
   for (const Json& vessel : value.at("vessels")) {
     VesselResult& added = result.vessels.emplace_back();
     added.name = vessel.at("name").get<std::string>();

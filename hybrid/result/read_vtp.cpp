@@ -57,11 +57,31 @@ void check_ids(const std::filesystem::path& file, const SurfaceFile& data,
                          std::to_string(data.points.rows() - 1));
 }
 
-}  // namespace
+// The first component of an array; empty where the file has none.
+Eigen::VectorXd values_of(const SurfaceFile& data, const std::string& name) {
+  const NamedArray* array = array_named(data, name);
+  return array != nullptr && array->values.cols() == 1 ? Eigen::VectorXd(array->values.col(0))
+                                                       : Eigen::VectorXd();
+}
 
-ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
-  const SurfaceFile data = read(file);
-  ReadVessel vessel{rest_of(file, data), data.points, {}};
+std::vector<double> list_of(const SurfaceFile& data, const std::string& name) {
+  const Eigen::VectorXd values = values_of(data, name);
+  return {values.begin(), values.end()};
+}
+
+std::vector<Mat3> directors_of(const SurfaceFile& data) {
+  std::vector<Mat3> directors;
+  for (int k = 0; k < 3; ++k) {
+    const NamedArray* array = array_named(data, "Director" + std::to_string(k + 1));
+    if (array == nullptr || array->values.cols() != 3) return {};
+    directors.resize(index(array->values.rows()));
+    for (Eigen::Index i = 0; i < array->values.rows(); ++i)
+      directors[index(i)].col(k) = array->values.row(i).transpose();
+  }
+  return directors;
+}
+
+Triangles triangles_of(const std::filesystem::path& file, const SurfaceFile& data) {
   check_ids(file, data, data.polygons);
   std::vector<std::array<int, 3>> triangles;
   for (const std::vector<int>& corners : data.polygons)
@@ -69,9 +89,23 @@ ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
       triangles.push_back({corners[0], corners[k - 1], corners[k]});
   if (triangles.empty())
     throw InputError(file.string() + ": has no polygons, expected a vessel's surface");
-  vessel.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (Eigen::Index t = 0; t < vessel.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) vessel.triangles(t, k) = triangles[index(t)][index(k)];
+  Triangles result(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (Eigen::Index t = 0; t < result.rows(); ++t)
+    for (int k = 0; k < 3; ++k) result(t, k) = triangles[index(t)][index(k)];
+  return result;
+}
+
+}  // namespace
+
+ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
+  const SurfaceFile data = read(file);
+  ReadVessel vessel;
+  vessel.rest = rest_of(file, data);
+  vessel.current = data.points;
+  vessel.triangles = triangles_of(file, data);
+  vessel.axial_stretch = values_of(data, "AxialStretch");
+  vessel.twist_shear = values_of(data, "TwistShear");
+  vessel.contact_pressure = values_of(data, "ContactPressure");
   try {
     boundary_loops(vessel.triangles);
   } catch (const InputError& error) {
@@ -83,12 +117,20 @@ ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
 
 ReadCenterline read_centerline_vtp(const std::filesystem::path& file) {
   const SurfaceFile data = read(file);
-  ReadCenterline line{rest_of(file, data), data.points, {}, data.lines};
+  ReadCenterline line;
+  line.rest = rest_of(file, data);
+  line.current = data.points;
+  line.lines = data.lines;
+  line.radius = list_of(data, "MaximumInscribedSphereRadius");
+  line.abscissa = list_of(data, "Abscissas");
+  line.directors = directors_of(data);
   check_ids(file, data, line.lines);
-  if (const NamedArray* radius = array_named(data, "MaximumInscribedSphereRadius"))
-    for (Eigen::Index i = 0; i < radius->values.rows(); ++i)
-      line.radius.push_back(radius->values(i, 0));
   return line;
+}
+
+TriangleSurface read_stump_vtp(const std::filesystem::path& file) {
+  const SurfaceFile data = read(file);
+  return {data.points, triangles_of(file, data)};
 }
 
 }  // namespace vasorod

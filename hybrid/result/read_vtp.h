@@ -1,4 +1,4 @@
-// Reads the geometry of a result folder that a comparison needs.
+// Reads the geometry of a result folder, for comparisons and pictures.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,24 @@ namespace vasorod {
 struct ReadVessel {
   Points rest, current;
   Triangles triangles;
+  /// Per vertex; empty: the file has none.
+  Eigen::VectorXd axial_stretch, twist_shear, contact_pressure;
 };
 
 /// NAME_centerline.vtp: the nodes and the polylines through them.
 struct ReadCenterline {
   Points rest, current;
-  std::vector<double> radius;  ///< empty: the file has none
+  std::vector<double> radius,   ///< empty: the file has none
+      abscissa;                 ///< arc length; empty: the file has none
+  std::vector<Mat3> directors;  ///< columns d1 d2 d3; empty: the file has none
   std::vector<std::vector<int>> lines;
 };
 
 /// Both throw InputError (one sentence) if the file is missing, damaged or without RestPosition.
 ReadVessel read_vessel_vtp(const std::filesystem::path& file);
 ReadCenterline read_centerline_vtp(const std::filesystem::path& file);
+
+/// NAME_stump.vtp: points and triangles alone. Throws InputError as the others do.
+TriangleSurface read_stump_vtp(const std::filesystem::path& file);
 
 }  // namespace vasorod

@@ -58,7 +58,35 @@ TEST(Commands, NumbersThatAreNoneAreRefusedInASentenceThatCanBeRead) {
 
 TEST(Commands, AnUnknownCommandIsNamed) {
   const auto run = run_program(vasorod("paint x"));
-  EXPECT_EQ(run.err, "vasorod: found the command \"paint\", expected solve, fit or compare\n");
+  EXPECT_EQ(run.err,
+            "vasorod: found the command \"paint\", expected solve, fit, compare or draw\n");
+}
+
+TEST(Commands, DrawWritesThePictureThatIsAskedFor) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("skin");
+  const auto quoted = [&](const std::string& name) {
+    return " '" + (scratch / name).string() + "'";
+  };
+  ASSERT_EQ(run_program(vasorod("solve" + quoted("scene.yaml") + " -o" + quoted("out"))).exit_code,
+            0);
+  const std::string draw = "draw" + quoted("out") + " -o";
+  const auto run =
+      run_program(vasorod(draw + quoted("one.png") +
+                          " --colour axial_stretch --range 1 1.1 --from 0 -1 0"
+                          " --up 1 0 0 --mark 10 0 50 --mark -10 0 50 --size 320 200"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(contents_of(scratch / "one.png").substr(1, 3), "PNG");
+  EXPECT_EQ(run_program(vasorod(draw + quoted("none/one.png"))).exit_code, 3);
+  for (const std::string& wrong :
+       {draw + quoted("one.jpg"), draw + quoted("two.png") + " --only vein",
+        draw + quoted("two.png") + " --from 0 0 nan", draw + quoted("two.png") + " --mark 1 2",
+        "draw" + quoted("nothing") + " -o" + quoted("two.png")}) {
+    const auto refused = run_program(vasorod(wrong));
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch / "two.png"));
 }
 
 TEST(Commands, AStandardOutputThatTakesNothingIsThree) {

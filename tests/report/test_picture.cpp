@@ -120,6 +120,24 @@ TEST(Picture, GlassShowsBothItsColourAndWhatIsBehind) {
   EXPECT_NEAR(pixel(alone, 30, 30)[3], 0.4 * 255, 1.5) << "face-on, glass hides its opacity";
 }
 
+TEST(Picture, AMeshShowsTheEdgesInFrontOfEveryBody) {
+  TriangleSurface near = square(1, 0.5), far = square(1, -0.5);
+  const auto darker = [&](bool of_near, bool of_far, float opacity) {
+    std::vector<DrawnSurface> surfaces{drawn(near, {0.8F, 0.8F, 0.8F}, opacity),
+                                       drawn(far, {0.8F, 0.8F, 0.8F})};
+    const Picture plain = render(surfaces, from_above(10, 1.5), 90, 90);
+    surfaces[0].mesh = of_near;
+    surfaces[1].mesh = of_far;
+    const Picture meshed = render(surfaces, from_above(10, 1.5), 90, 90);
+    // The middle of the squares is on the edge that their two triangles share.
+    return pixel(plain, 45, 44)[0] - pixel(meshed, 45, 44)[0];
+  };
+  EXPECT_GT(darker(true, false, 1), 20);
+  EXPECT_EQ(darker(false, true, 1), 0) << "it is behind a solid body";
+  EXPECT_EQ(darker(false, true, 0.3F), 0) << "it is behind a pane";
+  EXPECT_GT(darker(true, false, 0.3F), 10) << "on a pane";
+}
+
 TEST(Picture, TheInsideIsDarker) {
   TriangleSurface front = square(1, 0);
   const Picture outside = render({drawn(front, {0.5F, 0.5F, 0.5F})}, from_above(10, 1.5), 40, 40);

@@ -84,13 +84,9 @@ TubeShape part(const TubeShape& tube, double from, double to) {
 void cut(const Scene& scene, const GlennSpec& spec, JoinProblem& problem) {
   JoinWall& vein = problem.vein;
   const double unit = problem.units.length;
-  const double at = locate(scene, "cut", vein, spec.cut, unit)[1];
+  const double at = locate(scene, "cut", vein, spec.cut.point, unit)[1];
   if (!(at > equal && at < 1 - equal)) refuse(scene, "a cut at an end of the vein");
-  const Vec3 keep = spec.keep_near / unit;
-  const int kept_side = (vein.shape.section(0).position - keep).norm() <=
-                                (vein.shape.section(1).position - keep).norm()
-                            ? 0
-                            : 1;
+  const int kept_side = side_of(scene, vein.shape, spec.keep, unit);
   problem.seam_side = 1 - kept_side;
   problem.cut_fraction = kept_side == 0 ? at : 1 - at;
   vein.shape = kept_side == 0 ? part(vein.shape, 0, at) : part(vein.shape, at, 1);
@@ -215,18 +211,22 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
     refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
 
   if (spec.cut_tilt_deg != 0) refuse(scene, "an oblique cut (`cut_tilt_deg`)");
+  if (spec.cut.along || spec.incision.along)
+    refuse(scene, "a pick by `along` where it takes points [x, y, z]");
 
   JoinProblem problem;
+  problem.cut_pick = spec.cut.point;
   problem.vein_first = scene.vessels.front().name == spec.svc;
   problem.units = {vein.tube->radius, vein.wall->material.young_axial};
   problem.vein = wall_of(scene, vein, problem.units, law);
-  const Vec3 cut_at = locate(scene, "cut", problem.vein, spec.cut, problem.units.length);
+  const Vec3 cut_at = locate(scene, "cut", problem.vein, spec.cut.point, problem.units.length);
   problem.units.length *= problem.vein.shape.radius_at(cut_at[1]);
   problem.vein = wall_of(scene, vein, problem.units, law);
   problem.artery = wall_of(scene, artery, problem.units, law);
   cut(scene, spec, problem);
 
-  const Vec3 pick = locate(scene, "incision", problem.artery, spec.incision, problem.units.length);
+  const Vec3 pick =
+      locate(scene, "incision", problem.artery, spec.incision.point, problem.units.length);
   const TubeShape& wall = problem.artery.shape;
   problem.incision.length = spec.incision_length * pi;  // half the perimeter of the cut, radius 1
   problem.incision.perimeter = 2 * problem.incision.length;

@@ -62,9 +62,10 @@ struct JoinProblem {
   double rotation = 0;  ///< of the vein's mouth about +z, radians
   /// Planes of symmetry: normal x (between the slit's tips) and normal y (through them).
   std::array<bool, 2> mirror{};
-  double cut_fraction = 0;  ///< kept length over the vein's length
-  double axis_turn = 0;     ///< angle from the vein's axis to the slit's normal, radians
-  Pose frame;               ///< the problem's axes in the scene's, dimensionless position
+  Vec3 cut_pick = Vec3::Zero();  ///< the scene's
+  double cut_fraction = 0;       ///< kept length over the vein's length
+  double axis_turn = 0;          ///< angle from the vein's axis to the slit's normal, radians
+  Pose frame;                    ///< the problem's axes in the scene's, dimensionless position
   ProblemUnits units;
 
   /// The number of copies of the model that make the whole.

@@ -67,6 +67,7 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
   glenn.svc = problem.vein.name;
   glenn.rpa = problem.artery.name;
   const Pose cut = problem.frame * problem.vein.shape.section(problem.seam_side);
+  glenn.cut.pick = problem.cut_pick;
   glenn.cut.fraction = problem.cut_fraction;
   glenn.cut.perimeter = 2 * std::numbers::pi * unit;
   glenn.cut.point = unit * cut.position;
@@ -85,6 +86,12 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
     glenn.incision.ends[k] =
         unit *
         (problem.frame * problem.artery.shape.point(problem.artery.parameters(0, fractions[k])));
+  glenn.incision.along = 0.5 * (problem.incision.from + problem.incision.to);
+  const TubeShape& tube = problem.artery.shape;
+  const Vec3 pick = tube.point(problem.artery.parameters(0, glenn.incision.along)),
+             out = tube.section(0).inverse() * pick;
+  glenn.incision.pick = unit * (problem.frame * pick);
+  glenn.incision.around_deg = std::atan2(out.y(), out.x()) * 180 / std::numbers::pi;
   // the area inside the lips, without an inset
   glenn.incision.opened_area = mouth_of(unit * solution.lips, unit * solution.rim_rest, 0).area;
   glenn.join.pairs = solution.pairs;

@@ -17,14 +17,17 @@ Pose placement(const TubeSpec& tube, double unit) {
   return pose;
 }
 
-int side_of(const TubeShape& shape, const EndSelector& end, double unit) {
+}  // namespace
+
+int side_of(const Scene& scene, const TubeShape& shape, const EndSelector& end, double unit) {
   if (end.kind == EndSelector::Kind::start) return 0;
   if (end.kind == EndSelector::Kind::end) return 1;
+  if (end.kind == EndSelector::Kind::face)
+    throw InputError(scene.file.string() + ": found the end " + to_string(end) +
+                     " of a generated tube, expected start, end or {near: [x, y, z]}");
   const Vec3 at = end.near / unit;
   return (shape.section(0).position - at).norm() <= (shape.section(1).position - at).norm() ? 0 : 1;
 }
-
-}  // namespace
 
 bool EndProblem::held() const {
   for (const bool f : fixed)
@@ -70,7 +73,7 @@ std::vector<EndProblem> ends_of(const Scene& scene, const std::string& vessel,
   std::vector<EndProblem> ends;
   for (const EndCondition& condition : scene.ends) {
     if (condition.vessel != vessel) continue;
-    const int side = side_of(shape, condition.end, units.length);
+    const int side = side_of(scene, shape, condition.end, units.length);
     EndProblem* entry = nullptr;
     for (EndProblem& known : ends)
       if (known.side == side) entry = &known;

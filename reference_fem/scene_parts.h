@@ -38,6 +38,8 @@ struct EndProblem {
 TubeShape shape_of(const VesselSpec& vessel, const ProblemUnits& units);
 Moduli moduli_of(const Material& material, double stress_unit);
 LawKind law_of(const Material& material);
+/// The tube's end, 0 or 1, that the scene names; `unit`: the scene's length over the shape's.
+int side_of(const Scene& scene, const TubeShape& shape, const EndSelector& end, double unit);
 /// The conditions of one vessel, in the scene's axes.
 std::vector<EndProblem> ends_of(const Scene& scene, const std::string& vessel,
                                 const TubeShape& shape, const ProblemUnits& units);

@@ -35,6 +35,8 @@ std::string to_string(const EndSelector& selector) {
       return "end";
     case EndSelector::Kind::near:
       return "near" + place_text(selector.near);
+    case EndSelector::Kind::face:
+      return "face(" + std::to_string(selector.face) + ")";
     case EndSelector::Kind::at:
       break;
   }

@@ -180,6 +180,7 @@ class Assembler {
         return distance(nodes.front()) <= distance(nodes.back()) ? nodes.front() : nodes.back();
       }
       case EndSelector::Kind::at:
+      case EndSelector::Kind::face:  // the reader refuses it on a bare rod
         break;
     }
     const double s = end.end.at * place.abscissa.back();

@@ -15,6 +15,7 @@
 #include "predict/result_parts.h"
 #include "predict/stopwatch.h"
 #include "surface_file/read_surface.h"
+#include "vessel/name_ends.h"
 #include "vessel/vessel.h"
 
 namespace vasorod {
@@ -43,19 +44,7 @@ FittedLength measured(const RodTree& rod, const std::vector<int>& elements) {
   return out;
 }
 
-// The name of the lid that closed an end: the one nearest to its centre, within its radius.
-std::string lid_name(const std::vector<Lid>& lids, const Vec3& center, double radius) {
-  std::string name;
-  double nearest = radius;
-  for (const Lid& lid : lids)
-    if (const double distance = (lid.center - center).norm(); distance <= nearest) {
-      nearest = distance;
-      name = lid.name;
-    }
-  return name;
-}
-
-FitReport report_of(const Vessel& vessel, const LoadedSurface& loaded) {
+FitReport report_of(const Vessel& vessel) {
   FitReport report;
   std::vector<int> all;
   for (const RodBranch& branch : vessel.rod.branches) {
@@ -70,11 +59,10 @@ FitReport report_of(const Vessel& vessel, const LoadedSurface& loaded) {
     const double step = 1e-3 * std::pow(10, std::floor(std::log10(radius)));
     EndSelector selector{
         EndSelector::Kind::near,
-        end.center.unaryExpr([&](double x) { return std::round(x / step) * step; }), 0};
+        end.center.unaryExpr([&](double x) { return std::round(x / step) * step; }), 0, 0};
     if (k == 0) selector.kind = EndSelector::Kind::start;
     if (k == 1 && vessel.ends.size() == 2) selector.kind = EndSelector::Kind::end;
-    report.ends.push_back({to_string(selector), lid_name(loaded.lids, end.center, radius),
-                           end.center, end.outward, radius});
+    report.ends.push_back({to_string(selector), end.face, end.center, end.outward, radius});
   }
   return report;
 }
@@ -100,7 +88,8 @@ Result fit(const FitRequest& request) {
   LoadedSurface loaded;
   inputs.while_reading(spec, [&] { loaded = load_surface(spec, scene); });
   watch.lap("read");
-  const Vessel vessel = fit_vessel(spec.name, loaded.surface);
+  Vessel vessel = fit_vessel(spec.name, loaded.surface);
+  name_ends(vessel, loaded.lids);
   watch.lap("fit");
 
   Result result = begin_result(spec.name, "fit", scene.units, 1);
@@ -118,7 +107,7 @@ Result fit(const FitRequest& request) {
   out.cell_arrays = loaded.cell_arrays;
   out.centerline = centerline_of(vessel.rod, vessel.rod.rest);
   result.vessels.push_back(std::move(out));
-  result.fit = report_of(vessel, loaded);
+  result.fit = report_of(vessel);
   warn_of_radius(spec.name, vessel.mean_radius, scene.units, result.validity);
   result.stages.push_back({"rest", {vessel.surface}, {spec.name}});
   result.seconds = watch.seconds();

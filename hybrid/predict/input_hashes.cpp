@@ -9,28 +9,32 @@
 namespace vasorod {
 
 InputHashes::InputHashes(const Scene& scene) : scene_(scene) {
+  for (const VesselSpec& vessel : scene.vessels)
+    if (vessel.surface) files_.push_back(*vessel.surface);
+  if (scene.glenn)
+    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
+      if (!pick->markup.empty()) files_.push_back(pick->markup);
   // The file of a scene that `fit` makes is its surface.
   const bool surface = std::any_of(
       scene.vessels.begin(), scene.vessels.end(),
       [&](const VesselSpec& vessel) { return vessel.surface && *vessel.surface == scene.file; });
   if (!scene.file.empty() && !surface)
     hashes_[scene.file.filename().string()] = sha256_of_file(scene.file);
+  if (scene.glenn)
+    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
+      if (!pick->markup.empty()) hashes_[name_of(pick->markup)] = sha256_of_file(pick->markup);
 }
 
-// A surface's name, or its path where another input has that name too.
-std::string InputHashes::name_of(const std::filesystem::path& surface) const {
+// A file's name, or its path where another input has that name too.
+std::string InputHashes::name_of(const std::filesystem::path& file) const {
   const auto taken = [&](const std::filesystem::path& other) {
-    return other.filename() == surface.filename() &&
-           other.lexically_normal() != surface.lexically_normal();
+    return other.filename() == file.filename() &&
+           other.lexically_normal() != file.lexically_normal();
   };
-  const bool shared =
-      taken(scene_.file) ||
-      std::any_of(scene_.vessels.begin(), scene_.vessels.end(), [&](const VesselSpec& vessel) {
-        return vessel.surface && taken(*vessel.surface);
-      });
-  if (!shared) return surface.filename().string();
-  const std::filesystem::path beside = surface.lexically_relative(scene_.file.parent_path());
-  return (beside.empty() ? surface : beside).generic_string();
+  const bool shared = taken(scene_.file) || std::any_of(files_.begin(), files_.end(), taken);
+  if (!shared) return file.filename().string();
+  const std::filesystem::path beside = file.lexically_relative(scene_.file.parent_path());
+  return (beside.empty() ? file : beside).generic_string();
 }
 
 std::string InputHashes::scene() const {

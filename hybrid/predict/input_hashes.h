@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <vasorod/scene.h>
 
@@ -13,8 +14,8 @@ namespace vasorod {
 
 class InputHashes {
  public:
-  /// Takes that of the scene's file, where there is one that was read. Throws InputError where it
-  /// cannot be read. `scene` must outlive this.
+  /// Takes those of the scene's file, where there is one that was read, and of the files that its
+  /// picks were read from. Throws FileError where one cannot be read. `scene` must outlive this.
   explicit InputHashes(const Scene& scene);
 
   /// That of the vessel's surface file; nothing where it has none.
@@ -28,9 +29,10 @@ class InputHashes {
   std::string scene() const;
 
  private:
-  std::string name_of(const std::filesystem::path& surface) const;
+  std::string name_of(const std::filesystem::path& file) const;
 
   const Scene& scene_;
+  std::vector<std::filesystem::path> files_;  // that the scene names
   std::map<std::string, std::string> hashes_;
 };
 

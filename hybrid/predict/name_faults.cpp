@@ -94,6 +94,9 @@ void scan_metrics(const VesselMetrics& metrics, Scan& scan) {
 void scan_glenn(const Result& result, Scan& scan) {
   if (!result.glenn) return;
   const GlennReport& glenn = *result.glenn;
+  scan.see("cut's pick", glenn.cut.pick);
+  scan.see("incision's pick", glenn.incision.pick);
+  scan.see("incision's angle", glenn.incision.around_deg);
   scan.see("cut's fraction", glenn.cut.fraction);
   scan.see("cut's perimeter", glenn.cut.perimeter);
   scan.see("cut's point", glenn.cut.point);

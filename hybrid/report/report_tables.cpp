@@ -184,6 +184,7 @@ std::string glenn_table(const Result& result) {
   add("Cut, perimeter", cell_text(g.cut.perimeter), length);
   add("Cut, plane through", vector_text(g.cut.point), length);
   add("Cut, normal", vector_text(g.cut.normal), "");
+  add("Incision of " + g.rpa + ", picked at", vector_text(g.incision.pick), length);
   add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
   if (g.incision.shape != "slit") {
     add("Incision, width of the " + g.incision.shape, cell_text(g.incision.width), length);

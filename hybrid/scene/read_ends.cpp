@@ -6,37 +6,25 @@ namespace vasorod {
 
 namespace {
 
-EndSelector read_selector(const Field& entry, const VesselSpec& vessel) {
+std::string ends_of(const VesselSpec& vessel) {
+  return vessel.rod ? "start, end, {near: [x, y, z]} or {at: fraction}"
+                    : "start, end, {near: [x, y, z]} or {face: ModelFaceID}";
+}
+
+EndSelector read_place(const Field& at, const VesselSpec& vessel) {
+  if (!vessel.rod) at.refuse("it on a vessel with a surface", ends_of(vessel));
   EndSelector selector;
-  const bool rod = vessel.rod.has_value();
-  const std::string expected =
-      rod ? "start, end, {near: [x, y, z]} or {at: fraction}" : "start, end or {near: [x, y, z]}";
-  std::optional<Field> at = entry.find("at");
-  const auto end = entry.find("end");
-  if (at && end) at->refuse("it beside end", "one or the other");
-  if (!at && !end) entry.at("end", expected);
-  if (end && end->is_map()) {
-    end->check_keys(rod ? std::vector<std::string>{"near", "at"}
-                        : std::vector<std::string>{"near"});
-    at = end->find("at");
-    const auto near = end->find("near");
-    if (near.has_value() == at.has_value()) end->refuse(end->found(), expected);
-    if (near) {
-      selector.kind = EndSelector::Kind::near;
-      selector.near = near->vec3();
-    }
-  } else if (end) {
-    if (end->is_list()) end->refuse(end->found(), expected);
-    const std::string word = end->text(expected);
-    if (word != "start" && word != "end") end->refuse(end->found(), expected);
-    selector.kind = word == "start" ? EndSelector::Kind::start : EndSelector::Kind::end;
-  }
-  if (at) {
-    if (!rod) at->refuse("it on a vessel with a surface", "start, end or {near: [x, y, z]}");
-    selector.kind = EndSelector::Kind::at;
-    selector.at = at->number_in(0, 1);
-  }
+  selector.kind = EndSelector::Kind::at;
+  selector.at = at.number_in(0, 1);
   return selector;
+}
+
+// The end of an entry of `ends:`, which may be a place on a bare rod.
+EndSelector end_of(const Field& entry, const VesselSpec& vessel) {
+  const auto at = entry.find("at"), end = entry.find("end");
+  if (at && end) at->refuse("it beside end", "one or the other");
+  if (at) return read_place(*at, vessel);
+  return read_selector(entry.at("end", ends_of(vessel)), vessel);
 }
 
 std::array<bool, 6> read_fix(const Field& field) {
@@ -61,7 +49,7 @@ void check_sense(const Field& entry, const EndCondition& end) {
 
 bool same_place(const EndCondition& a, const EndCondition& b) {
   return a.vessel == b.vessel && a.end.kind == b.end.kind && a.end.near == b.end.near &&
-         a.end.at == b.end.at;
+         a.end.at == b.end.at && a.end.face == b.end.face;
 }
 
 // Two different names of one end are detected once the vessel is known (vessel/end_conditions.h).
@@ -95,7 +83,7 @@ EndCondition read_end(const Field& entry, const Vessels& by_name,
   if (vessel.role == Role::obstacle)
     name.refuse("the obstacle " + in_quotes(vessel.name),
                 "a deformable vessel, as obstacles never move");
-  end.end = read_selector(entry, vessel);
+  end.end = end_of(entry, vessel);
   if (const auto hold = entry.find("hold")) end.hold = hold->boolean();
   if (const auto rotate = entry.find("rotate_deg")) end.rotate_deg = rotate->vec3();
   if (const auto move = entry.find("move")) end.move = move->vec3();
@@ -113,6 +101,31 @@ EndCondition read_end(const Field& entry, const Vessels& by_name,
 }
 
 }  // namespace
+
+EndSelector read_selector(const Field& end, const VesselSpec& vessel) {
+  EndSelector selector;
+  const std::string expected = ends_of(vessel);
+  if (!end.is_map()) {
+    if (end.is_list()) end.refuse(end.found(), expected);
+    const std::string word = end.text(expected);
+    if (word != "start" && word != "end") end.refuse(end.found(), expected);
+    selector.kind = word == "start" ? EndSelector::Kind::start : EndSelector::Kind::end;
+    return selector;
+  }
+  end.check_keys({"near", "at", "face"});
+  const auto near = end.find("near"), at = end.find("at"), face = end.find("face");
+  if (near.has_value() + at.has_value() + face.has_value() != 1) end.refuse(end.found(), expected);
+  if (at) return read_place(*at, vessel);
+  if (face) {
+    if (vessel.rod) face->refuse("it on a bare rod", expected);
+    selector.kind = EndSelector::Kind::face;
+    selector.face = face->integer_in(0, 2'000'000'000);
+    return selector;
+  }
+  selector.kind = EndSelector::Kind::near;
+  selector.near = near->vec3();
+  return selector;
+}
 
 std::vector<EndCondition> read_ends(const Field& field, const std::vector<VesselSpec>& vessels) {
   Vessels by_name;

@@ -17,7 +17,11 @@ RodSpec read_rod(const Field& rod);
 std::vector<EndCondition> read_ends(const Field& ends, const std::vector<VesselSpec>& vessels);
 std::vector<std::array<std::string, 2>> read_contact(const Field& contact,
                                                      const std::vector<VesselSpec>& vessels);
-GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels);
+/// An end of the vessel: start, end, {near: ...} and {face: ...} or, on a bare rod, {at: ...}.
+EndSelector read_selector(const Field& end, const VesselSpec& vessel);
+/// `folder`: that of the scene file.
+GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels,
+                     const std::filesystem::path& folder, const Units& units);
 
 /// The vessel that a field names. If there is none, the message suggests the nearest name.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);

@@ -68,7 +68,8 @@ Scene read_scene(const std::filesystem::path& file) {
     scene.contact = read_contact(*contact, scene.vessels);
   if (const auto surgery = root.find("surgery")) {
     surgery->check_keys({"glenn"});
-    scene.glenn = read_glenn(surgery->at("glenn", "the operation"), scene.vessels);
+    scene.glenn = read_glenn(surgery->at("glenn", "the operation"), scene.vessels,
+                             file.parent_path(), scene.units);
   }
   read_fidelity(root, scene);
   if (const auto extrapolate = root.find("extrapolate")) {
@@ -86,6 +87,9 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   if (!scene.file.empty()) files.push_back(scene.file);
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.surface) files.push_back(*vessel.surface);
+  if (scene.glenn)
+    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
+      if (!pick->markup.empty()) files.push_back(pick->markup);
   return files;
 }
 

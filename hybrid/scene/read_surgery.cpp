@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "scene/read_markup.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -36,9 +39,63 @@ std::optional<IncisionEllipse> read_shape(const Field& field) {
   return read_ellipse(field.at("ellipse", "width over length, or {length: L, width: W}"));
 }
 
+// A control point of a markups file, in the scene's length unit.
+PickSpec read_markup(const Field& field, const std::filesystem::path& folder, const Units& units) {
+  field.check_keys({"markup", "label"});
+  const std::filesystem::path name =
+      field.at("markup", "").text("the name of a markups file of 3D Slicer");
+  const Field label = field.at("label", "the label of a point in " + in_quotes(name.string()));
+  const std::string wanted = label.text("the label of a point");
+  PickSpec pick;
+  pick.markup = name.is_absolute() ? name : folder / name;
+  const std::vector<MarkupPoint> points = read_markups(pick.markup);
+  const auto called = [&](const MarkupPoint& point) { return point.label == wanted; };
+  const auto found = std::find_if(points.begin(), points.end(), called);
+  if (found == points.end()) {
+    std::vector<std::string> labels;
+    for (const MarkupPoint& point : points) labels.push_back(in_quotes(point.label));
+    if (labels.size() > 10) labels.resize(10);
+    label.refuse(in_quotes(wanted),
+                 labels.empty() ? "a point, but the file has none that is placed"
+                                : "a label of " + in_quotes(name.string()) + ": " + listed(labels));
+  }
+  if (std::count_if(points.begin(), points.end(), called) > 1)
+    label.refuse(in_quotes(wanted) + ", which several points of the file have",
+                 "a label that one point has");
+  pick.point = found->point * (1e-3 / units.metres);
+  pick.space = found->space;
+  return pick;
+}
+
+// A pick on `vessel`: a point, a fraction of its axis, or a point of a markups file. Only an
+// incision lies at an angle about the axis.
+PickSpec read_pick(const Field& field, const VesselSpec& vessel, bool incision,
+                   const std::filesystem::path& folder, const Units& units) {
+  const std::string expected = incision
+                                   ? "[x, y, z], {along: fraction, around_deg: angle} or "
+                                     "{markup: file, label: text}"
+                                   : "[x, y, z], {along: fraction} or {markup: file, label: text}";
+  if (field.is_list()) return field.vec3();
+  if (!field.is_map()) field.refuse(field.found(), expected);
+  if (field.has("markup")) return read_markup(field, folder, units);
+  if (!field.has("along")) field.refuse(field.found() + " without along or markup", expected);
+  if (incision)
+    field.check_keys({"along", "around_deg", "from", "to"});
+  else
+    field.check_keys({"along", "to"});
+  PickSpec pick;
+  pick.along = field.at("along", "").number_in(0, 1);
+  if (incision)
+    pick.around_deg = field.at("around_deg", "the angle about the axis").number_in(-360, 360);
+  if (const auto from = field.find("from")) pick.from = read_selector(*from, vessel);
+  if (const auto to = field.find("to")) pick.to = read_selector(*to, vessel);
+  return pick;
+}
+
 }  // namespace
 
-GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels) {
+GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels,
+                     const std::filesystem::path& folder, const Units& units) {
   field.check_keys({"svc", "rpa", "cut", "cut_tilt_deg", "incision", "incision_length",
                     "incision_shape", "rotation_deg", "keep"});
   GlennSpec glenn;
@@ -49,8 +106,10 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
   glenn.rpa = read_operated(rpa, vessels);
   if (glenn.svc == glenn.rpa)
     rpa.refuse(in_quotes(glenn.rpa) + ", which is the svc", "another vessel");
-  glenn.cut = field.at("cut", "a point picked on the svc").vec3();
-  glenn.incision = field.at("incision", "a point picked on the rpa").vec3();
+  const VesselSpec& svc = named_vessel(field.at("svc", ""), vessels);
+  glenn.cut = read_pick(field.at("cut", "a point picked on the svc"), svc, false, folder, units);
+  glenn.incision = read_pick(field.at("incision", "a point picked on the rpa"),
+                             named_vessel(rpa, vessels), true, folder, units);
   if (const auto tilt = field.find("cut_tilt_deg")) glenn.cut_tilt_deg = tilt->number_in(-75, 75);
   if (const auto length = field.find("incision_length"))
     glenn.incision_length = length->number_in(0.25, 4);
@@ -60,9 +119,11 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels)
         .refuse("it beside an ellipse that has a length", "one of the two");
   if (const auto rotation = field.find("rotation_deg"); rotation && rotation->found() != "\"auto\"")
     glenn.rotation_deg = rotation->number_up_to(largest_length, "auto or a number");
-  const Field keep = field.at("keep", "{near: [x, y, z]}, the end of the cut svc that goes on");
-  keep.check_keys({"near"});
-  glenn.keep_near = keep.at("near", "a point near the kept end").vec3();
+  glenn.keep = read_selector(
+      field.at("keep",
+               "start, end, {near: [x, y, z]} or {face: ModelFaceID}, the end of the cut "
+               "svc that goes on"),
+      svc);
   return glenn;
 }
 

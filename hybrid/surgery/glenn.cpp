@@ -3,14 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include <vasorod/error.h>
 
 #include "data/index.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
-#include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
 #include "rod/split_rod.h"
 #include "surgery/cut.h"
@@ -20,6 +19,7 @@
 #include "surgery/incision_place.h"
 #include "surgery/join.h"
 #include "surgery/mouth_place.h"
+#include "surgery/pick_place.h"
 #include "surgery/tilted_cut.h"
 
 namespace vasorod {
@@ -33,30 +33,6 @@ auto placed(const std::string& where, Work&& work) {
   } catch (const InputError& error) {
     throw InputError(where + ": " + error.what());
   }
-}
-
-// A pick on a vessel: rod coordinates, rest frame of the section and mid-wall radius.
-struct Pick {
-  RodCoordinates at;
-  Pose section;
-  double radius = 0;
-};
-
-// A pick may lie up to one radius off its vessel's surface.
-Pick locate(const std::string& where, const char* what, const PreparedVessel& vessel,
-            const Vec3& point) {
-  const RodTree& rod = vessel.vessel.rod;
-  Pick pick;
-  pick.at = project(rod, point);
-  pick.section = frame_at(rod, rod.rest, pick.at.element, pick.at.s);
-  pick.radius = rod.radius[index(rod.elements[index(pick.at.element)].first)];
-  const double distance = (ClosestPoint(vessel.vessel.surface).query(point).point - point).norm();
-  if (distance > pick.radius) {
-    throw InputError(joined_text(where, ": ", what, ": found a point ", place_text(point),
-                                 " that is ", distance, " off vessel ", vessel.spec.name,
-                                 ", expected at most its radius there, ", pick.radius));
-  }
-  return pick;
 }
 
 // Arc length between two nodes of a tree, one of which is the root or the end of a branch.
@@ -95,39 +71,38 @@ Stage stage(const std::string& title, const PreparedVessel& svc, const PreparedV
 
 // The vein's rod and wall, cut at the pick's section.
 struct VeinCut {
-  Pick pick;
+  PickPlace pick;
   int kept_node = 0;                // node of the kept end in the kept rod
   Vec3 kept_center = Vec3::Zero();  // of the kept end
   RodSide side = RodSide::towards_root;
   RodPart kept;
-  double fraction = 0;  // kept length over the whole rod's
+  double fraction = 0;  // kept length over that of the way along the vein
   CutOutcome wall;
 };
 
 VeinCut cut_straight(const std::string& where, const GlennSpec& spec, const PreparedVessel& svc) {
   VeinCut cut;
-  cut.pick = locate(where, "cut", svc, spec.cut);
-  const int kept_end =
-      find_end(svc.vessel, {EndSelector::Kind::near, spec.keep_near, 0}, where + ": keep");
+  const int kept_end = find_end(svc.vessel, spec.keep, where + ": keep");
+  cut.pick = place_cut(where + ": cut", spec.cut, svc, kept_end);
   cut.kept_center = svc.vessel.ends[index(kept_end)].center;
   cut.wall = placed(where, [&] {
-    return cut_vessel(svc.vessel.surface, cut.pick.section, spec.cut, cut.kept_center);
+    return cut_vessel(svc.vessel.surface, cut.pick.section, cut.pick.point, cut.kept_center);
   });
   const RodTree& rod = svc.vessel.rod;
   const int far_node = svc.vessel.ends[index(kept_end)].node;
-  cut.side = side_of(rod, cut.pick.at.element, cut.pick.at.s, far_node);
-  cut.kept = cut_rod(rod, cut.pick.at.element, cut.pick.at.s, cut.side);
+  const AxisPlace& at = cut.pick.at;
+  cut.side = side_of(rod, at.element, at.s, far_node);
+  cut.kept = cut_rod(rod, at.element, at.s, cut.side);
   cut.kept_node = cut.kept.node_of[index(far_node)];
-  const double total =
-      std::accumulate(rod.elements.begin(), rod.elements.end(), 0.0,
-                      [](double sum, const RodElement& element) { return sum + element.length; });
-  cut.fraction = path_length(cut.kept.tree, cut.kept_node, cut.kept.cut_node) / total;
+  cut.fraction = path_length(cut.kept.tree, cut.kept_node, cut.kept.cut_node) /
+                 pick_route(where + ": cut", spec.cut, svc.vessel, kept_end).length();
   return cut;
 }
 
 // Step 1: the section's plane cuts the surface; the part with the kept end remains.
 void take_cut(VeinCut&& cut, const MouthPlace& place, PreparedVessel& svc,
               VesselConditions& conditions, GlennOperation& operation) {
+  operation.report.cut.pick = cut.pick.point;
   operation.report.cut.fraction = cut.fraction;
   operation.report.cut.tilt_deg = place.tilt.degrees;
   operation.report.cut.perimeter = cut.wall.perimeter;
@@ -184,20 +159,64 @@ std::array<double, 2> ellipse_size(const GlennSpec& spec, double mouth_perimeter
   return {length, width};
 }
 
+IncisionOutcome opened(const GlennSpec& spec, const Vec3& point, double radius, double perimeter,
+                       const Vessel& wall) {
+  if (!spec.ellipse)
+    return open_incision(wall.surface, wall.rod, wall.binding, wall.branch_of, point,
+                         spec.incision_length * perimeter / 2, radius, perimeter / 2);
+  const auto [length, width] = ellipse_size(spec, perimeter, radius);
+  return open_ellipse(wall.surface, wall.rod, wall.binding, wall.branch_of, point, length, width,
+                      radius);
+}
+
+// A way along the artery that leads past the pick: the scene's where it does, else one from
+// `start`.
+AxisRoute route_past(const std::string& where, const GlennSpec& spec, const PickPlace& pick,
+                     const Vessel& wall) {
+  AxisRoute route = pick_route(where, spec.incision, wall, 0);
+  for (size_t k = 1; k < wall.ends.size() && !route.distance_to(pick.at); ++k)
+    route = AxisRoute(wall.rod, wall.ends[0].node, wall.ends[k].node);
+  return route;
+}
+
+// Where beside the pick the opening fits, as the end of a message; nothing where it fits nowhere.
+std::string where_it_fits(const std::string& where, const GlennSpec& spec, const PickPlace& pick,
+                          double perimeter, const Vessel& wall) {
+  const AxisRoute route = route_past(where, spec, pick, wall);
+  const double half = spec.incision_length * perimeter / 2;
+  const auto moved = moved_pick(wall, pick, route, half + pick.radius, [&](const Vec3& point) {
+    try {
+      opened(spec, point, pick.radius, perimeter, wall);
+    } catch (const InputError&) {
+      return false;
+    }
+    return true;
+  });
+  if (!moved) return {};
+  // Without the rounding errors of zero.
+  const Vec3 to =
+      moved->point.unaryExpr([&](double x) { return std::abs(x) < 1e-6 * pick.radius ? 0.0 : x; });
+  return "; moved by " + number_text(moved->by, 3) + " along the vessel, to " +
+         (spec.incision.along ? "along: " + number_text(moved->fraction, 4) + " at "
+                              : std::string()) +
+         place_text(to, 4) + ", it fits";
+}
+
 // Step 2: opens the recipient along its rod. A slit has half the mouth's perimeter, times the
 // scene's factor.
-IncisionOutcome incise(const std::string& where, const GlennSpec& spec, const Pick& pick,
+IncisionOutcome incise(const std::string& where, const GlennSpec& spec, const PickPlace& pick,
                        PreparedVessel& rpa, GlennReport& report) {
-  const Vessel& wall = rpa.vessel;
   const double perimeter = report.cut.perimeter;
   IncisionOutcome incision = placed(where, [&] {
-    if (!spec.ellipse)
-      return open_incision(wall.surface, wall.rod, wall.binding, wall.branch_of, spec.incision,
-                           spec.incision_length * perimeter / 2, pick.radius, perimeter / 2);
-    const auto [length, width] = ellipse_size(spec, perimeter, pick.radius);
-    return open_ellipse(wall.surface, wall.rod, wall.binding, wall.branch_of, spec.incision, length,
-                        width, pick.radius);
+    try {
+      return opened(spec, pick.point, pick.radius, perimeter, rpa.vessel);
+    } catch (const InputError& error) {
+      throw InputError(error.what() + where_it_fits(where, spec, pick, perimeter, rpa.vessel));
+    }
   });
+  report.incision.pick = incision.pick;
+  report.incision.along = pick.fraction.value_or(std::numeric_limits<double>::quiet_NaN());
+  report.incision.around_deg = pick.angle * (180 / M_PI);
   if (spec.ellipse) report.incision.shape = "ellipse";
   report.incision.length = incision.length;
   report.incision.width = incision.width;
@@ -219,19 +238,21 @@ GlennOperation operate(const Scene& scene, const GlennSpec& spec, PreparedVessel
   GlennOperation operation;
   operation.report.svc = svc.spec.name;
   operation.report.rpa = rpa.spec.name;
-  const Pick pick = locate(where, "incision", rpa, spec.incision);  // before any change
+  const PickPlace pick =
+      place_incision_pick(where + ": incision", spec.incision, rpa);  // before any change
   placed(where, [&] { check_tilt(spec.cut_tilt_deg); });
 
   options.progress("cut");
   VeinCut vein = cut_straight(where, spec, svc);
   options.progress("pose of the vein");
   const MouthPlace place = place_mouth(
-      spec, vein.kept, vein.side, kept_conditions(svc_conditions.rod, vein.kept, vein.kept_node),
+      spec, pick.point, vein.kept, vein.side,
+      kept_conditions(svc_conditions.rod, vein.kept, vein.kept_node),
       vein.wall.perimeter / (2 * M_PI), rpa.vessel.surface, pick.section.director(3), options.rod);
   if (place.tilt.degrees != 0)
     vein.wall = placed(where, [&] {
       return cut_obliquely(svc.vessel.surface, svc.vessel.branch_of, vein.pick.section, place.tilt,
-                           spec.cut, vein.kept_center);
+                           vein.pick.point, vein.kept_center);
     });
   take_cut(std::move(vein), place, svc, svc_conditions, operation);
   operation.stages.push_back(stage("cut", svc, rpa));

@@ -11,11 +11,12 @@
 
 namespace vasorod {
 
-MouthPlace place_mouth(const GlennSpec& spec, const RodPart& kept, RodSide side,
-                       const RodConditions& held, double mouth_radius, const TriangleSurface& wall,
-                       const Vec3& tangent, const RodOptions& options) {
-  const Vec3 outward = outward_normal(wall, spec.incision, mouth_radius);
-  Pose mouth = mouth_pose(ClosestPoint(wall).query(spec.incision).point, outward, tangent, 0,
+MouthPlace place_mouth(const GlennSpec& spec, const Vec3& incision, const RodPart& kept,
+                       RodSide side, const RodConditions& held, double mouth_radius,
+                       const TriangleSurface& wall, const Vec3& tangent,
+                       const RodOptions& options) {
+  const Vec3 outward = outward_normal(wall, incision, mouth_radius);
+  Pose mouth = mouth_pose(ClosestPoint(wall).query(incision).point, outward, tangent, 0,
                           side == RodSide::towards_root);
   const RodTree& rod = kept.tree;
   const Pose& at_rest = rod.rest[index(kept.cut_node)];

@@ -25,8 +25,8 @@ struct MouthPlace {
 /// place of the section: about an axis in it at right angles to `tangent`, the direction of the
 /// recipient's rod, the vein leans by the tilt, with its kept part on the side of `tangent` where
 /// the tilt is positive.
-MouthPlace place_mouth(const GlennSpec& spec, const RodPart& kept, RodSide side,
-                       const RodConditions& held, double mouth_radius, const TriangleSurface& wall,
-                       const Vec3& tangent, const RodOptions& options);
+MouthPlace place_mouth(const GlennSpec& spec, const Vec3& incision, const RodPart& kept,
+                       RodSide side, const RodConditions& held, double mouth_radius,
+                       const TriangleSurface& wall, const Vec3& tangent, const RodOptions& options);
 
 }  // namespace vasorod

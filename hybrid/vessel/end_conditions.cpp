@@ -28,6 +28,16 @@ void require_near(const Vessel& vessel, const VesselEnd& nearest, const Vec3& po
                      number_text(most, 4));
 }
 
+// "the ModelFaceID of a lid: 2 or 3".
+std::string faces_of(const Vessel& vessel) {
+  std::vector<std::string> faces;
+  for (const VesselEnd& end : vessel.ends)
+    if (!end.face.empty()) faces.push_back(end.face);
+  if (faces.empty())
+    return "start, end or {near: [x, y, z]}, as no end of this vessel had a lid with a ModelFaceID";
+  return "the ModelFaceID of a lid over one of its ends: " + listed(faces);
+}
+
 RodSupport& support_at(RodConditions& conditions, int node) {
   for (RodSupport& support : conditions.supports)
     if (support.node == node) return support;
@@ -52,7 +62,8 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
     case EndSelector::Kind::end:
       if (vessel.ends.size() != 2)
         throw InputError(where + ": end: found `end` on a vessel with " +
-                         std::to_string(vessel.ends.size()) + " ends, expected {near: [x, y, z]}");
+                         std::to_string(vessel.ends.size()) +
+                         " ends, expected {near: [x, y, z]} or {face: n}");
       return 1;
     case EndSelector::Kind::near: {
       const auto nearest = std::min_element(vessel.ends.begin(), vessel.ends.end(),
@@ -63,12 +74,23 @@ int find_end(const Vessel& vessel, const EndSelector& selector, const std::strin
       require_near(vessel, *nearest, selector.near, where);
       return static_cast<int>(nearest - vessel.ends.begin());
     }
+    case EndSelector::Kind::face: {
+      const std::string face = std::to_string(selector.face);
+      const auto named = [&](const VesselEnd& end) { return end.face == face; };
+      const auto found = std::find_if(vessel.ends.begin(), vessel.ends.end(), named);
+      if (found == vessel.ends.end())
+        throw InputError(where + ": face: found " + face + ", expected " + faces_of(vessel));
+      if (std::count_if(vessel.ends.begin(), vessel.ends.end(), named) > 1)
+        throw InputError(where + ": face: found " + face +
+                         ", which closed several ends, expected {near: [x, y, z]} or {face: n}");
+      return static_cast<int>(found - vessel.ends.begin());
+    }
     case EndSelector::Kind::at:
       break;
   }
   throw InputError(where +
-                   ": end: found {at: ...} on a vessel with a surface, expected start, end or "
-                   "{near: [x, y, z]}");
+                   ": end: found {at: ...} on a vessel with a surface, expected start, end, "
+                   "{near: [x, y, z]} or {face: n}");
 }
 
 VesselConditions end_conditions(const Scene& scene, const std::string& name, const Vessel& vessel) {

@@ -6,6 +6,7 @@
 
 #include "rod/section.h"
 #include "vessel/check_fit.h"
+#include "vessel/name_ends.h"
 
 namespace vasorod {
 namespace {
@@ -49,6 +50,7 @@ PreparedVessel read_vessel(const VesselSpec& spec, const Scene& scene) {
 
 void fit(PreparedVessel& prepared) {
   prepared.vessel = fit_vessel(prepared.spec.name, prepared.vessel.surface);
+  name_ends(prepared.vessel, prepared.loaded.lids);
   for (double& radius : prepared.vessel.rod.radius) radius += prepared.mid_offset();
   prepared.vessel.mean_radius += prepared.mid_offset();
   prepared.node_thickness = node_thickness(prepared);

@@ -17,6 +17,7 @@ struct VesselEnd {
   Vec3 center = Vec3::Zero();    ///< centroid of the end's section, length
   Vec3 outward = Vec3::UnitZ();  ///< unit normal of the end's section, out of the vessel
   int node = 0;                  ///< rod node at this end: the tree's root or a branch's last node
+  std::string face;              ///< ModelFaceID of the lid that closed it; empty: there was none
 };
 
 /// Geometry of a vessel: rest surface, fitted rod, binding. No material.

@@ -34,6 +34,7 @@ TEST(Scene, EndsAreNamedAsTheSceneHasThem) {
   EXPECT_EQ(to_string(EndSelector{EndSelector::Kind::near, Vec3(1, -2.5, 0), 0}),
             "near(1, -2.5, 0)");
   EXPECT_EQ(to_string(EndSelector{EndSelector::Kind::at, Vec3::Zero(), 0.25}), "at(0.25)");
+  EXPECT_EQ(to_string(EndSelector{EndSelector::Kind::face, {}, 0, 12}), "face(12)");
 }
 
 TEST(Scene, RolesAndFacesAreNamedAsTheSceneHasThem) {

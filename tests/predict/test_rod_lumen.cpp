@@ -192,7 +192,8 @@ TEST(RodLumen, AJoinedVeinKeepsItsPull) {
     scene.glenn->rpa = "rpa";
     scene.glenn->cut = {3.3, 0, 6};
     scene.glenn->incision = {0, 0, 4};
-    scene.glenn->keep_near = {0, 0, 45};
+    scene.glenn->keep.kind = EndSelector::Kind::near;
+    scene.glenn->keep.near = {0, 0, 45};
     const Result result = predict(scene);
     EXPECT_EQ(result.status, Status::converged) << fidelity;
     const Balance& balance = result.balance.at(0);

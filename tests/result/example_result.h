@@ -159,10 +159,14 @@ inline Result example_result(int around = 24, int along = 30) {
   GlennReport glenn;
   glenn.svc = "svc";
   glenn.rpa = "rpa";
+  glenn.cut.pick = {1.5, 2, 3};
   glenn.cut.fraction = 0.4;
   glenn.cut.perimeter = 31.4;
   glenn.cut.point = {1, 2, 3};
   glenn.cut.normal = {0, 0, 1};
+  glenn.incision.pick = {0.5, 0.5, 0};
+  glenn.incision.along = 0.25;
+  glenn.incision.around_deg = -30;
   glenn.incision.length = 15.7;
   glenn.incision.ends = {Vec3(1, 0, 0), Vec3(0, 1, 0)};
   glenn.incision.opened_area = 3.5;

@@ -131,14 +131,54 @@ TEST_F(ReadScene, ReadsEveryKeyOfTheContract) {
   EXPECT_EQ(*scene.contact,
             (std::vector<std::array<std::string, 2>>{{"tube", "heart"}, {"plain", "tube"}}));
   EXPECT_EQ(scene.glenn->rpa, "plain");
-  EXPECT_EQ(scene.glenn->cut, Vec3(1, 2, 3));
+  EXPECT_EQ(scene.glenn->cut.point, Vec3(1, 2, 3));
   EXPECT_FALSE(scene.glenn->rotation_deg);
   EXPECT_EQ(scene.glenn->incision_length, 1.25);
   EXPECT_EQ(scene.glenn->cut_tilt_deg, -20);
   EXPECT_EQ(scene.glenn->ellipse->width, 4);
   EXPECT_FALSE(scene.glenn->ellipse->length);
-  EXPECT_EQ(scene.glenn->keep_near, Vec3(7, 8, 9));
+  EXPECT_EQ(to_string(scene.glenn->keep), "near(7, 8, 9)");
   EXPECT_EQ(*scene.fidelity, "coupled");
+}
+
+// The scene `tubes` with other picks.
+std::string with_picks(const std::string& cut, const std::string& incision,
+                       const std::string& keep) {
+  std::string text = tubes;
+  for (const auto& [key, value] : {std::pair("cut", cut), {"incision", incision}, {"keep", keep}}) {
+    const std::string begin = std::string("\n    ") + key + ": ";
+    const auto at = text.find(begin) + begin.size();
+    text.replace(at, text.find('\n', at) - at, value);
+  }
+  return text;
+}
+
+TEST_F(ReadScene, ReadsPicksByFractionAndEndsByFace) {
+  const Scene scene = read(
+      with_picks("{along: 0.77, to: {face: 12}}",
+                 "{along: 0.4, around_deg: -90, from: end, to: {near: [1, 2, 3]}}", "{face: 7}"));
+  EXPECT_EQ(scene.glenn->cut.along, 0.77);
+  EXPECT_EQ(to_string(*scene.glenn->cut.to), "face(12)");
+  EXPECT_FALSE(scene.glenn->cut.from);
+  EXPECT_EQ(scene.glenn->incision.along, 0.4);
+  EXPECT_EQ(scene.glenn->incision.around_deg, -90);
+  EXPECT_EQ(to_string(*scene.glenn->incision.from), "end");
+  EXPECT_EQ(to_string(*scene.glenn->incision.to), "near(1, 2, 3)");
+  EXPECT_EQ(to_string(scene.glenn->keep), "face(7)");
+}
+
+// The scene is in cm, markups are in mm.
+TEST_F(ReadScene, ReadsPicksFromMarkups) {
+  write("picks.mrk.json", R"({"markups": [{"coordinateSystem": "RAS", "controlPoints": [
+    {"label": "F-1", "position": [10, -20, 35]}, {"label": "slit", "position": [1, 2, 3]}]}]})");
+  const Scene scene = read(with_picks("{markup: picks.mrk.json, label: F-1}",
+                                      "{markup: picks.mrk.json, label: slit}", "start"));
+  EXPECT_LT((scene.glenn->cut.point - Vec3(1, -2, 3.5)).norm(), 1e-12);
+  EXPECT_EQ(scene.glenn->cut.space, "RAS");
+  EXPECT_EQ(scene.glenn->cut.markup, folder / "picks.mrk.json");
+  EXPECT_LT((scene.glenn->incision.point - Vec3(0.1, 0.2, 0.3)).norm(), 1e-12);
+  const auto files = input_files(scene);
+  EXPECT_EQ(std::count(files.begin(), files.end(), folder / "picks.mrk.json"), 2);
 }
 
 TEST_F(ReadScene, ReadsRods) {

@@ -10,7 +10,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from tree import HERE, Schema, read_scene, run, scene_text, walk, write_tube
+from tree import HERE, Schema, read_scene, run, scene_text, walk
+from tree import write_lidded_tube, write_markups, write_tube
 
 source, program = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
 schema = Schema(source / "schema" / "scene.schema.json")
@@ -18,9 +19,12 @@ scratch = tempfile.TemporaryDirectory()
 folder = Path(scratch.name)
 write_tube(folder / "tube.obj")
 write_tube(folder / "aside.obj", beside=40)
+write_lidded_tube(folder / "lidded.vtp")
+write_markups(folder / "picks.mrk.json", {"cut": [3.3, 0, 10], "slit": [0, 0, 4]})
+files = ("tube.obj", "aside.obj", "lidded.vtp", "picks.mrk.json")
 bases = {
     name: read_scene(Path(HERE) / f"{name}.yaml")
-    for name in ("rods", "pressed", "surfaces", "tubes", "opened", "inflated")
+    for name in ("rods", "pressed", "surfaces", "tubes", "opened", "picked", "inflated")
 }
 
 # Rules that no schema can say, by the program's sentence: they need other parts of the scene, or
@@ -32,7 +36,8 @@ BEYOND = [
     r"pair a second time|two different vessels|another vessel",
     r"obstacles never move",
     r"the bare rod .* expected a vessel with a surface",
-    r"expected start, end or \{near",
+    r"expected start, end, \{near",
+    r"no such file|a label of ",  # of markups
     r"a second condition for the end",
     r"a wall thicker than",
     r"degrees to the tangent|found \[0, 0, 0\], expected a direction",
@@ -73,7 +78,7 @@ def solve(scene, *arguments):
     """The whole program on a scene."""
     k = next(numbers)
     (folder / f"{k}").mkdir()
-    for name in ("tube.obj", "aside.obj"):
+    for name in files:
         (folder / f"{k}" / name).symlink_to(folder / name)
     file = folder / f"{k}" / "scene.yaml"
     file.write_text(scene_text(scene))

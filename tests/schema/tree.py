@@ -91,7 +91,7 @@ def walk(schema, value, node=None, path=(), title="", key=""):
     node = schema.resolved(schema.root if node is None else node)
     for one in node.get("oneOf", []):
         one = schema.resolved(one)
-        if isinstance(value, dict) and one.get("type") == "object":
+        if isinstance(value, dict) and set(value) <= set(one.get("properties", {})):
             words = {k: v for k, v in node.items() if k != "oneOf"}
             node = {**words, **one}
     yield Place(path, node, value, title, key)
@@ -122,6 +122,51 @@ def run(program, *arguments):
     command = [str(program), *(str(one) for one in arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
     return Run(done.returncode, done.stdout, done.stderr.strip())
+
+
+def write_lidded_tube(path, radius=3.3, low=5.0, high=45.0, around=24, along=40):
+    """A closed tube along z as a VTP file: ModelFaceID 1 on its wall, 2 and 3 on its lids."""
+    points, triangles, faces = [], [], []
+    for j in range(along + 1):
+        for i in range(around):
+            angle = 2 * math.pi * (i + 0.5 * (j % 2)) / around
+            z = low + (high - low) * j / along
+            points.append((radius * math.cos(angle), radius * math.sin(angle), z))
+    for j in range(along):
+        for i in range(around):
+            a, b = j * around + i, j * around + (i + 1) % around
+            c, d = a + around, b + around
+            triangles += [(a, b, c), (b, d, c)] if j % 2 == 0 else [(a, b, d), (a, d, c)]
+    faces += [1] * len(triangles)
+    for face, ring, z in ((2, 0, low), (3, along * around, high)):
+        middle = len(points)
+        points.append((0, 0, z))
+        for i in range(around):
+            edge = (ring + i, ring + (i + 1) % around)
+            triangles.append((middle, *(edge if face == 3 else edge[::-1])))
+            faces.append(face)
+
+    def array(kind, name, values, rest=""):
+        text = " ".join(f"{value:.9g}" for value in values)
+        return f'<DataArray type="{kind}" Name="{name}"{rest} format="ascii">{text}</DataArray>'
+
+    path.write_text(
+        '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
+        f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}">'
+        f'<CellData>{array("Int32", "ModelFaceID", faces)}</CellData><Points>'
+        + array("Float64", "Points", sum(points, ()), ' NumberOfComponents="3"')
+        + "</Points><Polys>"
+        + array("Int64", "connectivity", sum(triangles, ()))
+        + array("Int64", "offsets", range(3, 3 * len(triangles) + 1, 3))
+        + "</Polys></Piece></PolyData></VTKFile>"
+    )
+
+
+def write_markups(path, points):
+    """Points by label, as 3D Slicer saves them."""
+    known = [{"label": label, "position": place} for label, place in points.items()]
+    markup = {"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": known}
+    path.write_text(json.dumps({"markups": [markup]}))
 
 
 def write_tube(path, beside=0.0, radius=10.0, length=60.0, around=16, along=16):

@@ -29,6 +29,13 @@ Vessel tube() {
   return vessel;
 }
 
+EndSelector face(int number) {
+  EndSelector selector;
+  selector.kind = Kind::face;
+  selector.face = number;
+  return selector;
+}
+
 EndCondition at(Kind kind, const Vec3& near = Vec3::Zero()) {
   EndCondition end;
   end.vessel = "svc";
@@ -54,6 +61,31 @@ VesselConditions conditions_of(const std::vector<EndCondition>& ends, const Vess
   Scene scene;
   scene.ends = ends;
   return end_conditions(scene, "svc", vessel);
+}
+
+std::string refusal_of_face(const Vessel& vessel, int number) {
+  try {
+    find_end(vessel, face(number), "scene.yaml:7");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(EndConditions, EndsAreFoundByTheFaceOfTheirLid) {
+  Vessel vessel = forked();
+  EXPECT_EQ(refusal_of_face(vessel, 3),
+            "scene.yaml:7: face: found 3, expected start, end or {near: [x, y, z]}, as no end of "
+            "this vessel had a lid with a ModelFaceID");
+  vessel.ends[1].face = "3";
+  vessel.ends[2].face = "12";
+  EXPECT_EQ(find_end(vessel, face(3), ""), 1);
+  EXPECT_EQ(find_end(vessel, face(12), ""), 2);
+  EXPECT_EQ(refusal_of_face(vessel, 1),
+            "scene.yaml:7: face: found 1, expected the ModelFaceID of a lid over one of its ends: "
+            "3 or 12");
+  vessel.ends[2].face = "3";
+  EXPECT_NE(refusal_of_face(vessel, 3).find("closed several ends"), std::string::npos);
 }
 
 TEST(EndConditions, EndsAreFoundByNameAndByPlace) {
@@ -122,7 +154,7 @@ TEST(EndConditions, WhatIsNotOneEndIsRefusedWithItsLine) {
       refusal({held}, forked()).rfind("scene.yaml:20: end: found `end` on a vessel with 3", 0), 0u);
   EndCondition along = at(Kind::at);
   along.hold = true;
-  EXPECT_NE(refusal({along}, tube()).find("expected start, end or {near"), std::string::npos);
+  EXPECT_NE(refusal({along}, tube()).find("expected start, end, {near"), std::string::npos);
   // The same end by two names.
   EndCondition again = at(Kind::near, {10, 1, 0});
   again.hold = true;

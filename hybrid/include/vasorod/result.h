@@ -197,7 +197,8 @@ struct GlennReport {
       rpa;          ///< name of the vessel that was incised: the right pulmonary artery
   /// The cut through the SVC.
   struct {
-    double fraction = 0,        ///< kept length over the total length of the SVC's rod
+    Vec3 pick = Vec3::Zero();   ///< the picked point, length
+    double fraction = 0,        ///< kept length over that of the way along the SVC's rod
         tilt_deg = 0,           ///< angle of the plane to the section across the SVC, degrees
         perimeter = 0;          ///< perimeter of the mouth, length
     Vec3 point = Vec3::Zero(),  ///< centroid of the mouth, length
@@ -205,6 +206,9 @@ struct GlennReport {
   } cut;                        ///< the cut through the SVC
   /// The incision in the RPA.
   struct {
+    Vec3 pick = Vec3::Zero();    ///< the picked point on the wall at rest, length
+    double along = 0,            ///< its fraction of the way along the RPA's rod; NaN: not on it
+        around_deg = 0;          ///< its angle about the rod, degrees; NaN: there is no rod
     std::string shape = "slit";  ///< slit or ellipse
     double length = 0,           ///< of the opening along the wall at rest, length
         width = 0,               ///< of the opening across the wall at rest, length; slit: 0

@@ -86,13 +86,15 @@ struct EndSelector {
     start,                   ///< the first end; of a bare rod, arc length 0
     end,                     ///< the other end of a vessel with two ends
     near,                    ///< the end nearest to a point
-    at                       ///< a place on a bare rod
+    at,                      ///< a place on a bare rod
+    face                     ///< the end that a lid closed
   } kind = Kind::start;      ///< how the end is selected
   Vec3 near = Vec3::Zero();  ///< kind near: the point, length
   double at = 0;             ///< kind at: fraction of a bare rod's length
+  int face = 0;              ///< kind face: ModelFaceID of the lid
 };
 
-/// The selector as in result.json: start, end, near(x, y, z) or at(f).
+/// The selector as in result.json: start, end, near(x, y, z), at(f) or face(n).
 std::string to_string(const EndSelector&);
 
 /// One entry of `ends:`. A motion (hold, rotate_deg, move) excludes loads and fixes.
@@ -129,12 +131,34 @@ struct IncisionEllipse {
   double ratio = 0.5;  ///< width over length where there is no width
 };
 
+/// A place picked on a vessel: a point, or a fraction of the vessel's axis.
+struct PickSpec {
+  PickSpec() = default;
+  PickSpec(const Vec3& picked) : point(picked) {}                      ///< a point
+  PickSpec(double x, double y, double z) : PickSpec(Vec3(x, y, z)) {}  ///< a point
+
+  Vec3 point = Vec3::Zero();  ///< at most one radius off the vessel, length
+  /// LPS or RAS: the space of `point`; x and y change sign where the vessel's file names the other
+  /// one. Empty: the point has the vessel's own axes.
+  std::string space;
+  std::filesystem::path markup;  ///< file that `point` was read from; empty: none
+  /// In place of `point`: fraction of the axis between two ends of the vessel.
+  std::optional<double> along;
+  /// With `along`, on the artery: angle about the axis in degrees, from d1 towards d2 of the rod's
+  /// frame at rest there.
+  double around_deg = 0;
+  /// With `along`: the end where it is 0. Empty: the kept end of the vein, `start` of the artery.
+  std::optional<EndSelector> from;
+  /// With `along`: the end where it is 1. Empty: the one farthest from the first along the axis.
+  std::optional<EndSelector> to;
+};
+
 /// The operation: a bidirectional Glenn shunt.
 struct GlennSpec {
-  std::string svc,              ///< name of the vessel that is cut: the superior vena cava
-      rpa;                      ///< name of the vessel that is incised: the right pulmonary artery
-  Vec3 cut = Vec3::Zero(),      ///< picked point of the cut on the SVC, length
-      incision = Vec3::Zero();  ///< picked point of the incision on the RPA, length
+  std::string svc,  ///< name of the vessel that is cut: the superior vena cava
+      rpa;          ///< name of the vessel that is incised: the right pulmonary artery
+  PickSpec cut,     ///< where the SVC is cut
+      incision;     ///< middle of the incision on the RPA
   /// Oblique cut, degrees, -75 to 75: the cut's normal (out of the kept part) is turned about the
   /// middle of the section, towards the direction in which the RPA's rod runs once the vein lies on
   /// it. 0: across the vein.
@@ -145,8 +169,8 @@ struct GlennSpec {
   std::optional<IncisionEllipse> ellipse;  ///< empty: the incision is a slit
   /// Rotation of the vein, degrees, added to the automatic one; empty: automatic only.
   std::optional<double> rotation_deg;
-  Vec3 keep_near = Vec3::Zero();  ///< a point (length) near the SVC's end that is kept
-  int line = 0;                   ///< line in the scene file, for messages
+  EndSelector keep;  ///< the SVC's end that is kept
+  int line = 0;      ///< line in the scene file, for messages
 };
 
 /// A scene: vessels, end conditions and what to solve.

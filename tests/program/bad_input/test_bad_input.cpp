@@ -246,6 +246,40 @@ TEST_F(BadInput, PicksOffTheirVessels) {
   expect_refused(changed(glenn, "incision: [0, 0, 4]", "incision: [0, 0, 12]"), "off vessel rpa");
 }
 
+TEST_F(BadInput, PicksByFractionAndMarkup) {
+  const std::string cut = "cut: [3.3, 0, 10]", incision = "incision: [0, 0, 4]";
+  for (const auto& [from, to, words] : std::vector<std::array<std::string, 3>>{
+           {cut, "cut: 0.5", "cut: found \"0.5\", expected [x, y, z], {along: fraction} or"},
+           {cut, "cut: {along: 1.1}", "cut.along: found 1.1, expected a number from 0 to 1"},
+           {cut, "cut: {around_deg: 3}", "without along or markup"},
+           {cut, "cut: {along: 0.5, around_deg: 3}", "the unknown key \"around_deg\""},
+           {cut, "cut: {along: 0.5, to: {near: [0, 0, 45]}}", "found one end of the vessel"},
+           {cut, "cut: {along: 0.5, to: {face: 2}}", "face: found 2, expected start, end or"},
+           {cut, "cut: {along: 1}", "open end of the vessel"},
+           {cut, "cut: {markup: none.json, label: a}", "none.json: found no such file"},
+           {cut, "cut: {markup: scene.yaml, label: a}", "scene.yaml: found no JSON"},
+           {cut, "cut: {markup: scene.yaml}", "cut.label: found nothing"},
+           {incision, "incision: {along: 0.5}", "around_deg: found nothing"},
+           {incision, "incision: {along: 0, around_deg: 0}", "expected"}})
+    expect_refused(changed(glenn, from, to), words);
+}
+
+TEST_F(BadInput, AFaceThatNoLidHas) {
+  const TriangleSurface closed = closed_tube({0, 1}, 0);
+  NamedArray face{"ModelFaceID", {}, true, "Int32"};
+  face.values.resize(closed.triangles.rows(), 1);
+  face.values.setConstant(1);
+  face.values.bottomRows(48).topRows(24).setConstant(2);
+  face.values.bottomRows(24).setConstant(3);
+  write_vtp(scratch / "tube.vtp", closed, Encoding::zlib, {}, {face});
+  expect_refused(
+      changed(vessel, "end: start", "end: {face: 4}"),
+      ":8: face: found 4, expected the ModelFaceID of a lid over one of its ends: 2 or 3");
+  const std::string faces =
+      changed(changed(vessel, "end: start", "end: {face: 2}"), "end: end", "end: {face: 3}");
+  EXPECT_EQ(solve(faces).exit_code, 0);
+}
+
 TEST_F(BadInput, ACutThatLeavesNothing) {
   expect_refused(changed(glenn, "cut: [3.3, 0, 10]", "cut: [3.3, 0, 44.9]"),
                  "open end of the vessel");

@@ -105,6 +105,8 @@ void add_drawing(CLI::App* app, CommandOptions* command) {
       ->type_size(3)
       ->expected(-1)
       ->check(number("a finite number", [](double) { return true; }));
+  app->add_option("--stripes", draw->stripes, "Stripes along each vessel, painted at rest")
+      ->check(CLI::Range(1, 1000));
   app->add_flag("--rest", draw->rest, "The shape at rest");
   app->add_flag("--mesh", draw->mesh, "The edges of the triangles");
   app->add_flag("--rod", draw->rod, "Transparent walls, the rods and their directors inside");

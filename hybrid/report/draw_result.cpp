@@ -11,6 +11,7 @@
 #include "report/picture.h"
 #include "report/report_pictures.h"
 #include "report/solids.h"
+#include "report/stripes.h"
 
 namespace vasorod {
 
@@ -35,7 +36,7 @@ double mean_radius(const CenterlineResult& line) {
              : 0.05 * *std::max_element(line.abscissa.begin(), line.abscissa.end());
 }
 
-// The rod as a dark tube; on about a dozen of its nodes d1 red, d2 green and d3 blue. The
+// The rod as a thin dark tube; on about a dozen of its nodes d1 red, d2 green and d3 blue. The
 // directors at rest are not stored, so the rest shape has none.
 void add_rod(const CenterlineResult& line, bool rest, std::vector<Body>& bodies) {
   const Points& nodes = rest ? line.rest : line.current;
@@ -46,7 +47,7 @@ void add_rod(const CenterlineResult& line, bool rest, std::vector<Body>& bodies)
   for (const std::vector<int>& run : line.lines) {
     for (std::size_t k = 0; k + 1 < run.size(); ++k) {
       const Vec3 a = nodes.row(run[k]), b = nodes.row(run[k + 1]);
-      if (a != b) append(rod.surface, stick(a, b, 0.05 * radius));
+      if (a != b) append(rod.surface, stick(a, b, 0.02 * radius));
     }
     if (rest) continue;
     const std::size_t step = std::max<std::size_t>(1, run.size() / 12);
@@ -54,7 +55,7 @@ void add_rod(const CenterlineResult& line, bool rest, std::vector<Body>& bodies)
       for (int d = 0; d < 3; ++d) {
         const Vec3 at = nodes.row(run[k]),
                    tip = at + 0.75 * radius * line.directors[index(run[k])].col(d);
-        append(directors[index(d)].surface, stick(at, tip, 0.035 * radius));
+        append(directors[index(d)].surface, stick(at, tip, 0.04 * radius));
       }
   }
   bodies.push_back(std::move(rod));
@@ -132,6 +133,9 @@ std::string draw_result(const Result& result, const DrawOptions& options) {
   if (std::none_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.wanted; }))
     for (DrawnBody& body : bodies) body.wanted = true;
   const std::optional<DrawnField> field = field_of(result, options);
+  if (field && options.stripes > 0)
+    throw InputError("found stripes and the colour " + in_quotes(options.colour) +
+                     ", expected the colour vessel with stripes");
   const Camera camera = camera_of(result, bodies, options, field ? legend : 0);
 
   std::vector<Body> more;
@@ -142,6 +146,9 @@ std::string draw_result(const Result& result, const DrawOptions& options) {
   for (const Vec3& mark : options.marks)
     more.push_back({ball(mark, 2 * mark_size * camera.half_height), {0.85F, 0.10F, 0.10F}});
 
+  // Blue on light grey.
+  static const ColourScale painted{ColourMap::diverging, -1, 1, ""};
+  std::vector<Eigen::VectorXd> paint(bodies.size());
   std::vector<DrawnSurface> drawn;
   for (const DrawnBody& body : bodies) {
     DrawnSurface& surface = drawn.emplace_back();
@@ -151,6 +158,12 @@ std::string draw_result(const Result& result, const DrawOptions& options) {
     surface.mesh = options.mesh;
     surface.values = field ? body.values(*field) : nullptr;
     surface.scale = field ? &field->scale : nullptr;
+    Eigen::VectorXd& own = paint[drawn.size() - 1];
+    if (options.stripes > 0 && body.vessel) own = -stripes(*body.vessel, options.stripes);
+    if (own.size() > 0) {
+      surface.values = &own;
+      surface.scale = &painted;
+    }
     // A vessel drawn alone is what the picture is about, even one that stands beside others.
     const bool transparent = body.glass && options.only.size() != 1;
     surface.opacity = options.rod && body.vessel && body.vessel->centerline ? pane

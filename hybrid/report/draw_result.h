@@ -20,9 +20,10 @@ struct DrawOptions {
   std::optional<Vec3> centre;     ///< what is in the middle, length; empty: everything fits
   std::optional<double> height;   ///< of what is visible at the centre, length; with `centre`
   std::vector<Vec3> marks;        ///< places that a small red ball marks, length
-  bool rest = false,              ///< the shape at rest in place of the result
-      mesh = false,               ///< the edges of the triangles
-      rod = false;                ///< transparent walls, the rods and their directors inside
+  int stripes = 0;    ///< along each vessel, as if painted at rest; with the colour vessel only
+  bool rest = false,  ///< the shape at rest in place of the result
+      mesh = false,   ///< the edges of the triangles
+      rod = false;    ///< transparent walls, the rods and their directors inside
   std::array<int, 2> size{760, 540};  ///< width and height, pixels
 };
 

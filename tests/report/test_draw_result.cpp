@@ -117,6 +117,19 @@ TEST(DrawResult, MeshAndRodAreDrawnWhereTheyAreAskedFor) {
       << "d1 is red";
 }
 
+TEST(DrawResult, StripesArePaintedOnTheWall) {
+  const Result result = test::example_result();
+  DrawOptions options;
+  options.only = {"svc"};
+  options.rest = true;
+  options.from = -Vec3::UnitY();
+  options.stripes = 6;
+  const auto pixels = pixels_of(draw_result(result, options));
+  const auto blue = [](const Pixel& p) { return p[3] == 255 && p[2] > p[0] + 60; };
+  const double all = static_cast<double>(count(pixels, is_drawn));
+  EXPECT_NEAR(static_cast<double>(count(pixels, blue)) / all, 0.45, 0.2) << "about half of it";
+}
+
 TEST(DrawResult, WhatCannotBeDrawnIsRefusedInASentence) {
   const Result result = test::example_result();
   const auto said = [&](const std::function<void(DrawOptions&)>& change) -> std::string {
@@ -141,6 +154,12 @@ TEST(DrawResult, WhatCannotBeDrawnIsRefusedInASentence) {
             }),
             "found a range of colours without a field, expected one with the colour twist_shear, "
             "axial_stretch or contact_pressure");
+  EXPECT_EQ(
+      said([](DrawOptions& o) {
+        o.colour = "twist_shear";
+        o.stripes = 4;
+      }),
+      "found stripes and the colour \"twist_shear\", expected the colour vessel with stripes");
   EXPECT_EQ(said([](DrawOptions& o) { o.from = Vec3::Zero(); }),
             "found the direction (0, 0, 0) of the eye, expected one that is not zero");
   EXPECT_EQ(said([](DrawOptions& o) { o.colour = "blue"; }),

@@ -44,7 +44,8 @@ def panel(work):
         Figure(
             "fig2c_opened.png",
             "2(c), then: the cut made and the incision opened",
-            work.command_of(operation),
+            f"cd {folder} && {work.command_of(operation)}"
+            " && cp result/picture_incision.png ../../fig2c_opened.png",
         )
     )
     file = f"{folder}/result/result.json"

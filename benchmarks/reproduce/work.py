@@ -1,6 +1,7 @@
 """What the panels share: finished runs, pictures and numbers with their source."""
 
 import json
+import shlex
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -82,7 +83,7 @@ class Work:
         """A picture of a finished run, drawn by the program."""
         words = ["draw", f"runs/{run.identity}/result", "-o", f"{name}.png", *map(str, options)]
         self._program(words, self.folder)
-        return Figure(f"{name}.png", caption, "vasorod " + " ".join(words))
+        return Figure(f"{name}.png", caption, "vasorod " + shlex.join(words))
 
     def compared(self, a, b, name):
         """The file with the distance of two runs."""
@@ -94,7 +95,7 @@ class Work:
         (self.folder / name).write_text(text)
 
     def command_of(self, run):
-        return " ".join(self.store.record(run.identity)["command"])
+        return shlex.join(self.store.record(run.identity)["command"])
 
     def value(self, number):
         return value_at(self.folder, number)

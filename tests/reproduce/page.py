@@ -2,12 +2,15 @@
 the page says what is missing, a finished run is kept, and what is wrong would be seen.
 Usage: page.py SOURCE_FOLDER VASOROD."""
 
+import shlex
 import shutil
 import struct
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import yaml
 
 from faults import Page, faults
 
@@ -44,6 +47,17 @@ with tempfile.TemporaryDirectory() as scratch:
         (folder / f"{name}.png").read_bytes() for name in ("fig2a_models", "fig2b_picks")
     )
     assert models != picks, "the picks are drawn"
+
+    # The commands of the manifest make the pictures that stand on the page.
+    entries = yaml.safe_load((folder / "codecheck.yml").read_text())["manifest"]
+    drawn = [entry for entry in entries if entry["command"].startswith("vasorod draw ")]
+    assert len(drawn) == 3
+    for entry in drawn:
+        picture = (folder / entry["file"]).read_bytes()
+        (folder / entry["file"]).unlink()
+        words = [str(PROGRAM), *shlex.split(entry["command"])[1:]]
+        subprocess.run(words, cwd=folder, check=True)
+        assert (folder / entry["file"]).read_bytes() == picture, entry["command"]
 
     # What the test looks for would be found.
     numbers = next(

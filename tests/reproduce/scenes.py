@@ -46,6 +46,12 @@ for quick in (True, False):
 
 with tempfile.TemporaryDirectory() as scratch:
     scratch = Path(scratch)
+    # A rod on either side of the limit that the page names: solved, and buckled.
+    for factor, code in ((1.2 * moduli.buckling_ratio(), 0), (0.8 * moduli.buckling_ratio(), 1)):
+        (scratch / "rod.yaml").write_text(scenes.with_moduli(factor, 1))
+        words = [PROGRAM, "solve", "rod.yaml", "-o", "rod", "--quiet", "--fidelity", "rod"]
+        done = subprocess.run([*words, "--no-report"], cwd=scratch, stdout=subprocess.DEVNULL)
+        assert done.returncode == code, factor
     given = scene_of(scenes.moduli_run(1, 1))
     derived = scene_of(scenes.moduli_run(1, 1))
     del derived["vessels"][0]["coefficients"]

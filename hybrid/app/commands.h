@@ -2,6 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <vasorod/fit.h>
 #include <vasorod/predict.h>
@@ -19,9 +23,17 @@ struct CommandOptions {
   DrawOptions draw;    ///< `draw` only; the picture's file is `folder`
 };
 
+struct InitOptions {
+  std::vector<std::filesystem::path> surfaces;
+  std::filesystem::path scene;             ///< must not exist
+  std::optional<std::string> length_unit;  ///< empty: guessed
+  std::function<void(const std::string&)> progress = [](const std::string&) {};
+};
+
 int solve_command(const CommandOptions& options);    ///< 0 converged, 1 any other status
 int fit_command(const CommandOptions& options);      ///< 0
 int compare_command(const CommandOptions& options);  ///< 0
 int draw_command(const CommandOptions& options);     ///< 0
+int init_command(const InitOptions& options);        ///< 0
 
 }  // namespace vasorod

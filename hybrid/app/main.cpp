@@ -145,6 +145,19 @@ int run(int argc, char** argv) {
       ->check(number("a number above 0", [](double value) { return value > 0; }));
   add_output(fit, &common);
 
+  InitOptions init_options;
+  auto* init = app.add_subcommand(
+      "init", "A commented scene for vessel surfaces: ends, walls, a first cut and incision");
+  init->add_option("surfaces", init_options.surfaces,
+                   "Surfaces, one vessel each, called after it: svc.vtp, pulmonary_artery.stl...")
+      ->required();
+  init->add_option("-o,--output", init_options.scene, "Scene file to write; it must not exist")
+      ->required();
+  init->add_option("--length-unit", init_options.length_unit,
+                   "The surfaces' unit; guessed from the radii where absent")
+      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  init->add_flag("-q,--quiet", common.quiet, "No progress");
+
   auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
   compare->add_option("a", common.command.input, "Result folder A")->required();
   compare
@@ -159,7 +172,7 @@ int run(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first[0] != '-' && !has_command(app, first)) {
     std::cerr << "vasorod: found the command \"" << first
-              << "\", expected solve, fit, compare or draw\n";
+              << "\", expected solve, fit, init, compare or draw\n";
     return 2;
   }
   try {
@@ -174,13 +187,14 @@ int run(int argc, char** argv) {
   else
     end_on_signal();
   if (!common.quiet && isatty(STDERR_FILENO) != 0)
-    common.command.solve.progress = [](const std::string& what) {
+    common.command.solve.progress = init_options.progress = [](const std::string& what) {
       std::cerr << "vasorod: " << what << '\n';
     };
 
   const int exit_code = *solve  ? solve_command(common.command)
                         : *fit  ? fit_command(common.command)
                         : *draw ? draw_command(common.command)
+                        : *init ? init_command(init_options)
                                 : compare_command(common.command);
   if (!std::cout.flush()) throw FileError("standard output: cannot be written");
   return exit_code;

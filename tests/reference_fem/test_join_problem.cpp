@@ -172,6 +172,7 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
           "found an ellipse 4.1 wide with a rim 12.57 long, which a circle exceeds");
   refused("rotation_deg: 0", "cut_tilt_deg: 20, rotation_deg: 0",
           "found an oblique cut (`cut_tilt_deg`)");
+  refused("cut: [2, 0, 8]", "cut: {along: 0.5}", "found a pick by `along`");
   refused("cut: [2, 0, 8]", "cut: [2, 0, 17]", "glenn: cut: found a point 3 off vessel vein");
   refused("units: {length: mm, stress: MPa}\nvessels:\n",
           "units: {length: mm, stress: MPa}\nvessels:\n"

@@ -156,7 +156,7 @@ const std::vector<Bad> bads = {
      "{vessel: tube, end: start",
      "{vessel: tub, end: start",
      {":11:", "\"tub\"", "\"tube\""}},
-    {"end_unknown", "end: start", "end: middle", {"\"middle\"", "start, end or"}},
+    {"end_unknown", "end: start", "end: middle", {"\"middle\"", "start, end, {near"}},
     {"end_near_two", "end: start", "end: {near: [1, 2]}", {"a list of 2", "three numbers"}},
     {"end_at_on_tube", "end: start", "at: 0.5", {"a vessel with a surface"}},
     {"end_missing", "end: start, ", "", {"end: found nothing"}},

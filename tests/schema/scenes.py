@@ -49,4 +49,10 @@ assert subprocess.run(make, check=False).returncode == 0, "docs/make_reference.p
 with tempfile.TemporaryDirectory() as scratch:
     done = run(program, "solve", source / "examples" / "scene.yaml", "-o", f"{scratch}/out")
     assert done.code == 0, f"examples/scene.yaml: {done.error}"
-print("the pages are up to date, and their example converges")
+    proposed = Path(scratch) / "proposed.yaml"
+    surfaces = sorted((source / "meshes" / "infant").glob("*.vtp"))
+    done = run(program, "init", *surfaces, "-o", proposed)
+    assert done.code == 0, f"init: {done.error}"
+    fault = schema.fault(read_scene(proposed))
+    assert not fault, f"the scene that init writes: {fault}"
+print("the pages are up to date, their example converges, and what init writes is valid")

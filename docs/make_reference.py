@@ -41,7 +41,8 @@ SCENE_EXAMPLE = """
 ## Example
 
 This is [`examples/scene.yaml`](../examples/scene.yaml). The Glenn shunt on the bundled anatomy is
-`benchmarks/cases/glenn/infant.yaml`, and `benchmarks/cases/rod` has bare rods.
+`benchmarks/cases/glenn/infant.yaml`, two tubes joined end to end are
+`benchmarks/cases/end_to_end/tubes.yaml`, and `benchmarks/cases/rod` has bare rods.
 """
 
 RESULT_INTRO = """
@@ -121,6 +122,8 @@ its range there. Forces are stress * length^2, energies stress * length^3.
 ONLY = {
     "vasorod-fem": "`vasorod-fem` only",
     "glenn": "with a Glenn shunt only",
+    "end_to_end": "with an end-to-end join only",
+    "surgery": "with a surgery only",
     "paper": "fidelity `paper` only",
 }
 

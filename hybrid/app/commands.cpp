@@ -61,9 +61,9 @@ void say_status(const Result& result, const CommandOptions& options) {
   if (is_unfinished(result.status))
     std::cout << ", relative residual "
               << (std::isfinite(residual) ? number_text(residual, 3) : "unknown");
-  if (result.glenn && result.fidelity != "rod" && is_solution(result.status))
-    std::cout << ", largest seam gap " << result.glenn->join.largest_gap << ' '
-              << result.length_unit;
+  const auto joined = joined_vessels(result);
+  if (joined && result.fidelity != "rod" && is_solution(result.status))
+    std::cout << ", largest seam gap " << joined->seam->largest_gap << ' ' << result.length_unit;
   std::cout << '\n';
   if (!is_solution(result.status)) std::cout << "  " << why_unknown(result.status) << '\n';
   if (result.status == Status::iteration_limit)

@@ -67,4 +67,19 @@ const VesselSpec& Scene::vessel(const std::string& vessel_name) const {
                    ", expected one of the scene's");
 }
 
+std::optional<std::array<std::string, 2>> Scene::joined() const {
+  if (glenn) return std::array{glenn->svc, glenn->rpa};
+  if (end_to_end) return std::array{end_to_end->rims[0].vessel, end_to_end->rims[1].vessel};
+  return std::nullopt;
+}
+
+std::vector<const PickSpec*> Scene::picks() const {
+  std::vector<const PickSpec*> picks;
+  if (glenn) picks = {&glenn->cut, &glenn->incision};
+  if (end_to_end)
+    for (const RimSpec& rim : end_to_end->rims)
+      if (rim.cut) picks.push_back(&*rim.cut);
+  return picks;
+}
+
 }  // namespace vasorod

@@ -43,7 +43,7 @@ Demand demand_of(const RodOfVessel& rod) {
 
 // Why the table does not cover this scene; empty if it does.
 std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>& rods) {
-  if (scene.glenn) return "the table is of single tubes, not of operations";
+  if (scene.joined()) return "the table is of single tubes, not of operations";
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.pressure || vessel.axial_prestretch != 1)
       return "the table is of tubes without a pressure or a prestretch";

@@ -104,9 +104,10 @@ void add_lumen(const Result& result, std::vector<Criterion>& criteria) {
 }
 
 void add_mouth(const Result& result, std::vector<Criterion>& criteria) {
-  if (!result.glenn || !result.glenn->mouth) return;
+  const auto joined = joined_vessels(result);
+  if (!joined || joined->mouth == nullptr) return;
   criteria.push_back(
-      of_area("mouth", {result.glenn->mouth->area_ratio, result.glenn->svc}, result.fidelity));
+      of_area("mouth", {joined->mouth->area_ratio, joined->mouth_of}, result.fidelity));
 }
 
 void add_twist(const Result& result, std::vector<Criterion>& criteria) {

@@ -1,4 +1,4 @@
-// The mouth of a Glenn operation: the opening inside the seam, through which the vein drains.
+// The mouth of an operation: the opening inside the seam, through which the vein drains.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace vasorod {
 /// areas and widths are those of its projection along its area vector. All numbers are of the
 /// vein's mid-wall, but for the lumen (half the vein's thickness further inwards). The vein's lumen
 /// at rest, to which the mouth's is compared, is that across `axis`, the vein's axis at its cut
-/// end, also where the cut is oblique.
+/// end, also where the cut is oblique. Of two vessels joined end to end, the vein is the narrower.
 MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
                           const Points& recipient_now, const std::vector<std::array<int, 2>>& pairs,
                           const Vec3& axis);

@@ -220,4 +220,12 @@ void warn_of_keep(const GlennReport& glenn, Validity& validity) {
       "that faces the vein");
 }
 
+void warn_of_keep(const EndToEndReport& report, Validity& validity) {
+  if (!(report.join.axis_turn_deg > 90)) return;
+  validity.warnings.push_back(
+      "vessels " + report.rims[0].vessel + " and " + report.rims[1].vessel +
+      ": their rims have to turn by " + number_text(report.join.axis_turn_deg, 3) +
+      " degrees to face each other: check which end each of them is joined by (keep, end)");
+}
+
 }  // namespace vasorod

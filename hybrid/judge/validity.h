@@ -68,9 +68,13 @@ void warn_of_units(const VesselSpec& vessel, const Units& units, Validity& valid
 void warn_of_radius(const std::string& vessel, double radius, const Units& units,
                     Validity& validity);
 
-/// Warns where the vein's mouth has to turn by more than 90 degrees to meet the incision from
-/// outside. Then the part that was cut off would have to turn by less than 90 degrees, so that the
-/// scene probably keeps the wrong one.
+/// Of a Glenn operation: warns where the vein's mouth has to turn by more than 90 degrees to meet
+/// the incision from outside. Then the part that was cut off would have to turn by less than 90
+/// degrees, so that the scene probably keeps the wrong one.
 void warn_of_keep(const GlennReport& glenn, Validity& validity);
+
+/// Of an end-to-end join: warns where the rims have to turn by more than 90 degrees to face each
+/// other. Then the scene probably keeps, or joins, the wrong end of a vessel.
+void warn_of_keep(const EndToEndReport& report, Validity& validity);
 
 }  // namespace vasorod

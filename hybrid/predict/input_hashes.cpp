@@ -11,18 +11,16 @@ namespace vasorod {
 InputHashes::InputHashes(const Scene& scene) : scene_(scene) {
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.surface) files_.push_back(*vessel.surface);
-  if (scene.glenn)
-    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
-      if (!pick->markup.empty()) files_.push_back(pick->markup);
+  for (const PickSpec* pick : scene.picks())
+    if (!pick->markup.empty()) files_.push_back(pick->markup);
   // The file of a scene that `fit` makes is its surface.
   const bool surface = std::any_of(
       scene.vessels.begin(), scene.vessels.end(),
       [&](const VesselSpec& vessel) { return vessel.surface && *vessel.surface == scene.file; });
   if (!scene.file.empty() && !surface)
     hashes_[scene.file.filename().string()] = sha256_of_file(scene.file);
-  if (scene.glenn)
-    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
-      if (!pick->markup.empty()) hashes_[name_of(pick->markup)] = sha256_of_file(pick->markup);
+  for (const PickSpec* pick : scene.picks())
+    if (!pick->markup.empty()) hashes_[name_of(pick->markup)] = sha256_of_file(pick->markup);
 }
 
 // A file's name, or its path where another input has that name too.

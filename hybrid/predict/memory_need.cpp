@@ -17,8 +17,8 @@ constexpr double coupled_vertex = 30e3, paper_vertex = 2e3, other_vertex = 500, 
 // Nothing moves the others unless they are touched, and obstacles never.
 bool is_solved(const Scene& scene, const VesselSpec& vessel) {
   if (vessel.role == Role::obstacle) return false;
-  if (scene.glenn && (vessel.name == scene.glenn->svc || vessel.name == scene.glenn->rpa))
-    return true;
+  if (const auto joined = scene.joined())
+    if (vessel.name == (*joined)[0] || vessel.name == (*joined)[1]) return true;
   return std::any_of(scene.ends.begin(), scene.ends.end(), [&](const EndCondition& end) {
     return end.vessel == vessel.name && (end.move || end.rotate_deg || end.force || end.moment);
   });

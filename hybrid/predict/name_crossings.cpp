@@ -38,15 +38,15 @@ void name_crossings(const Prediction& prediction, Result& result) {
   for (const PredictedVessel& vessel : prediction.vessels) {
     if (vessel.positions.rows() == 0) continue;  // fidelity rod, bare rods
     const std::string& name = vessel.prepared.spec.name;
-    if (prediction.glenn && prediction.glenn->report.svc == name)
+    if (prediction.operation && prediction.operation->vessels[0].name == name)
       seam.a = static_cast<int>(bodies.size());
-    if (prediction.glenn && prediction.glenn->report.rpa == name)
+    if (prediction.operation && prediction.operation->vessels[1].name == name)
       seam.b = static_cast<int>(bodies.size());
     bodies.push_back({&vessel.prepared.vessel.surface, &vessel.positions,
                       vessel.prepared.obstacle() ? 0 : vessel.prepared.vessel.mean_radius});
     names.push_back(name);
   }
-  if (prediction.glenn) seam.pairs = prediction.glenn->pairs;
+  if (prediction.operation) seam.pairs = prediction.operation->pairs;
   for (const Crossing& crossing : crossings(bodies, seam)) {
     const std::string &a = names[index(crossing.a)], &b = names[index(crossing.b)];
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});

@@ -91,33 +91,47 @@ void scan_metrics(const VesselMetrics& metrics, Scan& scan) {
     scan.see(joined_text("place of ", name, of), place);
 }
 
-void scan_glenn(const Result& result, Scan& scan) {
-  if (!result.glenn) return;
-  const GlennReport& glenn = *result.glenn;
-  scan.see("cut's pick", glenn.cut.pick);
-  scan.see("incision's pick", glenn.incision.pick);
-  scan.see("incision's angle", glenn.incision.around_deg);
-  scan.see("cut's fraction", glenn.cut.fraction);
-  scan.see("cut's perimeter", glenn.cut.perimeter);
-  scan.see("cut's point", glenn.cut.point);
-  scan.see("cut's normal", glenn.cut.normal);
-  scan.see("incision's length", glenn.incision.length);
-  scan.see("incision's width", glenn.incision.width);
-  scan.see("incision's perimeter", glenn.incision.perimeter_ratio);
-  scan.see("incision's removed area", glenn.incision.removed_area);
-  for (const Vec3& end : glenn.incision.ends) scan.see("incision's end", end);
-  scan.see("seam's rotation", glenn.join.rotation_deg);
-  scan.see("turn of the mouth's axis", glenn.join.axis_turn_deg);
-  if (result.fidelity == "rod") return;  // nothing was joined
-  scan.see("incision's opened area", glenn.incision.opened_area);
-  scan.see("seam's largest gap", glenn.join.largest_gap);
-  scan.see("seam's mean gap", glenn.join.rms_gap);
-  if (!glenn.mouth) return;
-  scan.see("mouth's area", glenn.mouth->area);
-  scan.see("mouth's lumen ratio", glenn.mouth->area_ratio);
-  scan.see("mouth's span", glenn.mouth->span);
-  scan.see("mouth's width", glenn.mouth->width);
-  scan.see("mouth's perimeter ratio", glenn.mouth->perimeter_ratio);
+void scan_cut(const std::string& of, const CutReport& cut, Scan& scan) {
+  scan.see("pick of the cut" + of, cut.pick);
+  scan.see("fraction of the cut" + of, cut.fraction);
+  scan.see("perimeter of the cut" + of, cut.perimeter);
+  scan.see("point of the cut" + of, cut.point);
+  scan.see("normal of the cut" + of, cut.normal);
+}
+
+// `sewn`: it has gaps and a mouth.
+void scan_seam(const JoinedVessels& joined, bool sewn, Scan& scan) {
+  scan.see("seam's rotation", joined.seam->rotation_deg);
+  scan.see("turn of the mouth's axis", joined.seam->axis_turn_deg);
+  if (!sewn) return;
+  scan.see("seam's largest gap", joined.seam->largest_gap);
+  scan.see("seam's mean gap", joined.seam->rms_gap);
+  if (joined.mouth == nullptr) return;
+  scan.see("mouth's area", joined.mouth->area);
+  scan.see("mouth's lumen ratio", joined.mouth->area_ratio);
+  scan.see("mouth's span", joined.mouth->span);
+  scan.see("mouth's width", joined.mouth->width);
+  scan.see("mouth's perimeter ratio", joined.mouth->perimeter_ratio);
+}
+
+void scan_operation(const Result& result, Scan& scan) {
+  const bool sewn = result.fidelity != "rod";
+  if (result.glenn) {
+    const IncisionReport& incision = result.glenn->incision;
+    scan_cut(" of " + result.glenn->svc, result.glenn->cut, scan);
+    scan.see("incision's pick", incision.pick);
+    scan.see("incision's angle", incision.around_deg);
+    scan.see("incision's length", incision.length);
+    scan.see("incision's width", incision.width);
+    scan.see("incision's perimeter", incision.perimeter_ratio);
+    scan.see("incision's removed area", incision.removed_area);
+    for (const Vec3& end : incision.ends) scan.see("incision's end", end);
+    if (sewn) scan.see("incision's opened area", incision.opened_area);
+  }
+  if (result.end_to_end)
+    for (const RimReport& rim : result.end_to_end->rims)
+      scan_cut(" of " + rim.vessel, rim.cut, scan);
+  if (const auto joined = joined_vessels(result)) scan_seam(*joined, sewn, scan);
 }
 
 std::vector<std::string> not_finite(const Result& result) {
@@ -139,7 +153,7 @@ std::vector<std::string> not_finite(const Result& result) {
   scan.see("largest strain", v.largest_strain);
   scan_forces(result, scan);
   for (const VesselMetrics& metrics : result.metrics) scan_metrics(metrics, scan);
-  scan_glenn(result, scan);
+  scan_operation(result, scan);
   for (const VesselResult& vessel : result.vessels) scan_shapes(vessel, scan);
   return scan.names();
 }

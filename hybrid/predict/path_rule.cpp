@@ -109,7 +109,7 @@ double carried_depth(const Prediction& prediction, size_t vessel) {
 }
 
 std::vector<double> path_times(const Prediction& prediction) {
-  if (prediction.glenn) return {1};
+  if (prediction.operation) return {1};
   std::set<double> times;
   const auto add = [&times](const std::vector<double>& more) {
     times.insert(more.begin(), more.end());

@@ -17,6 +17,8 @@
 #include "predict/prediction.h"
 #include "predict/prestress.h"
 #include "predict/rod_scene.h"
+#include "surgery/end_to_end.h"
+#include "surgery/glenn.h"
 
 namespace vasorod {
 namespace {
@@ -49,7 +51,7 @@ void require_a_condition(const Scene& scene) {
                std::any_of(vessel.rod->pieces.begin(), vessel.rod->pieces.end(),
                            [](const RodPiece& piece) { return piece.natural.has_value(); });
       });
-  if (!scene.ends.empty() || scene.glenn || relaxes) return;
+  if (!scene.ends.empty() || scene.joined() || relaxes) return;
   throw InputError(place_in(scene) +
                    ": found no condition in ends and no surgery, so that nothing would happen, "
                    "expected at least one end that is held, moved or loaded (vasorod fit shows a "
@@ -93,6 +95,18 @@ void check_vessels(const Scene& scene) {
                        "found no wall, expected its thickness and material");
   }
   for (const EndCondition& end : scene.ends) scene.vessel(end.vessel);
+  if (scene.glenn && scene.end_to_end)
+    throw InputError(place_in(scene, scene.end_to_end->line) +
+                     ": end_to_end: found it beside glenn, expected one operation in a scene");
+  if (const auto joined = scene.joined()) {
+    if ((*joined)[0] == (*joined)[1])
+      throw InputError(place_in(scene) + ": surgery: found the vessel " + in_quotes((*joined)[0]) +
+                       " twice, expected two different vessels");
+    for (const std::string& name : *joined)
+      if (const VesselSpec& vessel = scene.vessel(name); vessel.role == Role::obstacle)
+        throw InputError(place_of(scene, vessel) +
+                         "found an obstacle that the surgery joins, expected a deformable vessel");
+  }
   require_one_pressure(scene);
 }
 
@@ -205,19 +219,31 @@ void require_one_space(const Prediction& prediction) {
   }
 }
 
-// Cuts, incises and places; solves the vein's rod.
+// Cuts, opens, places and sews; solves the rods that the join moves.
 void operate_on(Prediction& prediction, const SolveOptions& options, EarlyStages& stages) {
   const Scene& scene = *prediction.scene;
-  PredictedVessel& svc = prediction.vessels[vessel_named(prediction, scene.glenn->svc)];
-  PredictedVessel& rpa = prediction.vessels[vessel_named(prediction, scene.glenn->rpa)];
-  GlennOptions glenn;
-  glenn.rod.stop = options.stop;
-  glenn.progress = [&](const std::string& step) { stages.begin("surgery: " + step); };
-  prediction.glenn =
-      operate(scene, *scene.glenn, svc.prepared, rpa.prepared, svc.conditions, glenn);
-  svc.rod = prediction.glenn->vein;
-  svc.rod_solved = true;
-  for (Stage& stage : prediction.glenn->stages) prediction.stages.push_back(std::move(stage));
+  const auto [first_name, second_name] = scene.joined().value();
+  PredictedVessel& first = prediction.vessels[vessel_named(prediction, first_name)];
+  PredictedVessel& second = prediction.vessels[vessel_named(prediction, second_name)];
+  OperationOptions how;
+  how.rod.stop = options.stop;
+  how.progress = [&](const std::string& step) { stages.begin("surgery: " + step); };
+  Operation& operation = prediction.operation.emplace();
+  if (scene.glenn)
+    operation =
+        operate(scene, *scene.glenn, first.prepared, second.prepared, first.conditions, how);
+  else
+    operation = join_end_to_end(scene, *scene.end_to_end,
+                                {VesselToJoin{first.prepared, first.conditions},
+                                 VesselToJoin{second.prepared, second.conditions}},
+                                how);
+  for (PredictedVessel* vessel : {&first, &second}) {
+    auto& rod = operation.vessels[vessel == &first ? 0 : 1].rod;
+    if (!rod) continue;
+    vessel->rod = *rod;
+    vessel->rod_solved = true;
+  }
+  for (Stage& stage : operation.stages) prediction.stages.push_back(std::move(stage));
 }
 
 // With the rods solved: the fidelity that `accuracy:` needs.
@@ -282,7 +308,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   prediction.watch.lap("fit");
   prestress(prediction, fidelity->lumen, [&](const std::string& stage) { stages.begin(stage); });
   prediction.stages.push_back(rest_stage(prediction));
-  if (scene.glenn) operate_on(prediction, options, stages);
+  if (scene.joined()) operate_on(prediction, options, stages);
   prediction.watch.lap("surgery");
 
   solve_rods(prediction, options);

@@ -19,8 +19,10 @@ Points carried_surface(const PredictedVessel& vessel) {
 }
 
 int mouth_of(const Prediction& prediction, const PredictedVessel& vessel) {
-  const bool joined = prediction.glenn && prediction.glenn->report.svc == vessel.prepared.spec.name;
-  return joined ? prediction.glenn->mouth_node : -1;
+  if (!prediction.operation) return -1;
+  for (const OperatedVessel& joined : prediction.operation->vessels)
+    if (joined.name == vessel.prepared.spec.name) return joined.rim_node;
+  return -1;
 }
 
 std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel) {

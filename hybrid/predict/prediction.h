@@ -11,7 +11,7 @@
 #include "bodies/surface_solution.h"
 #include "predict/stopwatch.h"
 #include "rod/newton.h"
-#include "surgery/glenn.h"
+#include "surgery/operation.h"
 #include "vessel/end_conditions.h"
 #include "vessel/prepared_vessel.h"
 #include "wall/wall_energy.h"
@@ -47,7 +47,7 @@ struct Prediction {
   const Scene* scene = nullptr;                 ///< the scene that is solved
   std::string fidelity;                         ///< name of the fidelity
   std::vector<PredictedVessel> vessels;         ///< in the scene's order
-  std::optional<GlennOperation> glenn;          ///< the operation; empty: none
+  std::optional<Operation> operation;           ///< the operation; empty: none
   std::optional<SolvedSurfaces> surfaces;       ///< empty at fidelities without surface energies
   std::vector<std::string> notes;               ///< sentences for the certificate
   std::vector<Stage> stages;                    ///< for the report's pictures
@@ -65,11 +65,11 @@ size_t vessel_named(const Prediction& prediction, const std::string& name);
 /// The vessel's surface as its rod carries it, n x 3; at rest where the rod was not solved.
 Points carried_surface(const PredictedVessel& vessel);
 
-/// The node of the vessel's rod that the join places: the vein's mouth; -1 for other vessels.
+/// The node of the vessel's rod that a join places: that of a rim; -1: there is none.
 int mouth_of(const Prediction& prediction, const PredictedVessel& vessel);
 
-/// Nodes whose sections a support keeps rigid. The vein's mouth is placed by the join, so its
-/// section is not rigid.
+/// Nodes whose sections a support keeps rigid. A rim is placed by its join, so its section is not
+/// rigid.
 std::vector<int> rigid_nodes(const Prediction& prediction, const PredictedVessel& vessel);
 
 }  // namespace vasorod

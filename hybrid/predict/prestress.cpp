@@ -16,20 +16,30 @@ namespace {
 // Beyond this, over the radius, the first linear step is a rough prestress.
 constexpr double largest_displacement = 0.1;
 
+// Whether an operation opens the vessel across: at a cut, or at an end where it was held when it
+// was seen.
+bool is_opened(const Scene& scene, const std::string& name) {
+  if (scene.glenn) return scene.glenn->svc == name;
+  const auto joined = scene.joined();
+  return joined && ((*joined)[0] == name || (*joined)[1] == name);
+}
+
 }  // namespace
 
 void require_one_pressure(const Scene& scene) {
-  if (!scene.glenn) return;
-  const VesselSpec &svc = scene.vessel(scene.glenn->svc), &rpa = scene.vessel(scene.glenn->rpa);
+  const auto joined = scene.joined();
+  if (!joined) return;
+  const VesselSpec &first = scene.vessel((*joined)[0]), &second = scene.vessel((*joined)[1]);
   const auto after = [](const VesselSpec& vessel) {
     return vessel.pressure ? vessel.pressure->after : 0;
   };
-  if (std::abs(after(svc) - after(rpa)) <= 1e-9 * std::abs(after(rpa))) return;
+  if (std::abs(after(first) - after(second)) <= 1e-9 * std::abs(after(second))) return;
   const auto text = [&](const VesselSpec& vessel) {
     return mmhg_text(after(vessel), scene.units) + " in " + vessel.name;
   };
-  throw InputError(place_of(scene, svc) + "pressure.after: found " + text(svc) + " and " +
-                   text(rpa) + ", expected one pressure, as the operation joins them to one lumen");
+  throw InputError(place_of(scene, first) + "pressure.after: found " + text(first) + " and " +
+                   text(second) +
+                   ", expected one pressure, as the operation joins them to one lumen");
 }
 
 namespace {
@@ -85,7 +95,7 @@ void prestress(Prediction& prediction, LumenOf lumen,
       require_bearable(prepared, scene);
       prediction.notes.push_back(lumen_note(spec, scene.units));
     }
-    const bool cut = scene.glenn && scene.glenn->svc == spec.name;
+    const bool cut = is_opened(scene, spec.name);
     if (lumen == LumenOf::wall)
       prestress_wall(prepared, vessel.conditions, cut, prediction);
     else

@@ -108,34 +108,60 @@ Balance balance_of(const Prediction& prediction, size_t v) {
   return balance;
 }
 
-// Gaps, opened area and mouth of the seam in the solved surfaces.
-void measure_seam(const Prediction& prediction, GlennReport& report) {
-  const auto& glenn = *prediction.glenn;
-  const auto of = [&](const std::string& name) -> const Points& {
-    return prediction.vessels[vessel_named(prediction, name)].positions;
-  };
-  const Points& svc = of(glenn.report.svc);
-  const Points& rpa = of(glenn.report.rpa);
-  report.join.pairs = static_cast<int>(glenn.pairs.size());
-  if (svc.rows() == 0 || rpa.rows() == 0) {  // fidelity rod: no surfaces, no seam
-    report.join.largest_gap = report.join.rms_gap = std::numeric_limits<double>::quiet_NaN();
-    report.incision.opened_area = std::numeric_limits<double>::quiet_NaN();
-    return;
+// Gaps of the seam in the solved surfaces. False: there are no surfaces, nothing was joined.
+bool measure_seam(const Operation& operation, const Points& first, const Points& second,
+                  SeamReport& report) {
+  report.pairs = static_cast<int>(operation.pairs.size());
+  if (first.rows() == 0 || second.rows() == 0) {
+    report.largest_gap = report.rms_gap = std::numeric_limits<double>::quiet_NaN();
+    return false;
   }
   double sum = 0;
-  std::vector<int> rim;
-  for (const auto& [a, b] : glenn.pairs) {
-    rim.push_back(b);
-    const double gap = (svc.row(a) - rpa.row(b)).norm();
-    report.join.largest_gap = std::max(report.join.largest_gap, gap);
+  for (const auto& [a, b] : operation.pairs) {
+    const double gap = (first.row(a) - second.row(b)).norm();
+    report.largest_gap = std::max(report.largest_gap, gap);
     sum += gap * gap;
   }
-  report.join.rms_gap = std::sqrt(sum / static_cast<double>(glenn.pairs.size()));
-  report.incision.opened_area = area_vector(rpa, rim).norm();
-  const PreparedVessel& vein =
-      prediction.vessels[vessel_named(prediction, glenn.report.svc)].prepared;
-  const Vec3 axis = vein.vessel.rod.rest[static_cast<size_t>(glenn.mouth_node)].director(3);
-  report.mouth = measure_mouth(vein, svc, rpa, glenn.pairs, axis);
+  report.rms_gap = std::sqrt(sum / static_cast<double>(operation.pairs.size()));
+  return true;
+}
+
+// The mouth as one of the vessel of that number.
+MouthReport mouth_of(const Prediction& prediction, size_t number) {
+  const Operation& operation = *prediction.operation;
+  const OperatedVessel& joined = operation.vessels[number];
+  const PredictedVessel& vessel = prediction.vessels[vessel_named(prediction, joined.name)];
+  const PredictedVessel& other =
+      prediction.vessels[vessel_named(prediction, operation.vessels[1 - number].name)];
+  std::vector<std::array<int, 2>> pairs = operation.pairs;
+  if (number == 1)
+    for (auto& pair : pairs) std::swap(pair[0], pair[1]);
+  const Vec3 axis = vessel.prepared.vessel.rod.rest[index(joined.rim_node)].director(3);
+  return measure_mouth(vessel.prepared, vessel.positions, other.positions, pairs, axis);
+}
+
+// The operation with what belongs to the solution: gaps, opened area and mouth.
+void add_operation(const Prediction& prediction, Result& result) {
+  if (!prediction.operation) return;
+  const Operation& operation = *prediction.operation;
+  result.glenn = operation.glenn;
+  result.end_to_end = operation.end_to_end;
+  const auto positions = [&](size_t number) -> const Points& {
+    return prediction.vessels[vessel_named(prediction, operation.vessels[number].name)].positions;
+  };
+  SeamReport& seam = result.glenn ? result.glenn->join : result.end_to_end->join;
+  const bool sewn = measure_seam(operation, positions(0), positions(1), seam);
+  if (result.glenn) {
+    std::vector<int> rim;
+    for (const auto& pair : operation.pairs) rim.push_back(pair[1]);
+    result.glenn->incision.opened_area =
+        sewn ? area_vector(positions(1), rim).norm() : std::numeric_limits<double>::quiet_NaN();
+    if (sewn) result.glenn->mouth = mouth_of(prediction, 0);
+    warn_of_keep(*result.glenn, result.validity);
+  } else {
+    if (sewn) result.end_to_end->mouth = mouth_of(prediction, index(result.end_to_end->narrower));
+    warn_of_keep(*result.end_to_end, result.validity);
+  }
 }
 
 void add_contact(const Prediction& prediction, Result& result) {
@@ -179,7 +205,7 @@ void describe_model(const Prediction& prediction, Result& result) {
   }
   if (prediction.surfaces)
     terms.insert(prediction.surfaces->terms.begin(), prediction.surfaces->terms.end());
-  if (prediction.glenn && has_surfaces) terms.insert("joining");
+  if (prediction.operation && has_surfaces) terms.insert("joining");
   if (!result.contact.empty()) terms.insert("contact");
   model.terms.assign(terms.begin(), terms.end());
 }
@@ -199,18 +225,14 @@ Result result_of(const Prediction& prediction, int threads) {
   for (size_t v = 0; v < prediction.vessels.size(); ++v)
     if (!prediction.vessels[v].prepared.obstacle())
       result.balance.push_back(walls ? wall_balance(prediction, v) : balance_of(prediction, v));
-  if (prediction.glenn) {
-    result.glenn = prediction.glenn->report;
-    measure_seam(prediction, *result.glenn);
-    warn_of_keep(*result.glenn, result.validity);
-  }
+  add_operation(prediction, result);
   describe_model(prediction, result);
   add_vessels(prediction, result);
-  if (result.glenn && result.glenn->mouth) {
+  if (const auto joined = joined_vessels(result); joined && joined->mouth != nullptr) {
     const std::size_t before = result.validity.warnings.size();
     for (VesselMetrics& metrics : result.metrics)
-      if (metrics.vessel == result.glenn->svc)
-        judge_mouth(metrics.vessel, *result.glenn->mouth, metrics, result.validity);
+      if (metrics.vessel == joined->mouth_of)
+        judge_mouth(metrics.vessel, *joined->mouth, metrics, result.validity);
     // The mouth of a state that is no solution gives no warning.
     if (!is_solution(result.status)) result.validity.warnings.resize(before);
   }

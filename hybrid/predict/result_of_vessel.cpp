@@ -56,8 +56,9 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
     out.contact_pressure = vessel.pressure;
     out.point_arrays = prepared.loaded.point_arrays;
     out.cell_arrays = prepared.loaded.cell_arrays;
-    if (prediction.glenn && prediction.glenn->report.svc == out.name)
-      out.stump = prediction.glenn->stump;
+    if (prediction.operation)
+      for (const OperatedVessel& joined : prediction.operation->vessels)
+        if (joined.name == out.name) out.stump = joined.stump;
   }
   if (!out.obstacle) out.centerline = centerline_of(prepared.vessel.rod, vessel.rod.poses);
   return out;
@@ -65,8 +66,9 @@ VesselResult written(const Prediction& prediction, const PredictedVessel& vessel
 
 // The rod elements over the incision; empty: the vessel has none.
 std::vector<char> opened_in(const Prediction& prediction, const PreparedVessel& vessel) {
-  if (!prediction.glenn || prediction.glenn->report.rpa != vessel.spec.name) return {};
-  return opened_elements(vessel, prediction.glenn->pairs);
+  const auto& operation = prediction.operation;
+  if (!operation || !operation->glenn || operation->glenn->rpa != vessel.spec.name) return {};
+  return opened_elements(vessel, operation->pairs);
 }
 
 // Names the branches whose kinks and wrinkles nobody judges.

@@ -52,10 +52,11 @@ BodyProblem body_problem(const Prediction& prediction) {
   BodyProblem problem;
   for (const PredictedVessel& vessel : prediction.vessels)
     problem.bodies.push_back(body_of(vessel));
-  if (prediction.glenn) {
-    const int svc = body_named(prediction.glenn->report.svc),
-              rpa = body_named(prediction.glenn->report.rpa);
-    for (const auto& [a, b] : prediction.glenn->pairs) problem.seams.push_back({svc, a, rpa, b});
+  if (prediction.operation) {
+    const auto& joined = prediction.operation->vessels;
+    const int first = body_named(joined[0].name), second = body_named(joined[1].name);
+    for (const auto& [a, b] : prediction.operation->pairs)
+      problem.seams.push_back({first, a, second, b});
   }
   if (prediction.scene->contact)
     for (const auto& [a, b] : *prediction.scene->contact)

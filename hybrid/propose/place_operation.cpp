@@ -128,10 +128,11 @@ std::optional<PlacedOperation> place_operation(const Scene& scene, const Prepare
     try {
       PreparedVessel svc = vein, rpa = artery;
       VesselConditions conditions = end_conditions(scene, vein.spec.name, svc.vessel);
-      const GlennOperation operation = operate(scene, spec, svc, rpa, conditions);
-      if (operation.vein.summary.status == Status::converged &&
-          operation.report.join.axis_turn_deg <= 90) {
-        placed.report = operation.report;
+      const Operation operation = operate(scene, spec, svc, rpa, conditions);
+      const std::optional<RodSolution>& rod = operation.vessels[0].rod;
+      if (rod && rod->summary.status == Status::converged &&
+          operation.glenn->join.axis_turn_deg <= 90) {
+        placed.report = *operation.glenn;
         return placed;
       }
     } catch (const InputError&) {

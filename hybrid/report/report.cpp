@@ -114,9 +114,9 @@ std::string facts(const Result& result) {
       html += fact("Largest contact pressure", peak(pressure), unit(result.stress_unit));
     }
   }
-  if (result.glenn)
-    html += fact("Largest gap in the seam", peak(result.glenn->join.largest_gap),
-                 unit(result.length_unit));
+  if (const auto joined = joined_vessels(result))
+    html +=
+        fact("Largest gap in the seam", peak(joined->seam->largest_gap), unit(result.length_unit));
   if (const auto total = result.seconds.find("total"); total != result.seconds.end())
     html += fact("Computed in", cell_text(total->second), "s");
   return html + "</dl>\n";

@@ -310,9 +310,10 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
   static const std::vector<Colour> arteries{
       {0.85F, 0.45F, 0.42F}, {0.78F, 0.56F, 0.50F}, {0.80F, 0.50F, 0.58F}};
   // An operation is about the two vessels it joins, other scenes about whatever may move.
+  const auto joined = joined_vessels(result);
   const auto wanted = [&](const VesselResult& vessel) {
-    return result.glenn ? vessel.name == result.glenn->svc || vessel.name == result.glenn->rpa
-                        : !vessel.obstacle;
+    return joined ? vessel.name == joined->names[0] || vessel.name == joined->names[1]
+                  : !vessel.obstacle;
   };
   const bool any_wanted = std::any_of(result.vessels.begin(), result.vessels.end(), wanted);
   std::vector<DrawnBody> bodies;
@@ -332,8 +333,8 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
     body.glass = !body.wanted || result.fit;
     if (!wanted(vessel))
       body.colour = arteries[beside++ % arteries.size()];
-    else if (result.glenn)
-      body.colour = veins[vessel.name == result.glenn->svc ? 0 : 1];
+    else if (joined)
+      body.colour = veins[vessel.name == joined->names[0] ? 0 : 1];
     else
       body.colour = veins[others++ % veins.size()];
     bodies.push_back(body);

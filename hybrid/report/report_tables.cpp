@@ -170,49 +170,84 @@ std::string metrics_table(const Result& result) {
   return html;
 }
 
-std::string glenn_table(const Result& result) {
-  if (!result.glenn) return {};
-  const GlennReport& g = *result.glenn;
-  const std::string& length = result.length_unit;
-  Table table;
-  table.text_columns = 2;
-  const auto add = [&](const std::string& what, const std::string& value, const std::string& unit) {
+// The rows of an operation's table.
+class OperationRows {
+ public:
+  explicit OperationRows(const Result& result) : result_(result) { table.text_columns = 2; }
+
+  void add(const std::string& what, const std::string& value, const std::string& unit) {
     table.rows.push_back({html_text(what), html_text(value + (unit.empty() ? "" : " " + unit))});
-  };
-  add("Cut of " + g.svc + ", part of its length", cell_text(g.cut.fraction), "");
-  if (g.cut.tilt_deg != 0) add("Cut, tilt", cell_text(g.cut.tilt_deg), "degrees");
-  add("Cut, perimeter", cell_text(g.cut.perimeter), length);
-  add("Cut, plane through", vector_text(g.cut.point), length);
-  add("Cut, normal", vector_text(g.cut.normal), "");
-  add("Incision of " + g.rpa + ", picked at", vector_text(g.incision.pick), length);
-  add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
-  if (g.incision.shape != "slit") {
-    add("Incision, width of the " + g.incision.shape, cell_text(g.incision.width), length);
-    add("Incision, wall taken out", cell_text(g.incision.removed_area), length + "²");
   }
-  add("Incision, perimeter over the cut's", cell_text(g.incision.perimeter_ratio), "");
-  add("Incision, ends", vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]),
-      length);
-  add("Seam, pairs of points", std::to_string(g.join.pairs), "");
-  add("Seam, rotation", cell_text(g.join.rotation_deg), "degrees");
-  add("Seam, turn of the mouth's axis", cell_text(g.join.axis_turn_deg), "degrees");
-  const auto add_solved = [&](const std::string& what, double value, const std::string& unit) {
-    if (is_solution(result.status))
+  // A value that belongs to the solution.
+  void add_solved(const std::string& what, double value, const std::string& unit) {
+    if (is_solution(result_.status))
       add(what, cell_text(value), unit);
     else
       add(what, "unknown", "");
-  };
-  add_solved("Incision, opened area", g.incision.opened_area, length + "²");
-  add_solved("Seam, largest gap", g.join.largest_gap, length);
-  add_solved("Seam, root mean square gap", g.join.rms_gap, length);
-  if (g.mouth) {
-    add_solved("Mouth, lumen", g.mouth->lumen, length + "²");
-    add_solved("Mouth, lumen over the cut vein's", g.mouth->area_ratio, "");
-    add_solved("Mouth, span", g.mouth->span, length);
-    add_solved("Mouth, width", g.mouth->width, length);
-    add_solved("Mouth, perimeter over the cut vein's", g.mouth->perimeter_ratio, "");
   }
-  return html_of("The operation", table);
+  void add_cut(const std::string& of, const CutReport& cut) {
+    const std::string& length = result_.length_unit;
+    add("Cut" + of + ", part of its length", cell_text(cut.fraction), "");
+    if (cut.tilt_deg != 0) add("Cut, tilt", cell_text(cut.tilt_deg), "degrees");
+    add("Cut, perimeter", cell_text(cut.perimeter), length);
+    add("Cut, plane through", vector_text(cut.point), length);
+    add("Cut, normal", vector_text(cut.normal), "");
+  }
+  void add_seam(const SeamReport& seam) {
+    add("Seam, pairs of points", std::to_string(seam.pairs), "");
+    add("Seam, rotation", cell_text(seam.rotation_deg), "degrees");
+    add("Seam, turn of the mouth's axis", cell_text(seam.axis_turn_deg), "degrees");
+  }
+  void add_solution(const SeamReport& seam, const MouthReport* mouth, const std::string& over) {
+    const std::string& length = result_.length_unit;
+    add_solved("Seam, largest gap", seam.largest_gap, length);
+    add_solved("Seam, root mean square gap", seam.rms_gap, length);
+    if (mouth == nullptr) return;
+    add_solved("Mouth, lumen", mouth->lumen, length + "²");
+    add_solved("Mouth, lumen over " + over, mouth->area_ratio, "");
+    add_solved("Mouth, span", mouth->span, length);
+    add_solved("Mouth, width", mouth->width, length);
+    add_solved("Mouth, perimeter over " + over, mouth->perimeter_ratio, "");
+  }
+
+  Table table;
+
+ private:
+  const Result& result_;
+};
+
+std::string glenn_table(const Result& result, const JoinedVessels& joined) {
+  const GlennReport& g = *result.glenn;
+  const std::string& length = result.length_unit;
+  OperationRows rows(result);
+  rows.add_cut(" of " + g.svc, g.cut);
+  rows.add("Incision of " + g.rpa + ", picked at", vector_text(g.incision.pick), length);
+  rows.add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
+  if (g.incision.shape != "slit") {
+    rows.add("Incision, width of the " + g.incision.shape, cell_text(g.incision.width), length);
+    rows.add("Incision, wall taken out", cell_text(g.incision.removed_area), length + "²");
+  }
+  rows.add("Incision, perimeter over the cut's", cell_text(g.incision.perimeter_ratio), "");
+  rows.add("Incision, ends",
+           vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]), length);
+  rows.add_seam(g.join);
+  rows.add_solved("Incision, opened area", g.incision.opened_area, length + "²");
+  rows.add_solution(g.join, joined.mouth, "the cut vein's");
+  return html_of("The operation", rows.table);
+}
+
+std::string end_to_end_table(const Result& result, const JoinedVessels& joined) {
+  OperationRows rows(result);
+  for (const RimReport& rim : result.end_to_end->rims) rows.add_cut(" of " + rim.vessel, rim.cut);
+  rows.add_seam(*joined.seam);
+  rows.add_solution(*joined.seam, joined.mouth, "that of " + joined.mouth_of);
+  return html_of("The operation", rows.table);
+}
+
+std::string operation_table(const Result& result) {
+  const auto joined = joined_vessels(result);
+  if (!joined) return {};
+  return result.glenn ? glenn_table(result, *joined) : end_to_end_table(result, *joined);
 }
 
 std::string force_tables(const Result& result) {
@@ -376,7 +411,7 @@ std::string criteria_table(const Result& result) {
 
 std::string report_tables(const Result& result) {
   if (result.fit) return fit_tables(result) + time_table(result) + model_tables(result);
-  return greyed_unless_solved(result, metrics_table(result)) + glenn_table(result) +
+  return greyed_unless_solved(result, metrics_table(result)) + operation_table(result) +
          greyed_unless_solved(result, force_tables(result)) + "<div class=\"pair\"><div>" +
          greyed_unless_solved(result, energy_table(result)) + "</div><div>" + time_table(result) +
          "</div></div>\n" + model_tables(result);

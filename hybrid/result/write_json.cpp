@@ -157,15 +157,39 @@ Json mouth(const MouthReport& m) {
           {"center", row(m.center)}};
 }
 
+Json cut(const CutReport& c) {
+  return {{"pick", row(c.pick)},
+          {"fraction", c.fraction},
+          {"tilt_deg", c.tilt_deg},
+          {"perimeter", c.perimeter},
+          {"plane", {{"point", row(c.point)}, {"normal", row(c.normal)}}}};
+}
+
+Json seam(const SeamReport& s) {
+  return {{"pairs", s.pairs},
+          {"rotation_deg", s.rotation_deg},
+          {"axis_turn_deg", s.axis_turn_deg},
+          {"largest_gap", s.largest_gap},
+          {"rms_gap", s.rms_gap}};
+}
+
+Json end_to_end(const EndToEndReport& report) {
+  Json rims = Json::array();
+  for (const RimReport& rim : report.rims) {
+    rims.push_back(cut(rim.cut));
+    rims.back()["vessel"] = rim.vessel;
+  }
+  Json value = {{"rims", rims},
+                {"narrower", report.rims[report.narrower == 0 ? 0 : 1].vessel},
+                {"join", seam(report.join)}};
+  if (report.mouth) value["mouth"] = mouth(*report.mouth);
+  return value;
+}
+
 Json glenn(const GlennReport& g) {
   Json value = {{"svc", g.svc},
                 {"rpa", g.rpa},
-                {"cut",
-                 {{"pick", row(g.cut.pick)},
-                  {"fraction", g.cut.fraction},
-                  {"tilt_deg", g.cut.tilt_deg},
-                  {"perimeter", g.cut.perimeter},
-                  {"plane", {{"point", row(g.cut.point)}, {"normal", row(g.cut.normal)}}}}},
+                {"cut", cut(g.cut)},
                 {"incision",
                  {{"pick", row(g.incision.pick)},
                   {"along", g.incision.along},
@@ -178,12 +202,7 @@ Json glenn(const GlennReport& g) {
                   {"removed_area", g.incision.removed_area},
                   {"ends", Json::array({row(g.incision.ends[0]), row(g.incision.ends[1])})},
                   {"opened_area", g.incision.opened_area}}},
-                {"join",
-                 {{"pairs", g.join.pairs},
-                  {"rotation_deg", g.join.rotation_deg},
-                  {"axis_turn_deg", g.join.axis_turn_deg},
-                  {"largest_gap", g.join.largest_gap},
-                  {"rms_gap", g.join.rms_gap}}}};
+                {"join", seam(g.join)}};
   if (g.mouth) value["mouth"] = mouth(*g.mouth);
   return value;
 }
@@ -232,6 +251,7 @@ std::string to_json(const Result& r) {
                 {"criteria", array(r.criteria, criterion)}};
   if (r.fit) value["fit"] = fit(*r.fit);
   if (r.glenn) value["glenn"] = glenn(*r.glenn);
+  if (r.end_to_end) value["end_to_end"] = end_to_end(*r.end_to_end);
   if (r.discretisation)
     value["discretisation"] = {{"dofs", r.discretisation->dofs},
                                {"degree", r.discretisation->degree},

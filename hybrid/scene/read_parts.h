@@ -22,6 +22,8 @@ EndSelector read_selector(const Field& end, const VesselSpec& vessel);
 /// `folder`: that of the scene file.
 GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels,
                      const std::filesystem::path& folder, const Units& units);
+EndToEndSpec read_end_to_end(const Field& end_to_end, const std::vector<VesselSpec>& vessels,
+                             const std::filesystem::path& folder, const Units& units);
 
 /// The vessel that a field names. If there is none, the message suggests the nearest name.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);

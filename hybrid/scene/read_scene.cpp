@@ -67,9 +67,15 @@ Scene read_scene(const std::filesystem::path& file) {
   if (const auto contact = root.find("contact"))
     scene.contact = read_contact(*contact, scene.vessels);
   if (const auto surgery = root.find("surgery")) {
-    surgery->check_keys({"glenn"});
-    scene.glenn = read_glenn(surgery->at("glenn", "the operation"), scene.vessels,
-                             file.parent_path(), scene.units);
+    surgery->check_keys({"glenn", "end_to_end"});
+    const auto glenn = surgery->find("glenn"), end_to_end = surgery->find("end_to_end");
+    if (glenn.has_value() == end_to_end.has_value())
+      surgery->refuse(glenn ? "both glenn and end_to_end" : "neither glenn nor end_to_end",
+                      "one operation");
+    const std::filesystem::path folder = file.parent_path();
+    if (glenn) scene.glenn = read_glenn(*glenn, scene.vessels, folder, scene.units);
+    if (end_to_end)
+      scene.end_to_end = read_end_to_end(*end_to_end, scene.vessels, folder, scene.units);
   }
   read_fidelity(root, scene);
   if (const auto extrapolate = root.find("extrapolate")) {
@@ -87,9 +93,8 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   if (!scene.file.empty()) files.push_back(scene.file);
   for (const VesselSpec& vessel : scene.vessels)
     if (vessel.surface) files.push_back(*vessel.surface);
-  if (scene.glenn)
-    for (const PickSpec* pick : {&scene.glenn->cut, &scene.glenn->incision})
-      if (!pick->markup.empty()) files.push_back(pick->markup);
+  for (const PickSpec* pick : scene.picks())
+    if (!pick->markup.empty()) files.push_back(pick->markup);
   return files;
 }
 

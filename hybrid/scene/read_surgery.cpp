@@ -92,7 +92,65 @@ PickSpec read_pick(const Field& field, const VesselSpec& vessel, bool incision,
   return pick;
 }
 
+EndSelector read_keep(const Field& field, const VesselSpec& vessel, const std::string& called) {
+  return read_selector(field.at("keep",
+                                "start, end, {near: [x, y, z]} or {face: ModelFaceID}, the end of "
+                                "the cut " +
+                                    called + " that goes on"),
+                       vessel);
+}
+
+std::optional<double> read_rotation(const Field& field) {
+  const auto rotation = field.find("rotation_deg");
+  if (!rotation || rotation->found() == "\"auto\"") return std::nullopt;
+  return rotation->number_up_to(largest_length, "auto or a number");
+}
+
+RimSpec read_rim(const Field& field, const std::vector<VesselSpec>& vessels,
+                 const std::filesystem::path& folder, const Units& units) {
+  field.check_keys({"vessel", "cut", "cut_tilt_deg", "keep", "end"});
+  RimSpec rim;
+  rim.line = field.line();
+  const Field name = field.at("vessel", "a vessel's name");
+  rim.vessel = read_operated(name, vessels);
+  const VesselSpec& vessel = named_vessel(name, vessels);
+  const auto cut = field.find("cut"), end = field.find("end");
+  if (cut.has_value() == end.has_value())
+    field.refuse(cut ? "both cut and end" : "neither cut nor end",
+                 "cut: a picked point, or end: the open end of the whole vessel that is joined");
+  if (cut) {
+    rim.cut = read_pick(*cut, vessel, false, folder, units);
+    if (const auto tilt = field.find("cut_tilt_deg")) rim.cut_tilt_deg = tilt->number_in(-75, 75);
+    rim.keep = read_keep(field, vessel, "vessel");
+    return rim;
+  }
+  for (const char* key : {"cut_tilt_deg", "keep"})
+    if (const auto stray = field.find(key))
+      stray->refuse("it beside end", "it beside cut, as a whole vessel keeps all but the rim");
+  rim.end = read_selector(*end, vessel);
+  return rim;
+}
+
 }  // namespace
+
+EndToEndSpec read_end_to_end(const Field& field, const std::vector<VesselSpec>& vessels,
+                             const std::filesystem::path& folder, const Units& units) {
+  field.check_keys({"rims", "rotation_deg"});
+  EndToEndSpec spec;
+  spec.line = field.line();
+  const std::string expected =
+      "a list of two rims, {vessel: NAME, cut: ...} or {vessel: NAME, end: ...}";
+  const Field rims = field.at("rims", expected);
+  const auto both = rims.list(expected);
+  if (both.size() != 2) rims.refuse(rims.found(), expected);
+  for (size_t k = 0; k < 2; ++k) spec.rims[k] = read_rim(both[k], vessels, folder, units);
+  if (spec.rims[0].vessel == spec.rims[1].vessel)
+    both[1]
+        .at("vessel", "a vessel's name")
+        .refuse(in_quotes(spec.rims[1].vessel) + " a second time", "another vessel");
+  spec.rotation_deg = read_rotation(field);
+  return spec;
+}
 
 GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels,
                      const std::filesystem::path& folder, const Units& units) {
@@ -117,13 +175,8 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels,
   if (glenn.ellipse && glenn.ellipse->length && field.has("incision_length"))
     field.at("incision_length", "a number")
         .refuse("it beside an ellipse that has a length", "one of the two");
-  if (const auto rotation = field.find("rotation_deg"); rotation && rotation->found() != "\"auto\"")
-    glenn.rotation_deg = rotation->number_up_to(largest_length, "auto or a number");
-  glenn.keep = read_selector(
-      field.at("keep",
-               "start, end, {near: [x, y, z]} or {face: ModelFaceID}, the end of the cut "
-               "svc that goes on"),
-      svc);
+  glenn.rotation_deg = read_rotation(field);
+  glenn.keep = read_keep(field, svc, "svc");
   return glenn;
 }
 

@@ -20,6 +20,8 @@ namespace {
 // Worst triangles that a slide may leave (EditTolerances::min_quality). The next one is tried where
 // no choice of knots works with the one before.
 constexpr double triangle_qualities[] = {0.35, 0.12, 0.02};
+// Index of the other tip of a rim that has none.
+constexpr int no_tip = -1;
 
 // The vertices of both loops in the mouth's order from the first tip, and their indices in the
 // loops.
@@ -127,20 +129,19 @@ void take(const Side& mouth, const Side& rim, const std::vector<SeamKnot>& knots
   }
 }
 
-}  // namespace
-
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
-                       const Points& mouth_start, const TriangleSurface& rpa,
-                       const std::vector<int>& rim, int other_tip) {
-  if (mouth_start.rows() != static_cast<Eigen::Index>(mouth.size()))
-    throw std::logic_error("match_seam: one start position per vertex of the mouth is needed");
-  const LoopCurve mouth_curve(mouth_start), rim_curve(rows_of(rpa.points, rim));
+JoinOutcome matched(const TriangleSurface& svc, const std::vector<int>& mouth,
+                    const Points& mouth_start, const TriangleSurface& rpa,
+                    const std::vector<int>& rim, const Points& rim_start, int other_tip) {
+  if (mouth_start.rows() != static_cast<Eigen::Index>(mouth.size()) ||
+      rim_start.rows() != static_cast<Eigen::Index>(rim.size()))
+    throw std::logic_error("match_seam: one start position per vertex of a loop is needed");
+  const LoopCurve mouth_curve(mouth_start), rim_curve(rim_start);
   JoinOutcome outcome;
   outcome.offset = opposite_offset(mouth_curve, rim_curve);
   outcome.rms_distance = std::sqrt(opposite_distance(mouth_curve, rim_curve, outcome.offset));
 
   const SeamCurve on_mouth{LoopCurve(rows_of(svc.points, mouth)), outcome.offset, false},
-      on_rim{rim_curve, 0, true};
+      on_rim{LoopCurve(rows_of(rpa.points, rim)), 0, true};
   const Order order = order_of(on_mouth, on_rim, other_tip);
   for (const double quality : triangle_qualities) {
     SeamRefusals refusals{{}, std::vector<char>(mouth.size(), 0), std::vector<char>(rim.size(), 0)};
@@ -163,6 +164,20 @@ JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth
   throw InputError("seam near " + place_text(rpa.points.row(rim.front())) +
                    ": the triangles beside the cut or the incision are too irregular for pairs at "
                    "equal arc length, expected rounder ones, as `remesh` makes them");
+}
+
+}  // namespace
+
+JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& rpa,
+                       const std::vector<int>& rim, int other_tip) {
+  return matched(svc, mouth, mouth_start, rpa, rim, rows_of(rpa.points, rim), other_tip);
+}
+
+JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& rpa,
+                       const std::vector<int>& rim, const Points& rim_start) {
+  return matched(svc, mouth, mouth_start, rpa, rim, rim_start, no_tip);
 }
 
 WeldedSurface weld(const TriangleSurface& svc, const TriangleSurface& rpa,

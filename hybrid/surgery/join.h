@@ -1,5 +1,5 @@
-// The seam of the Glenn operation: matches the SVC's mouth with the incision's rim and makes
-// one-to-one vertex pairs.
+// The seam of an operation: matches a vessel's mouth with the other's rim, of an incision or of a
+// second mouth, and makes one-to-one vertex pairs.
 #pragma once
 
 #include <array>
@@ -40,6 +40,12 @@ struct JoinOutcome {
 JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
                        const Points& mouth_start, const TriangleSurface& rpa,
                        const std::vector<int>& rim, int other_tip);
+
+/// The same for a rim without tips, that of a second mouth, which has a start too (`rim_start`).
+/// Only rim[0] stays.
+JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& rpa,
+                       const std::vector<int>& rim, const Points& rim_start);
 
 /// One surface from two joined ones.
 struct WeldedSurface {

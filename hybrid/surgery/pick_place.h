@@ -5,12 +5,23 @@
 #include <optional>
 #include <string>
 
+#include <vasorod/error.h>
 #include <vasorod/scene.h>
 
 #include "vessel/axis_route.h"
 #include "vessel/prepared_vessel.h"
 
 namespace vasorod {
+
+/// Adds the place in the scene to the error of a part that does not know the scene.
+template <class Work>
+auto placed(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(where + ": " + error.what());
+  }
+}
 
 /// A pick on its vessel.
 struct PickPlace {

@@ -11,7 +11,7 @@ namespace vasorod {
 /// first tip: ascending, in [0, 1). rim[0] = 0 is the first tip.
 struct SeamCorners {
   std::vector<double> mouth, rim;
-  int other_tip = 0;  ///< index into `rim` of the slit's other tip
+  int other_tip = 0;  ///< index into `rim` of the slit's other tip; none has it: no other tip
 };
 
 /// A vertex of both loops. Index -1: that loop has no vertex there, its edge is split.

@@ -128,9 +128,9 @@ TEST(PathRule, ATwistCountsAgainstWrinkling) {
 TEST(PathRule, WhatDoesNotMoveHasNoPathAndAnOperationJumps) {
   Prediction prediction = strained_tube({0, 0.9 * braziers_curvature, 0}, true);
   EXPECT_GT(path_times(prediction).size(), 1u);
-  prediction.glenn.emplace();
+  prediction.operation.emplace();
   EXPECT_EQ(path_times(prediction), std::vector<double>{1});
-  prediction.glenn.reset();
+  prediction.operation.reset();
   prediction.vessels[0].rod_solved = false;
   EXPECT_EQ(share_of_limit(prediction), 0);
   EXPECT_EQ(path_times(prediction), std::vector<double>{1});

@@ -25,18 +25,22 @@ TEST(Prediction, VesselsAreFoundByName) {
   EXPECT_EQ(refusal([&] { vessel_named(prediction, "vena"); }), "no vessel vena");
 }
 
-TEST(Prediction, OnlyAnOperatedVeinHasAMouthAndThatIsNotRigid) {
+TEST(Prediction, OnlyAPlacedRimIsAMouthAndThatIsNotRigid) {
   Prediction prediction = two_vessels();
   EXPECT_EQ(mouth_of(prediction, prediction.vessels[0]), -1);
   EXPECT_EQ(rigid_nodes(prediction, prediction.vessels[0]), (std::vector<int>{0, 7}));
-  prediction.glenn.emplace();
-  prediction.glenn->report.svc = "svc";
-  prediction.glenn->report.rpa = "rpa";
-  prediction.glenn->mouth_node = 7;
+  prediction.operation.emplace();
+  prediction.operation->vessels[0].name = "svc";
+  prediction.operation->vessels[0].rim_node = 7;
+  prediction.operation->vessels[1].name = "rpa";
   EXPECT_EQ(mouth_of(prediction, prediction.vessels[0]), 7);
   EXPECT_EQ(mouth_of(prediction, prediction.vessels[1]), -1);
   EXPECT_EQ(rigid_nodes(prediction, prediction.vessels[0]), std::vector<int>{0});
   EXPECT_EQ(rigid_nodes(prediction, prediction.vessels[1]), (std::vector<int>{0, 7}));
+  // End to end, both vessels have a rim.
+  prediction.operation->vessels[1].rim_node = 0;
+  EXPECT_EQ(mouth_of(prediction, prediction.vessels[1]), 0);
+  EXPECT_EQ(rigid_nodes(prediction, prediction.vessels[1]), std::vector<int>{7});
 }
 
 }  // namespace

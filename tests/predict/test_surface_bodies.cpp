@@ -76,10 +76,10 @@ TEST(SurfaceBodies, SeamsAndContactsNameBodies) {
             (std::vector<std::pair<int, int>>{{0, 1}, {0, 2}, {1, 2}}));
   EXPECT_TRUE(body_problem(f.prediction).seams.empty());
   f.scene.contact = {{{"heart", "svc"}}};
-  f.prediction.glenn.emplace();
-  f.prediction.glenn->report.svc = "svc";
-  f.prediction.glenn->report.rpa = "rpa";
-  f.prediction.glenn->pairs = {{5, 6}, {7, 8}};
+  f.prediction.operation.emplace();
+  f.prediction.operation->vessels[0].name = "svc";
+  f.prediction.operation->vessels[1].name = "rpa";
+  f.prediction.operation->pairs = {{5, 6}, {7, 8}};
   const BodyProblem problem = body_problem(f.prediction);
   EXPECT_EQ(problem.contacts, (std::vector<std::pair<int, int>>{{2, 0}}));
   ASSERT_EQ(problem.seams.size(), 2u);

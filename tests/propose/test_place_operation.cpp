@@ -66,8 +66,8 @@ TEST(PlaceOperation, TheScenesRoundedPicksAreTheOnesThatWereTried) {
   ASSERT_TRUE(placed);
   PreparedVessel svc = vessels.vein, rpa = vessels.artery;
   VesselConditions conditions = end_conditions(vessels.scene, "svc", svc.vessel);
-  const GlennOperation again = operate(vessels.scene, placed->spec, svc, rpa, conditions);
-  EXPECT_EQ(again.report.incision.pick, placed->report.incision.pick);
+  const Operation again = operate(vessels.scene, placed->spec, svc, rpa, conditions);
+  EXPECT_EQ(again.glenn->incision.pick, placed->report.incision.pick);
   EXPECT_EQ(*placed->spec.cut.along, std::round(1000 * *placed->spec.cut.along) / 1000);
 }
 

@@ -46,6 +46,14 @@ std::string refusal(const std::filesystem::path& file) {
   return "";
 }
 
+const std::string glenn =
+    "  glenn: {svc: tube, rpa: other, cut: [10, 0, 50], incision: [35, 0, 25], keep: {near: [0, 0, "
+    "100]}}";
+
+std::string end_to_end(const std::string& rims) {
+  return "  end_to_end: {rims: [" + rims + "]}";
+}
+
 const std::vector<Bad> bads = {
     {"unknown_key",
      "fidelity: paper",
@@ -180,6 +188,53 @@ const std::vector<Bad> bads = {
     {"contact_twice", "[[tube, other]]", "[[tube, other], [other, tube]]", {"a second time"}},
     {"contact_three", "[[tube, other]]", "[[tube, other, tube]]", {"two vessels"}},
     {"surgery_unknown", "glenn:", "fontan:", {"\"fontan\"", "glenn"}},
+    {"surgery_empty", glenn, "  {}", {":15:", "surgery: found neither glenn nor end_to_end"}},
+    {"surgery_both",
+     "contact: [[tube, other]]\nsurgery:",
+     "contact: [[tube, other]]\nsurgery:\n  end_to_end: {}",
+     {"surgery: found both glenn and end_to_end", "one operation"}},
+    {"rims_missing", glenn, "  end_to_end: {}", {"surgery.end_to_end.rims: found nothing"}},
+    {"rims_one",
+     glenn,
+     end_to_end("{vessel: tube, end: end}"),
+     {"rims: found", "a list of two rims"}},
+    {"rims_same",
+     glenn,
+     end_to_end("{vessel: tube, end: end}, {vessel: tube, end: start}"),
+     {":15:", "rims[1].vessel: found \"tube\" a second time", "another vessel"}},
+    {"rim_unknown_vessel",
+     glenn,
+     end_to_end("{vessel: tube, end: end}, {vessel: othr, end: start}"),
+     {"rims[1].vessel", "\"othr\"", "\"other\""}},
+    {"rim_without_place",
+     glenn,
+     end_to_end("{vessel: tube, end: end}, {vessel: other}"),
+     {"rims[1]: found neither cut nor end"}},
+    {"rim_with_two_places",
+     glenn,
+     end_to_end("{vessel: tube, end: end, cut: [10, 0, 50]}, {vessel: other, end: start}"),
+     {"rims[0]: found both cut and end"}},
+    {"rim_without_keep",
+     glenn,
+     end_to_end("{vessel: tube, cut: [10, 0, 50]}, {vessel: other, end: start}"),
+     {"rims[0].keep: found nothing"}},
+    {"rim_keeps_a_whole_vessel",
+     glenn,
+     end_to_end("{vessel: tube, end: end, cut_tilt_deg: 5}, {vessel: other, end: start}"),
+     {"rims[0].cut_tilt_deg: found it beside end"}},
+    {"rim_tilt",
+     glenn,
+     end_to_end("{vessel: tube, cut: [10, 0, 50], cut_tilt_deg: 76, keep: {near: [0, 0, 0]}}, "
+                "{vessel: other, end: start}"),
+     {"rims[0].cut_tilt_deg: found 76", "-75 to 75"}},
+    {"rim_end_word",
+     glenn,
+     end_to_end("{vessel: tube, end: top}, {vessel: other, end: start}"),
+     {"rims[0].end: found \"top\"", "start, end, {near: [x, y, z]} or {face: ModelFaceID}"}},
+    {"end_to_end_rotation_word",
+     glenn,
+     end_to_end("{vessel: tube, end: end}, {vessel: other, end: start}], rotation_deg: [automatic"),
+     {"rotation_deg: found", "auto or a number"}},
     {"glenn_same", "rpa: other", "rpa: tube", {"another vessel"}},
     {"glenn_no_cut", "cut: [10, 0, 50], ", "", {"surgery.glenn.cut: found nothing"}},
     {"glenn_incision_length",

@@ -181,6 +181,29 @@ TEST_F(ReadScene, ReadsPicksFromMarkups) {
   EXPECT_EQ(std::count(files.begin(), files.end(), folder / "picks.mrk.json"), 2);
 }
 
+TEST_F(ReadScene, ReadsAnEndToEndJoin) {
+  std::string text = tubes;
+  const auto glenn = text.find("  glenn:"), end = text.find("fidelity:");
+  text.replace(glenn, end - glenn, R"(  end_to_end:
+    rims:
+      - {vessel: plain, cut: [1, 2, 3], cut_tilt_deg: -20, keep: {near: [7, 8, 9]}}
+      - {vessel: tube, end: {near: [4, 5, 6]}}
+    rotation_deg: 12
+)");
+  const Scene scene = read(text);
+  EXPECT_FALSE(scene.glenn);
+  const EndToEndSpec& spec = scene.end_to_end.value();
+  EXPECT_EQ(spec.rotation_deg, 12);
+  EXPECT_EQ(spec.rims[0].vessel, "plain");
+  EXPECT_EQ(spec.rims[0].cut.value().point, Vec3(1, 2, 3));
+  EXPECT_EQ(spec.rims[0].cut_tilt_deg, -20);
+  EXPECT_EQ(to_string(spec.rims[0].keep), "near(7, 8, 9)");
+  EXPECT_FALSE(spec.rims[1].cut);
+  EXPECT_EQ(to_string(spec.rims[1].end), "near(4, 5, 6)");
+  EXPECT_EQ(spec.rims[1].line, spec.rims[0].line + 1);
+  EXPECT_EQ(scene.joined(), (std::array<std::string, 2>{"plain", "tube"}));
+}
+
 TEST_F(ReadScene, ReadsRods) {
   const Scene scene = read(rods);
   const RodSpec& trunk = *scene.vessel("trunk").rod;

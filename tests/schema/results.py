@@ -26,6 +26,7 @@ with tempfile.TemporaryDirectory() as scratch:
         "stopped": ["solve", here / "pressed.yaml", "--time-limit", "1e-6"],
         "the infant Glenn at rod": ["solve", infant, "--fidelity", "rod"],
         "the infant Glenn at skin": ["solve", infant, "--fidelity", "skin"],
+        "an end-to-end join": ["solve", here / "sewn.yaml"],
         "fit": ["fit", tube],
     }
     seen, statuses = set(), set()

@@ -18,7 +18,7 @@ namespace {
 
 struct Operated {
   PreparedVessel svc, rpa;
-  GlennOperation operation;
+  Operation operation;
 };
 
 Operated operated(const std::string& file, const std::function<void(GlennSpec&)>& change) {
@@ -57,11 +57,11 @@ Operated expect_equal_seam(
   const double of_mouth = std::accumulate(mouth.begin(), mouth.end(), 0.0),
                of_rim = std::accumulate(rim.begin(), rim.end(), 0.0);
   EXPECT_NEAR(of_rim / of_mouth, ratio, tolerance * ratio);
-  EXPECT_NEAR(all.operation.report.incision.perimeter_ratio, ratio, tolerance * ratio);
+  EXPECT_NEAR(all.operation.glenn->incision.perimeter_ratio, ratio, tolerance * ratio);
   for (size_t k = 0; k < n; ++k)
     EXPECT_NEAR(mouth[k] / of_mouth * of_rim, rim[k], 1e-9 * of_rim / double(n)) << k;
   // Both tips of the incision are pairs.
-  for (const Vec3& tip : all.operation.report.incision.ends)
+  for (const Vec3& tip : all.operation.glenn->incision.ends)
     EXPECT_EQ(std::count_if(pairs.begin(), pairs.end(),
                             [&](const auto& pair) {
                               return all.rpa.vessel.surface.points.row(pair[1]) == tip.transpose();
@@ -115,7 +115,7 @@ TEST(GlennSeam, AnEllipseIsDividedInTheSameProportions) {
       else
         spec.ellipse->ratio = c.ratio;
     });
-    const auto& incision = all.operation.report.incision;
+    const auto& incision = all.operation.glenn->incision;
     EXPECT_EQ(incision.shape, "ellipse");
     if (c.width > 0)
       EXPECT_NEAR(incision.width, c.width, 0.02 * c.width);
@@ -149,17 +149,17 @@ TEST(GlennSeam, ATiltedCutIsJoinedFlatAndLeansByItsTilt) {
   const Operated straight = tilted(0);
   // Carried from rest to the join: the cut's normal and the vein's axis towards the mouth.
   const auto joined = [](const Operated& all, const Vec3& direction) -> Vec3 {
-    const auto node = index(all.operation.mouth_node);
-    return all.operation.vein.poses[node].rotation *
+    const auto node = index(all.operation.vessels[0].rim_node);
+    return all.operation.vessels[0].rod->poses[node].rotation *
            (all.svc.vessel.rod.rest[node].rotation.transpose() * direction);
   };
-  const auto& before = straight.operation.report;
+  const auto& before = *straight.operation.glenn;
   const Vec3 normal = joined(straight, before.cut.normal);
   const Vec3 along = (before.incision.ends[1] - before.incision.ends[0]).normalized();
   for (const double degrees : {30.0, -40.0}) {
     SCOPED_TRACE(degrees);
     const Operated all = tilted(degrees);
-    const auto& report = all.operation.report;
+    const auto& report = *all.operation.glenn;
     EXPECT_EQ(report.cut.tilt_deg, degrees);
     EXPECT_EQ(report.join.rotation_deg, before.join.rotation_deg);
     EXPECT_EQ(report.cut.fraction, before.cut.fraction);

@@ -112,7 +112,8 @@ struct VesselMetrics {
   std::map<std::string, Vec3> where;
 };
 
-/// The mouth of an operation: the opening inside the seam. Mid-wall, but for the lumen.
+/// The mouth of an operation: the opening inside the seam. Mid-wall, but for the lumen. "The cut
+/// vein" of an end-to-end join is the narrower of the two vessels.
 struct MouthReport {
   double area = 0,             ///< area inside the seam, length^2
       lumen = 0,               ///< that area moved inwards by half the vein's thickness, length^2
@@ -191,41 +192,61 @@ struct Environment {
   std::string scene_hash;
 };
 
-/// The operation as it was performed.
+/// A rim that a cut made.
+struct CutReport {
+  Vec3 pick = Vec3::Zero();   ///< the picked point; of an end as it was seen, its centre, length
+  double fraction = 0,        ///< kept length over that of the way along the vessel's rod
+      tilt_deg = 0,           ///< angle of the plane to the section across the vessel, degrees
+      perimeter = 0;          ///< perimeter of the rim, length
+  Vec3 point = Vec3::Zero(),  ///< centroid of the rim, length
+      normal = Vec3::Zero();  ///< unit normal of the cut's plane, out of the kept part
+};
+
+/// An incision.
+struct IncisionReport {
+  Vec3 pick = Vec3::Zero();    ///< the picked point on the wall at rest, length
+  double along = 0,            ///< its fraction of the way along the vessel's rod; NaN: not on it
+      around_deg = 0;          ///< its angle about the rod, degrees; NaN: there is no rod
+  std::string shape = "slit";  ///< slit or ellipse
+  double length = 0,           ///< of the opening along the wall at rest, length
+      width = 0,               ///< of the opening across the wall at rest, length; slit: 0
+      perimeter = 0,           ///< of the opening's rim at rest, length
+      perimeter_ratio = 0,     ///< `perimeter` over that of the cut
+      removed_area = 0;        ///< of the piece of wall that was taken out, length^2; slit: 0
+  std::array<Vec3, 2> ends{};  ///< its two ends at rest, length
+  double opened_area = 0;      ///< area of the opened rim, length^2; NaN: nothing joined
+};
+
+/// A seam.
+struct SeamReport {
+  int pairs = 0;            ///< number of vertex pairs
+  double rotation_deg = 0,  ///< rotation of the mouth about its axis, degrees
+      axis_turn_deg = 0,    ///< angle by which the mouth's axis turns to the join, degrees
+      largest_gap = 0,      ///< largest gap of a pair, length
+      rms_gap = 0;          ///< root mean square gap of the pairs, length
+};
+
+/// A Glenn operation as it was performed.
 struct GlennReport {
-  std::string svc,  ///< name of the vessel that was cut: the superior vena cava
-      rpa;          ///< name of the vessel that was incised: the right pulmonary artery
-  /// The cut through the SVC.
-  struct {
-    Vec3 pick = Vec3::Zero();   ///< the picked point, length
-    double fraction = 0,        ///< kept length over that of the way along the SVC's rod
-        tilt_deg = 0,           ///< angle of the plane to the section across the SVC, degrees
-        perimeter = 0;          ///< perimeter of the mouth, length
-    Vec3 point = Vec3::Zero(),  ///< centroid of the mouth, length
-        normal = Vec3::Zero();  ///< unit normal of the cut's plane, out of the kept part
-  } cut;                        ///< the cut through the SVC
-  /// The incision in the RPA.
-  struct {
-    Vec3 pick = Vec3::Zero();    ///< the picked point on the wall at rest, length
-    double along = 0,            ///< its fraction of the way along the RPA's rod; NaN: not on it
-        around_deg = 0;          ///< its angle about the rod, degrees; NaN: there is no rod
-    std::string shape = "slit";  ///< slit or ellipse
-    double length = 0,           ///< of the opening along the wall at rest, length
-        width = 0,               ///< of the opening across the wall at rest, length; slit: 0
-        perimeter = 0,           ///< of the opening's rim at rest, length
-        perimeter_ratio = 0,     ///< `perimeter` over that of the cut
-        removed_area = 0;        ///< of the piece of wall that was taken out, length^2; slit: 0
-    std::array<Vec3, 2> ends{};  ///< its two ends at rest, length
-    double opened_area = 0;      ///< area of the opened rim, length^2; NaN: nothing joined
-  } incision;                    ///< the incision in the RPA
-  /// The seam.
-  struct {
-    int pairs = 0;                   ///< number of vertex pairs
-    double rotation_deg = 0,         ///< rotation of the vein's mouth about its axis, degrees
-        axis_turn_deg = 0,           ///< angle by which the axis of the vein's mouth turns, degrees
-        largest_gap = 0,             ///< largest gap of a pair, length
-        rms_gap = 0;                 ///< root mean square gap of the pairs, length
-  } join;                            ///< the seam
+  std::string svc,                   ///< name of the vessel that was cut: the superior vena cava
+      rpa;                           ///< name of the vessel that was incised: the pulmonary artery
+  CutReport cut;                     ///< the cut through the SVC
+  IncisionReport incision;           ///< the incision in the RPA
+  SeamReport join;                   ///< the seam
+  std::optional<MouthReport> mouth;  ///< the opening inside the seam; empty: no surfaces
+};
+
+/// A rim of an end-to-end join.
+struct RimReport {
+  std::string vessel;  ///< name of its vessel
+  CutReport cut;       ///< a vessel joined by an end as it was seen: fraction 1, tilt 0
+};
+
+/// An end-to-end join as it was performed.
+struct EndToEndReport {
+  std::array<RimReport, 2> rims;     ///< in the scene's order
+  SeamReport join;                   ///< the seam; the rotation is that of the second vessel
+  int narrower = 0;                  ///< the rim of the narrower vessel
   std::optional<MouthReport> mouth;  ///< the opening inside the seam; empty: no surfaces
 };
 
@@ -303,15 +324,27 @@ struct Result {
   ModelReport model;                   ///< what the model contained
   /// Wall clock, s: read, fit, solve, write, total; factor is a part of solve.
   std::map<std::string, double> seconds;
-  std::map<std::string, int> iterations;  ///< of the solvers: rod, surface
-  std::optional<Counts> counts;           ///< of rods at `rod`, else of surfaces; empty: `fit`
-  Environment environment;                ///< what is needed to repeat the run
-  std::optional<GlennReport> glenn;       ///< the operation; empty: none
-  std::optional<FitReport> fit;           ///< of `fit` only
+  std::map<std::string, int> iterations;     ///< of the solvers: rod, surface
+  std::optional<Counts> counts;              ///< of rods at `rod`, else of surfaces; empty: `fit`
+  Environment environment;                   ///< what is needed to repeat the run
+  std::optional<GlennReport> glenn;          ///< a Glenn operation; empty: none
+  std::optional<EndToEndReport> end_to_end;  ///< an end-to-end join; empty: none
+  std::optional<FitReport> fit;              ///< of `fit` only
   std::optional<Discretisation> discretisation;  ///< finite-element reference only
   std::vector<VesselResult> vessels;             ///< in the scene's order
   std::vector<Stage> stages;  ///< stages of the operation, for the report's pictures
 };
+
+/// What the results of all operations have.
+struct JoinedVessels {
+  std::array<std::string, 2> names;    ///< names of the two vessels
+  const SeamReport* seam = nullptr;    ///< their seam
+  const MouthReport* mouth = nullptr;  ///< the opening inside it; null: no surfaces
+  std::string mouth_of;                ///< the vessel to whose lumen the mouth is compared
+};
+
+/// The vessels that an operation joined; empty: none. Points into `result`.
+std::optional<JoinedVessels> joined_vessels(const Result& result);
 
 /// The text of result.json. Every finite number reads back to the same double; non-finite numbers
 /// become null.

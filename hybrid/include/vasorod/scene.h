@@ -173,6 +173,29 @@ struct GlennSpec {
   int line = 0;      ///< line in the scene file, for messages
 };
 
+/// A rim of an end-to-end join: of a vessel that is cut, or of one that is left whole and joined by
+/// one of its open ends.
+struct RimSpec {
+  std::string vessel;           ///< name of the vessel
+  std::optional<PickSpec> cut;  ///< where it is cut; empty: left whole
+  /// Oblique cut, degrees, -75 to 75: where positive, the kept part is longest on the side of the
+  /// picked point.
+  double cut_tilt_deg = 0;
+  EndSelector keep,  ///< of a cut vessel: the end that is kept
+      end;           ///< of a whole vessel: the end that is joined
+  int line = 0;      ///< line in the scene file, for messages
+};
+
+/// The operation: two vessels joined end to end.
+struct EndToEndSpec {
+  std::array<RimSpec, 2> rims;  ///< of two different vessels
+  /// Rotation of the second vessel, degrees, right-handed about the first rim's normal out of its
+  /// vessel, from the smallest turn by which the two rims face each other; empty: the one with
+  /// which the seam carries no torque about that normal.
+  std::optional<double> rotation_deg;
+  int line = 0;  ///< line in the scene file, for messages
+};
+
 /// A scene: vessels, end conditions and what to solve.
 struct Scene {
   std::filesystem::path file;       ///< the scene file; empty: built in memory
@@ -182,15 +205,20 @@ struct Scene {
   std::vector<EndCondition> ends;   ///< in the file's order
   /// Pairs of vessels that may touch; empty: every pair within reach.
   std::optional<std::vector<std::array<std::string, 2>>> contact;
-  std::optional<GlennSpec> glenn;       ///< the operation; empty: none
-  std::optional<std::string> fidelity;  ///< one of fidelity_names(); empty if `accuracy` is set
-  int fidelity_line = 0;                ///< line in the scene file, for messages
-  std::optional<double> accuracy;       ///< requested accuracy: RMS distance over R
+  std::optional<GlennSpec> glenn;          ///< a Glenn operation; empty: none
+  std::optional<EndToEndSpec> end_to_end;  ///< an end-to-end join, instead of it; empty: none
+  std::optional<std::string> fidelity;     ///< one of fidelity_names(); empty if `accuracy` is set
+  int fidelity_line = 0;                   ///< line in the scene file, for messages
+  std::optional<double> accuracy;          ///< requested accuracy: RMS distance over R
   /// Bare rods: solve with n and 2n elements and extrapolate to order 4 (Richardson).
   bool extrapolate = false;
 
   /// The vessel with that name. Throws InputError if there is none.
   const VesselSpec& vessel(const std::string& vessel_name) const;
+  /// Names of the two vessels that the operation joins; empty: there is no operation.
+  std::optional<std::array<std::string, 2>> joined() const;
+  /// The picks of the operation, in the order in which the scene has them.
+  std::vector<const PickSpec*> picks() const;
 };
 
 }  // namespace vasorod

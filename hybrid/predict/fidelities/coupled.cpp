@@ -31,7 +31,7 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
   CoupledProblem problem;
   problem.surfaces = body_problem(prediction);
   // Beside a seam the walls meet as they are sewn, and its start may lie through itself.
-  if (!prediction.glenn)
+  if (!prediction.operation)
     for (const auto& itself : self_contacts(problem.surfaces.bodies))
       problem.surfaces.contacts.push_back(itself);
   for (const PredictedVessel& vessel : prediction.vessels) {
@@ -46,7 +46,7 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
   // A seam starts closed: a linear solve of the paper's quadratic energies deforms the carried
   // sections as little as possible.
   std::vector<Points> joined;
-  if (prediction.glenn) joined = joined_skin(problem.surfaces, &prediction.work);
+  if (prediction.operation) joined = joined_skin(problem.surfaces, &prediction.work);
   problem.carried = [&prediction, &sections, joined](double t) {
     std::vector<CarriedBody> bodies;
     for (size_t v = 0; v < prediction.vessels.size(); ++v) {

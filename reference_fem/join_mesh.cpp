@@ -41,7 +41,21 @@ void append(std::vector<double>& line, const std::vector<double>& stations, doub
     if (line.empty() || x > line.back() + 1e-14) line.push_back(x);
 }
 
+/// A whole tube whose rim is a side: equal cells around, graded along.
+Strip tube_strip(const TubeShape& tube, int rim_side, int around, int along,
+                 const JoinCells& cells) {
+  Strip strip;
+  strip.degree = cells.degree;
+  strip.layers = cells.layers;
+  for (int k = 0; k <= around; ++k) strip.around.push_back(static_cast<double>(k) / around);
+  append(strip.along, unit_stations(tube.length, along), rim_side, 1 - rim_side);
+  strip.welded.assign(strip.along.size(), 1);
+  return strip;
+}
+
 Strip vein_strip(const JoinProblem& problem, const JoinCells& cells) {
+  if (problem.other_rim)
+    return tube_strip(problem.vein.shape, problem.seam_side, 4 * cells.seam, cells.vein, cells);
   const auto [mirror_x, mirror_y] = problem.mirror;
   Strip strip;
   strip.degree = cells.degree;
@@ -62,6 +76,9 @@ Strip vein_strip(const JoinProblem& problem, const JoinCells& cells) {
 }
 
 Strip artery_strip(const JoinProblem& problem, const JoinCells& cells) {
+  if (problem.other_rim)
+    return tube_strip(problem.artery.shape, problem.other_rim->side, 4 * cells.seam, cells.after,
+                      cells);
   const auto [mirror_x, mirror_y] = problem.mirror;
   const Incision& incision = problem.incision;
   const double line = line_length(problem.artery.shape);
@@ -92,10 +109,10 @@ bool at_mid_wall(const Mesh& mesh, int node) {
   return std::abs(mesh.parameters(node, 2) - 0.5) < 1e-9;
 }
 
-/// Node and share of every mid-wall node of the vein's rim, by share.
-std::vector<std::pair<double, int>> vein_rim(const JoinProblem& problem, const Mesh& mesh) {
+/// Node and share of every mid-wall node of a tube's rim, by share.
+std::vector<std::pair<double, int>> tube_rim(int side, const Mesh& mesh) {
   std::vector<std::pair<double, int>> rim;
-  for (const int node : mesh.nodes_on(1, problem.seam_side)) {
+  for (const int node : mesh.nodes_on(1, side)) {
     if (!at_mid_wall(mesh, node)) continue;
     const double share = mesh.parameters(node, 0);
     rim.emplace_back(share - std::floor(share + 1e-9), node);
@@ -105,6 +122,7 @@ std::vector<std::pair<double, int>> vein_rim(const JoinProblem& problem, const M
 }
 
 std::vector<std::pair<double, int>> lip_rim(const JoinProblem& problem, const Mesh& mesh) {
+  if (problem.other_rim) return tube_rim(problem.other_rim->side, mesh);
   const Incision& incision = problem.incision;
   std::vector<std::pair<double, int>> rim;
   for (int node = 0; node < mesh.node_count(); ++node) {
@@ -122,7 +140,8 @@ std::vector<std::pair<double, int>> lip_rim(const JoinProblem& problem, const Me
 
 JoinCells first_cells(const JoinProblem& problem, int seam, int vein, int multiple) {
   const Incision& incision = problem.incision;
-  const double factor = seam / grading.cells(incision.perimeter / 4);
+  const double perimeter = problem.other_rim ? 2 * std::numbers::pi : incision.perimeter;
+  const double factor = seam / grading.cells(perimeter / 4);
   const auto count = [&](double length) {
     return multiple *
            std::max(1, static_cast<int>(std::lround(factor * grading.cells(length) / multiple)));
@@ -131,6 +150,12 @@ JoinCells first_cells(const JoinProblem& problem, int seam, int vein, int multip
   JoinCells cells;
   cells.seam = seam;
   cells.vein = vein;
+  if (problem.other_rim) {
+    cells.after = count(problem.artery.shape.length);
+    if (vein == 0) cells.vein = count(problem.vein.shape.length);
+    cells.around = cells.before = 0;
+    return cells;
+  }
   cells.around = count(half_around(problem));
   cells.before = count(incision.from * line);
   cells.after = count((1 - incision.to) * line);
@@ -155,7 +180,7 @@ JoinMesh make_join_mesh(const JoinProblem& problem, const JoinCells& cells,
   JoinMesh mesh{make_strip(vein_strip(problem, cells), chart_of(problem.vein), processes),
                 make_strip(artery_strip(problem, cells), chart_of(problem.artery), processes),
                 {}};
-  const auto rim = vein_rim(problem, mesh.vein), lips = lip_rim(problem, mesh.artery);
+  const auto rim = tube_rim(problem.seam_side, mesh.vein), lips = lip_rim(problem, mesh.artery);
   if (rim.size() != lips.size()) throw std::logic_error("join: rim and lips differ in nodes");
   for (std::size_t k = 0; k < rim.size(); ++k) {
     if (std::abs(rim[k].first - lips[k].first) > 1e-9)

@@ -11,10 +11,11 @@ namespace vasorod::fem {
 
 /// Numbers of cells.
 struct JoinCells {
-  int seam = 4;               ///< along a quarter of the seam
-  int vein = 8;               ///< along the vein
-  int around = 8;             ///< around half of the artery
-  int before = 8, after = 8;  ///< along the artery, from the slit's tips to its ends
+  int seam = 4;    ///< along a quarter of the seam
+  int vein = 8;    ///< along the vein
+  int around = 8;  ///< around half of the artery; end to end both tubes have those of the seam
+  /// Along the artery, from the slit's tips to its ends; end to end: `after` along the second tube.
+  int before = 8, after = 8;
   int degree = 3;
   int layers = 0;  ///< of hexahedra through the walls, even; 0: shells
 };

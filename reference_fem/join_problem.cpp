@@ -16,9 +16,10 @@ constexpr double equal = 1e-9;  // dimensionless lengths and directions of a sym
 
 [[noreturn]] void refuse(const Scene& scene, const std::string& found) {
   throw InputError(scene.file.string() + ": found " + found +
-                   "; the finite-element reference joins two straight generated tubes (`tube:`), "
-                   "the vein's axis on the incision's normal, without contact "
-                   "(`contact: []`)");
+                   "; the finite-element reference joins two straight generated tubes (`tube:`), " +
+                   (scene.glenn ? "the vein's axis on the incision's normal, "
+                                : "cut across or by an end, with a number as `rotation_deg`, ") +
+                   "without contact (`contact: []`)");
 }
 
 std::string number(double value) {
@@ -27,12 +28,12 @@ std::string number(double value) {
   return text;
 }
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   return "\"" + text + "\"";
 }
 
 void require_tube(const Scene& scene, const VesselSpec& vessel) {
-  const std::string name = quoted(vessel.name);
+  const std::string name = in_quotes(vessel.name);
   if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + name);
   if (!vessel.tube) refuse(scene, "the surface of " + name);
   if (vessel.tube->bend_deg != 0) refuse(scene, "the bent tube " + name);
@@ -53,6 +54,10 @@ JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnit
   return wall;
 }
 
+void require_point(const Scene& scene, const PickSpec& pick) {
+  if (pick.along) refuse(scene, "a pick by `along` where it takes points [x, y, z]");
+}
+
 /// Parameters of a pick on a tube, which may be at most a radius off its wall.
 Vec3 locate(const Scene& scene, const char* what, const JoinWall& wall, const Vec3& pick,
             double unit) {
@@ -61,9 +66,9 @@ Vec3 locate(const Scene& scene, const char* what, const JoinWall& wall, const Ve
                off = std::abs(at[2] - 0.5) * wall.shape.thickness_at(at[1]);
   const double beyond = std::max({0.0, -at[1], at[1] - 1}) * wall.shape.length;
   if (std::hypot(off, beyond) > radius)
-    throw InputError(scene.file.string() + ": glenn: " + what + ": found a point " +
-                     number(unit * std::hypot(off, beyond)) + " off vessel " + wall.name +
-                     ", expected at most its radius there, " + number(unit * radius));
+    throw InputError(scene.file.string() + (scene.glenn ? ": glenn: " : ": end_to_end: ") + what +
+                     ": found a point " + number(unit * std::hypot(off, beyond)) + " off vessel " +
+                     wall.name + ", expected at most its radius there, " + number(unit * radius));
   return at;
 }
 
@@ -79,24 +84,33 @@ TubeShape part(const TubeShape& tube, double from, double to) {
   return out;
 }
 
-/// Cuts the vein. Its conditions at the stump's end go with the stump; a kept end without a
-/// condition is held.
+/// Keeps the part of a tube beyond the cut at a fraction of its axis, on the side of `keep`. Its
+/// conditions at the stump's end go with the stump. The side of the rim is returned.
+int cut_tube(const Scene& scene, double at, const EndSelector& keep, double unit, JoinWall& tube) {
+  if (!(at > equal && at < 1 - equal)) refuse(scene, "a cut at an end of " + in_quotes(tube.name));
+  const int kept_side = side_of(scene, tube.shape, keep, unit);
+  tube.shape = kept_side == 0 ? part(tube.shape, 0, at) : part(tube.shape, at, 1);
+  std::erase_if(tube.ends, [&](const EndProblem& end) { return end.side != kept_side; });
+  return 1 - kept_side;
+}
+
+/// A kept end without a condition is held.
+void hold_far_end(int rim_side, JoinWall& tube) {
+  if (!tube.ends.empty()) return;
+  EndProblem held;
+  held.side = 1 - rim_side;
+  held.fixed.fill(true);
+  tube.ends.push_back(held);
+}
+
+/// Cuts the vein.
 void cut(const Scene& scene, const GlennSpec& spec, JoinProblem& problem) {
   JoinWall& vein = problem.vein;
   const double unit = problem.units.length;
   const double at = locate(scene, "cut", vein, spec.cut.point, unit)[1];
-  if (!(at > equal && at < 1 - equal)) refuse(scene, "a cut at an end of the vein");
-  const int kept_side = side_of(scene, vein.shape, spec.keep, unit);
-  problem.seam_side = 1 - kept_side;
-  problem.cut_fraction = kept_side == 0 ? at : 1 - at;
-  vein.shape = kept_side == 0 ? part(vein.shape, 0, at) : part(vein.shape, at, 1);
-  std::erase_if(vein.ends, [&](const EndProblem& end) { return end.side != kept_side; });
-  if (vein.ends.empty()) {
-    EndProblem held;
-    held.side = kept_side;
-    held.fixed.fill(true);
-    vein.ends.push_back(held);
-  }
+  problem.seam_side = cut_tube(scene, at, spec.keep, unit, vein);
+  problem.cut_fraction = problem.seam_side == 1 ? at : 1 - at;
+  hold_far_end(problem.seam_side, vein);
 }
 
 void to_frame(const Pose& frame, JoinWall& wall) {
@@ -164,55 +178,12 @@ std::array<bool, 2> planes_of(const JoinProblem& problem) {
           std::abs(axis[1]) < equal && std::abs(at[1]) < equal};
 }
 
-}  // namespace
-
-Vec3 JoinWall::parameters(double share, double fraction, double depth) const {
-  const Vec2 at = hole ? hole->place(share, fraction) : Vec2(share, fraction);
-  return {first_angle / (2 * pi) + turn * at[0], at[1], turn > 0 ? depth : 1 - depth};
-}
-
-double Incision::rim_share(const Vec3& parameter) const {
-  const double along = (parameter[1] - from) / (to - from);
-  const double share = parameter[0] < 0.5 ? 0.5 * (1 - along) : 0.5 * (1 + along);
-  return share - std::floor(share + equal);
-}
-
-Vec3 Incision::rim_parameter(double share) const {
-  const bool first_lip = share <= 0.5;
-  const double along = first_lip ? 1 - 2 * share : 2 * share - 1;
-  return {first_lip ? 0.0 : 1.0, from + along * (to - from), 0.5};
-}
-
-bool open_ellipse(JoinProblem& problem, double length, double width) {
-  Incision& incision = problem.incision;
-  const TubeShape& artery = problem.artery.shape;
-  HoleChart hole;
-  hole.half_length = length / 2;
-  hole.half_width = width / 2;
-  hole.middle = 0.5 * (incision.from + incision.to);
-  hole.line = std::hypot(artery.length, artery.end_radius - artery.radius);
-  hole.half_around = pi * artery.radius_at(hole.middle);
-  incision.length = length;
-  incision.perimeter = hole.perimeter();
-  incision.from = hole.middle - hole.half_length / hole.line;
-  incision.to = hole.middle + hole.half_length / hole.line;
-  problem.artery.hole = hole;
-  return incision.from > equal && incision.to < 1 - equal && hole.half_width < hole.half_around;
-}
-
-JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
+JoinProblem read_glenn_join(const Scene& scene, std::optional<LawKind> law) {
   const GlennSpec& spec = *scene.glenn;
-  if (scene.vessels.size() != 2)
-    refuse(scene, std::to_string(scene.vessels.size()) + " vessels beside a surgery");
   const VesselSpec &vein = scene.vessel(spec.svc), &artery = scene.vessel(spec.rpa);
-  require_tube(scene, vein);
-  require_tube(scene, artery);
-  if (!scene.contact || !scene.contact->empty())
-    refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
-
   if (spec.cut_tilt_deg != 0) refuse(scene, "an oblique cut (`cut_tilt_deg`)");
-  if (spec.cut.along || spec.incision.along)
-    refuse(scene, "a pick by `along` where it takes points [x, y, z]");
+  require_point(scene, spec.cut);
+  require_point(scene, spec.incision);
 
   JoinProblem problem;
   problem.cut_pick = spec.cut.point;
@@ -269,6 +240,138 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
               {std::sin(problem.rotation), std::cos(problem.rotation), 0}, problem.vein);
   problem.mirror = planes_of(problem);
   return problem;
+}
+
+/// The rim of a vessel that is joined end to end.
+struct TubeRim {
+  int side = 0;
+  double fraction = 1;       // kept length over the tube's
+  std::optional<Vec3> pick;  // of a cut, the scene's
+};
+
+TubeRim take_rim(const Scene& scene, const RimSpec& spec, double unit, JoinWall& tube) {
+  TubeRim rim;
+  if (spec.cut) {
+    if (spec.cut_tilt_deg != 0) refuse(scene, "an oblique cut (`cut_tilt_deg`)");
+    require_point(scene, *spec.cut);
+    rim.pick = spec.cut->point;
+    const double at = locate(scene, "cut", tube, spec.cut->point, unit)[1];
+    rim.side = cut_tube(scene, at, spec.keep, unit, tube);
+    rim.fraction = rim.side == 1 ? at : 1 - at;
+  } else {
+    rim.side = side_of(scene, tube.shape, spec.end, unit);
+    for (const EndProblem& end : tube.ends)
+      if (end.side == rim.side)
+        refuse(scene, "a condition at the joined end of " + in_quotes(tube.name));
+  }
+  hold_far_end(rim.side, tube);
+  return rim;
+}
+
+/// The axis out of a tube at its rim.
+Vec3 out_of(const JoinWall& tube, int side) {
+  return (side == 1 ? 1.0 : -1.0) * Vec3(tube.shape.placement.rotation.col(2));
+}
+
+double rim_radius(const TubeShape& tube, int side) {
+  return tube.radius_at(side);
+}
+
+JoinProblem read_end_to_end(const Scene& scene, std::optional<LawKind> law) {
+  const EndToEndSpec& spec = *scene.end_to_end;
+  if (!spec.rotation_deg) refuse(scene, "`rotation_deg: auto`");
+  const VesselSpec &first = scene.vessel(spec.rims[0].vessel),
+                   &second = scene.vessel(spec.rims[1].vessel);
+  JoinProblem problem;
+  problem.vein_first = scene.vessels.front().name == first.name;
+  problem.units = {first.tube->radius, first.wall->material.young_axial};
+  // The unit of length is the radius of the first rim.
+  problem.vein = wall_of(scene, first, problem.units, law);
+  const int side = take_rim(scene, spec.rims[0], problem.units.length, problem.vein).side;
+  problem.units.length *= rim_radius(problem.vein.shape, side);
+  const double unit = problem.units.length;
+  problem.vein = wall_of(scene, first, problem.units, law);
+  problem.artery = wall_of(scene, second, problem.units, law);
+  const TubeRim one = take_rim(scene, spec.rims[0], unit, problem.vein),
+                other = take_rim(scene, spec.rims[1], unit, problem.artery);
+  problem.seam_side = one.side;
+  problem.cut_fraction = one.fraction;
+  problem.cut_pick = one.pick;
+  problem.other_rim = OtherRim{other.side, other.fraction, other.pick};
+  const double ratio = rim_radius(problem.artery.shape, other.side);
+  if (std::max(ratio, 1 / ratio) > 2)
+    refuse(scene,
+           "rims whose perimeters differ by a factor of " + number(std::max(ratio, 1 / ratio)));
+
+  // Out of the first vessel at its rim.
+  const Pose rim = problem.vein.shape.section(one.side);
+  const Vec3 out = out_of(problem.vein, one.side);
+  problem.frame.position = rim.position;
+  problem.frame.rotation << rim.director(1), out.cross(rim.director(1)), out;
+  to_frame(problem.frame, problem.vein);
+  to_frame(problem.frame, problem.artery);
+  std::vector<EndProblem> ends = problem.vein.ends;
+  ends.insert(ends.end(), problem.artery.ends.begin(), problem.artery.ends.end());
+  require_held(scene, ends, "the join");
+
+  problem.rotation = *spec.rotation_deg * pi / 180;
+  const Vec3 facing = out_of(problem.artery, other.side);
+  problem.axis_turn = std::atan2(facing.cross(-Vec3::UnitZ()).norm(), -facing.z());
+  if (problem.axis_turn > pi / 2)
+    refuse(scene, "rims that have to turn by " + number(problem.axis_turn * 180 / pi) +
+                      " degrees to face each other");
+  // The directions at rest that the smallest turn and the rotation bring to +x and +y.
+  const Mat3 turn = (Eigen::AngleAxisd(problem.rotation, Vec3::UnitZ()) *
+                     Eigen::Quaterniond::FromTwoVectors(facing, -Vec3::UnitZ()))
+                        .toRotationMatrix();
+  unroll_from(Vec3::UnitX(), Vec3::UnitY(), problem.vein);
+  unroll_from(turn.transpose() * Vec3::UnitX(), turn.transpose() * Vec3::UnitY(), problem.artery);
+  return problem;
+}
+
+}  // namespace
+
+Vec3 JoinWall::parameters(double share, double fraction, double depth) const {
+  const Vec2 at = hole ? hole->place(share, fraction) : Vec2(share, fraction);
+  return {first_angle / (2 * pi) + turn * at[0], at[1], turn > 0 ? depth : 1 - depth};
+}
+
+double Incision::rim_share(const Vec3& parameter) const {
+  const double along = (parameter[1] - from) / (to - from);
+  const double share = parameter[0] < 0.5 ? 0.5 * (1 - along) : 0.5 * (1 + along);
+  return share - std::floor(share + equal);
+}
+
+Vec3 Incision::rim_parameter(double share) const {
+  const bool first_lip = share <= 0.5;
+  const double along = first_lip ? 1 - 2 * share : 2 * share - 1;
+  return {first_lip ? 0.0 : 1.0, from + along * (to - from), 0.5};
+}
+
+bool open_ellipse(JoinProblem& problem, double length, double width) {
+  Incision& incision = problem.incision;
+  const TubeShape& artery = problem.artery.shape;
+  HoleChart hole;
+  hole.half_length = length / 2;
+  hole.half_width = width / 2;
+  hole.middle = 0.5 * (incision.from + incision.to);
+  hole.line = std::hypot(artery.length, artery.end_radius - artery.radius);
+  hole.half_around = pi * artery.radius_at(hole.middle);
+  incision.length = length;
+  incision.perimeter = hole.perimeter();
+  incision.from = hole.middle - hole.half_length / hole.line;
+  incision.to = hole.middle + hole.half_length / hole.line;
+  problem.artery.hole = hole;
+  return incision.from > equal && incision.to < 1 - equal && hole.half_width < hole.half_around;
+}
+
+JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
+  if (scene.vessels.size() != 2)
+    refuse(scene, std::to_string(scene.vessels.size()) + " vessels beside a surgery");
+  for (const VesselSpec& vessel : scene.vessels) require_tube(scene, vessel);
+  if (!scene.contact || !scene.contact->empty())
+    refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
+  return scene.glenn ? read_glenn_join(scene, law) : read_end_to_end(scene, law);
 }
 
 }  // namespace vasorod::fem

@@ -1,10 +1,11 @@
 // A scene's join of two generated tubes as a dimensionless finite-element problem: the vein's cut
-// end is joined to a slit in the artery's wall. Lengths over the mid-wall radius of the cut,
-// stresses over the vein's axial modulus. Scenes that the reference cannot solve are refused here
-// with one sentence.
+// end is joined to a slit in the artery's wall, or to the rim of a second tube end to end. Lengths
+// over the mid-wall radius of the cut, stresses over the vein's axial modulus. Scenes that the
+// reference cannot solve are refused here with one sentence.
 //
 // Axes: origin at the middle of the slit on the mid-wall, x along the artery, z out of its wall, so
-// the vein comes from +z.
+// the vein comes from +z. End to end: origin at the middle of the first vessel's rim, z out of that
+// vessel.
 #pragma once
 
 #include <array>
@@ -53,18 +54,29 @@ struct Incision {
   Vec3 rim_parameter(double share) const;
 };
 
+/// The rim of the second vessel of an end-to-end join.
+struct OtherRim {
+  int side = 0;              ///< of its tube
+  double fraction = 1;       ///< kept length over the tube's
+  std::optional<Vec3> pick;  ///< of a cut, the scene's; empty: it is whole
+};
+
 /// The join.
 struct JoinProblem {
   JoinWall vein, artery;
   bool vein_first = true;  ///< in the scene's list of vessels
   int seam_side = 1;       ///< the vein's side at the seam
-  Incision incision;
+  Incision incision;       ///< of an end-to-end join: none
+  /// End to end: the "artery" is the second vessel, whose rim lies on the "vein's". Empty: the
+  /// incision is the rim.
+  std::optional<OtherRim> other_rim;
   double rotation = 0;  ///< of the vein's mouth about +z, radians
   /// Planes of symmetry: normal x (between the slit's tips) and normal y (through them).
   std::array<bool, 2> mirror{};
-  Vec3 cut_pick = Vec3::Zero();  ///< the scene's
+  std::optional<Vec3> cut_pick;  ///< of the first vessel, the scene's; empty: it is whole
   double cut_fraction = 0;       ///< kept length over the vein's length
-  double axis_turn = 0;          ///< angle from the vein's axis to the slit's normal, radians
+  double axis_turn = 0;          ///< angle from the vein's axis to the slit's normal, or between
+                                 ///< the rims, 0: face to face, radians
   Pose frame;                    ///< the problem's axes in the scene's, dimensionless position
   ProblemUnits units;
 
@@ -78,7 +90,8 @@ struct JoinProblem {
 /// unrolled there. False: it meets an end of the artery or itself.
 bool open_ellipse(JoinProblem& problem, double length, double width);
 
-/// Throws InputError. `law` overrides the scene's laws.
+/// Of the scene's operation, either of the two. Throws InputError. `law` overrides the scene's
+/// laws.
 JoinProblem read_join(const Scene& scene, std::optional<LawKind> law);
 
 }  // namespace vasorod::fem

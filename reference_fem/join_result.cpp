@@ -61,17 +61,60 @@ void report_vessel(const JoinProblem& problem, const JoinWall& wall, const MidWa
   result.vessels.push_back(std::move(vessel));
 }
 
+CutReport cut_of(const JoinProblem& problem, const JoinWall& wall, int side, double fraction,
+                 const std::optional<Vec3>& pick) {
+  const double unit = problem.units.length;
+  const Pose rim = problem.frame * wall.shape.section(side);
+  CutReport cut;
+  cut.fraction = fraction;
+  cut.perimeter = 2 * std::numbers::pi * unit * wall.shape.radius_at(side);
+  cut.point = unit * rim.position;
+  cut.pick = pick.value_or(cut.point);
+  cut.normal = (side == 1 ? 1.0 : -1.0) * rim.director(3);
+  return cut;
+}
+
+SeamReport seam_of(const JoinProblem& problem, const JoinSolution& solution) {
+  SeamReport seam;
+  seam.pairs = solution.pairs;
+  seam.rotation_deg = problem.rotation * 180 / std::numbers::pi;
+  seam.axis_turn_deg = problem.axis_turn * 180 / std::numbers::pi;
+  const Eigen::VectorXd gap =
+      problem.units.length * (solution.rim - solution.lips).rowwise().norm();
+  seam.largest_gap = gap.maxCoeff();
+  seam.rms_gap = std::sqrt(gap.squaredNorm() / static_cast<double>(gap.size()));
+  return seam;
+}
+
+/// End to end: whether the second vessel has the smaller lumen at its rim.
+bool second_is_narrower(const JoinProblem& problem) {
+  const auto lumen = [](const TubeShape& tube, int side) {
+    return tube.radius_at(side) - tube.thickness_at(side) / 2;
+  };
+  return problem.other_rim && lumen(problem.artery.shape, problem.other_rim->side) <
+                                  (1 - 1e-9) * lumen(problem.vein.shape, problem.seam_side);
+}
+
+EndToEndReport end_to_end_of(const JoinProblem& problem, const JoinSolution& solution) {
+  EndToEndReport report;
+  report.rims[0] = {problem.vein.name, cut_of(problem, problem.vein, problem.seam_side,
+                                              problem.cut_fraction, problem.cut_pick)};
+  const OtherRim& other = *problem.other_rim;
+  report.rims[1] = {problem.artery.name,
+                    cut_of(problem, problem.artery, other.side, other.fraction, other.pick)};
+  report.join = seam_of(problem, solution);
+  report.narrower = second_is_narrower(problem) ? 1 : 0;
+  report.mouth = join_mouth(problem, solution);
+  return report;
+}
+
 GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solution) {
   const double unit = problem.units.length;
   GlennReport glenn;
   glenn.svc = problem.vein.name;
   glenn.rpa = problem.artery.name;
-  const Pose cut = problem.frame * problem.vein.shape.section(problem.seam_side);
-  glenn.cut.pick = problem.cut_pick;
-  glenn.cut.fraction = problem.cut_fraction;
-  glenn.cut.perimeter = 2 * std::numbers::pi * unit;
-  glenn.cut.point = unit * cut.position;
-  glenn.cut.normal = (problem.seam_side == 1 ? 1.0 : -1.0) * cut.director(3);
+  glenn.cut =
+      cut_of(problem, problem.vein, problem.seam_side, problem.cut_fraction, problem.cut_pick);
   glenn.incision.length = problem.incision.length * unit;
   glenn.incision.perimeter = problem.incision.perimeter * unit;
   glenn.incision.perimeter_ratio = problem.incision.perimeter / (2 * std::numbers::pi);
@@ -94,12 +137,7 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
   glenn.incision.around_deg = std::atan2(out.y(), out.x()) * 180 / std::numbers::pi;
   // the area inside the lips, without an inset
   glenn.incision.opened_area = mouth_of(unit * solution.lips, unit * solution.rim_rest, 0).area;
-  glenn.join.pairs = solution.pairs;
-  glenn.join.rotation_deg = problem.rotation * 180 / std::numbers::pi;
-  glenn.join.axis_turn_deg = problem.axis_turn * 180 / std::numbers::pi;
-  const Eigen::VectorXd gap = unit * (solution.rim - solution.lips).rowwise().norm();
-  glenn.join.largest_gap = gap.maxCoeff();
-  glenn.join.rms_gap = std::sqrt(gap.squaredNorm() / static_cast<double>(gap.size()));
+  glenn.join = seam_of(problem, solution);
   glenn.mouth = join_mouth(problem, solution);
   return glenn;
 }
@@ -108,9 +146,12 @@ GlennReport operation_of(const JoinProblem& problem, const JoinSolution& solutio
 
 MouthReport join_mouth(const JoinProblem& problem, const JoinSolution& solution) {
   const double unit = problem.units.length;
+  const bool second = second_is_narrower(problem);
   const Points seam = in_scene(problem.frame, 0.5 * (solution.rim + solution.lips));
-  return mouth_of(unit * seam, unit * in_scene(problem.frame, solution.rim_rest),
-                  unit * problem.vein.shape.thickness_at(problem.seam_side));
+  const double thickness = second ? problem.artery.shape.thickness_at(problem.other_rim->side)
+                                  : problem.vein.shape.thickness_at(problem.seam_side);
+  const Points& rest = second ? solution.lips_rest : solution.rim_rest;
+  return mouth_of(unit * seam, unit * in_scene(problem.frame, rest), unit * thickness);
 }
 
 void report_join(const JoinProblem& problem, const JoinSolution& solution, Result& result) {
@@ -120,13 +161,17 @@ void report_join(const JoinProblem& problem, const JoinSolution& solution, Resul
     report_forces(problem, wall, vein ? solution.on_vein : solution.on_artery, result);
     report_vessel(problem, wall, vein ? solution.vein : solution.artery, result);
   }
-  result.glenn = operation_of(problem, solution);
-  // as in vasorod, the mouth counts among the vein's sections
-  const MouthReport& mouth = *result.glenn->mouth;
+  if (problem.other_rim)
+    result.end_to_end = end_to_end_of(problem, solution);
+  else
+    result.glenn = operation_of(problem, solution);
+  // as in vasorod, the mouth counts among the sections of the vein, or of the narrower vessel
+  const JoinedVessels joined = joined_vessels(result).value();
   for (VesselMetrics& metrics : result.metrics)
-    if (metrics.vessel == problem.vein.name && mouth.area_ratio < metrics.smallest_lumen_ratio) {
-      metrics.smallest_lumen_ratio = mouth.area_ratio;
-      metrics.where["smallest_lumen_ratio"] = mouth.center;
+    if (metrics.vessel == joined.mouth_of &&
+        joined.mouth->area_ratio < metrics.smallest_lumen_ratio) {
+      metrics.smallest_lumen_ratio = joined.mouth->area_ratio;
+      metrics.where["smallest_lumen_ratio"] = joined.mouth->center;
     }
 }
 

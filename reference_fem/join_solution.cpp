@@ -203,13 +203,14 @@ MidWall rings_at(const std::vector<double>& fractions, const JoinSampling& sampl
   return wall;
 }
 
-MidWall sample_vein(const JoinProblem& problem, const Mesh& mesh, const DofValues& u,
+MidWall sample_tube(const JoinProblem& problem, const JoinWall& tube, const Mesh& mesh,
+                    const DofValues& u, const std::vector<double>& fractions,
                     const JoinSampling& sampling) {
-  MidWall wall = rings_at(sampling.vein, sampling);
+  MidWall wall = rings_at(fractions, sampling);
   std::vector<Folded> grid;
-  for (const double s : sampling.vein)
+  for (const double s : fractions)
     for (int i = 0; i < wall.around; ++i) {
-      const double share = share_of_point(problem.vein, i, wall.around);
+      const double share = share_of_point(tube, i, wall.around);
       grid.push_back(fold_vein(problem, share == 1 ? 0 : share, s));
     }
   WallPoints points = unfold(mesh, u, grid);
@@ -245,13 +246,16 @@ void sample_seam(const JoinProblem& problem, const JoinMesh& mesh, const DofValu
   for (int k = 0; k < count; ++k) {
     const double share = static_cast<double>(k) / count;
     rim.push_back(fold_vein(problem, share, problem.seam_side));
-    const Vec3 lip = problem.incision.rim_parameter(share);
+    const Vec3 lip = problem.other_rim ? Vec3(share, problem.other_rim->side, 0.5)
+                                       : problem.incision.rim_parameter(share);
     lips.push_back(fold_artery(problem, lip[0], lip[1]));
   }
   WallPoints points = unfold(mesh.vein, vein, rim);
   solution.rim_rest = std::move(points.rest);
   solution.rim = std::move(points.current);
-  solution.lips = unfold(mesh.artery, artery, lips).current;
+  WallPoints others = unfold(mesh.artery, artery, lips);
+  solution.lips_rest = std::move(others.rest);
+  solution.lips = std::move(others.current);
 }
 
 /// Stations of the strip's lines, with points between them.
@@ -299,8 +303,11 @@ JoinSolution solve_join(const JoinProblem& problem, const JoinCells& cells,
   collect_forces(problem, model, ends, state, assembly, solution);
   const auto vein = state.u.head(model.vein.model->dof_count()),
              artery = state.u.tail(model.artery.model->dof_count());
-  solution.vein = sample_vein(problem, model.mesh.vein, vein, sampling);
-  solution.artery = sample_artery(problem, model.mesh.artery, artery, sampling);
+  solution.vein =
+      sample_tube(problem, problem.vein, model.mesh.vein, vein, sampling.vein, sampling);
+  solution.artery = problem.other_rim ? sample_tube(problem, problem.artery, model.mesh.artery,
+                                                    artery, sampling.artery, sampling)
+                                      : sample_artery(problem, model.mesh.artery, artery, sampling);
   sample_seam(problem, model.mesh, vein, artery, sampling.seam, solution);
   return solution;
 }

@@ -37,7 +37,8 @@ struct JoinSolution {
   int pairs = 0;  ///< tied pairs of nodes
   JoinForces on_vein, on_artery;
   MidWall vein, artery;
-  Points rim_rest, rim, lips;  ///< by share of the seam: the vein's rim, the slit's lips
+  /// By share of the seam: the vein's rim; the slit's lips, or the second tube's rim.
+  Points rim_rest, rim, lips_rest, lips;
   double mesh_seconds = 0;
 };
 

@@ -97,7 +97,10 @@ void estimate_error(const std::vector<Level>& levels, Result& result) {
   result.discretisation->error_estimate = largest;
 }
 
-std::string name_of(const JoinCells& cells) {
+std::string name_of(const JoinProblem& problem, const JoinCells& cells) {
+  if (problem.other_rim)
+    return text("%d cells around the seam, %d along %s, %d along %s", 4 * cells.seam, cells.vein,
+                problem.vein.name.c_str(), cells.after, problem.artery.name.c_str());
   return text("%d cells around the seam, %d along the vein, %d around and %d along the artery",
               4 * cells.seam, cells.vein, 2 * cells.around,
               2 * cells.seam + cells.before + cells.after);
@@ -127,14 +130,14 @@ Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
       options.progress(
           text("%s: p = %d, %ld unknowns: %s at %.4f of the way, %d steps, %d "
                "iterations, energy %.8g, mouth %.6g",
-               name_of(cells).c_str(), cells.degree, level.solution.unknowns,
+               name_of(problem, cells).c_str(), cells.degree, level.solution.unknowns,
                to_string(summary.status).c_str(), summary.load, summary.steps, summary.iterations,
                summary.energy * energy_unit, level.mouth));
     return level;
   };
   const auto finer = [](const JoinCells& cells) { return refined(cells, ratio); };
   const auto left_out = [&](const Level& level) {
-    result.certificate.notes.push_back("the mesh of " + name_of(level.cells) +
+    result.certificate.notes.push_back("the mesh of " + name_of(problem, level.cells) +
                                        " did not reach the closed seam and is left out");
   };
   const std::vector<Level> levels =
@@ -152,7 +155,7 @@ Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
   estimate_error(levels, result);
   result.energy.strain = energy_unit * solution.summary.energy;
   report_join(problem, solution, result);
-  result.model.terms = {result.fidelity, "joining", name_of(last.cells)};
+  result.model.terms = {result.fidelity, "joining", name_of(problem, last.cells)};
   effort.report(now() - start, result);
   return result;
 }

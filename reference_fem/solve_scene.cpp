@@ -142,7 +142,7 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
 }  // namespace
 
 Result solve_scene(const Scene& scene, const SolveOptions& options) {
-  if (scene.glenn) return solve_join_scene(scene, options);
+  if (scene.joined()) return solve_join_scene(scene, options);
   const TubeProblem problem = read_problem(scene, options.model, options.law);
   const TubeMesh first = first_mesh(problem, options);
   TubeMesh finest = first;

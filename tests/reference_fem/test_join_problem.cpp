@@ -187,5 +187,65 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
       "found 0 components held in all, expected at least 6, as the join");
 }
 
+TEST(JoinProblem, EndToEndTheRimsPointsOfOneShareMeet) {
+  const JoinProblem problem = read(end_to_end_text);
+  ASSERT_TRUE(problem.other_rim);
+  EXPECT_EQ(problem.seam_side, 1);
+  EXPECT_NEAR(problem.cut_fraction, 8.0 / 14, 1e-12);
+  EXPECT_EQ(problem.other_rim->side, 0);
+  EXPECT_EQ(problem.other_rim->fraction, 1);
+  EXPECT_NEAR(problem.units.length, 2, 1e-12);
+  EXPECT_NEAR(problem.axis_turn, 0, 1e-12);
+  // The second rim turns by 10 degrees about +z and is laid on the first, centre on centre.
+  const Mat3 turn = Eigen::AngleAxisd(10 * pi / 180, Vec3::UnitZ()).toRotationMatrix();
+  for (const double share : {0.0, 0.2, 0.7}) {
+    const Vec3 first = at(problem, problem.vein, share, 1) - Vec3(0, 0, 8),
+               second = at(problem, problem.artery, share, 0) - Vec3(0.2, 0, 8.5);
+    EXPECT_LT((first / 2 - turn * second / 1.8).norm(), 1e-12) << share;
+  }
+  // The kept end of a cut tube without a condition is held, as is a whole tube's other end.
+  const JoinProblem free =
+      read(with(with(end_to_end_text, "  - {vessel: wide, end: start, hold: true}\n", ""),
+                "{vessel: narrow, end: end, hold: true}", "{vessel: wide, end: end, hold: true}"));
+  ASSERT_EQ(free.vein.ends.size(), 1u);
+  EXPECT_EQ(free.vein.ends[0].side, 0);
+  EXPECT_TRUE(free.vein.ends[0].held());
+  ASSERT_EQ(free.artery.ends.size(), 1u);
+  EXPECT_EQ(free.artery.ends[0].side, 1);
+}
+
+TEST(JoinProblem, EndToEndAtAnAngleTheSmallestTurnBringsTheRimsFaceToFace) {
+  const JoinProblem problem = read(with(end_to_end_text, "position: [0.2, 0, 8.5]",
+                                        "position: [0, 0, 8.5], tangent: [0, 0.6, 0.8]"));
+  EXPECT_NEAR(problem.axis_turn, std::asin(0.6), 1e-12);
+  const Mat3 turn = Eigen::AngleAxisd(10 * pi / 180, Vec3::UnitZ()).toRotationMatrix() *
+                    Eigen::AngleAxisd(std::asin(0.6), Vec3::UnitX()).toRotationMatrix();
+  for (const double share : {0.0, 0.3}) {
+    const Vec3 first = at(problem, problem.vein, share, 1) - Vec3(0, 0, 8),
+               second = at(problem, problem.artery, share, 0) - Vec3(0, 0, 8.5);
+    EXPECT_LT((first / 2 - turn * second / 1.8).norm(), 1e-12) << share;
+  }
+}
+
+TEST(JoinProblem, RefusesEndToEndWhatItDoesNotSolve) {
+  const auto refused = [](const std::string& what, const std::string& by,
+                          const std::string& words) {
+    try {
+      read(with(end_to_end_text, what, by));
+      ADD_FAILURE() << words;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  refused("rotation_deg: 10", "rotation_deg: auto", "found `rotation_deg: auto`");
+  refused("cut: [2, 0, 8]", "cut: [2, 0, 17]", "end_to_end: cut: found a point 3 off vessel wide");
+  refused("cut: [2, 0, 8],", "cut: [2, 0, 8], cut_tilt_deg: 3,", "found an oblique cut");
+  refused("vessel: narrow, end: end", "vessel: narrow, end: start",
+          "a condition at the joined end of \"narrow\"");
+  refused("radius: 1.8", "radius: 0.9", "differ by a factor of 2.222");
+  refused("position: [0.2, 0, 8.5]", "position: [0, 0, 8.5], tangent: [0, 0.6, -0.8]",
+          "degrees to face each other");
+}
+
 }  // namespace
 }  // namespace vasorod::fem

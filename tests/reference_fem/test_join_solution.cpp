@@ -182,5 +182,33 @@ TEST(JoinSolution, OtherEndConditionsActAsTheyDoOnTubes) {
   EXPECT_LT((support(s.on_artery) + s.on_artery.seam).norm(), 1e-7 * end.force.norm());
 }
 
+TEST(JoinSolution, EndToEndTheSeamClosesAndEveryForceBalances) {
+  const JoinProblem problem = problem_of(end_to_end_text);
+  const JoinSolution s = solved(problem, coarse(problem));
+  ASSERT_EQ(s.summary.status, PathStatus::complete);
+  EXPECT_EQ(s.summary.positive_definite, true);
+  EXPECT_LT((s.rim - s.lips).rowwise().norm().maxCoeff(), 1e-12);
+  const double size = support(s.on_vein).norm();
+  EXPECT_GT(size, 1e-3);
+  EXPECT_LT((support(s.on_vein) + s.on_vein.seam).norm(), 1e-7 * size);
+  EXPECT_LT((support(s.on_vein) + support(s.on_artery)).norm(), 1e-7 * size);
+  EXPECT_LT((moment(s.on_vein) + moment(s.on_artery)).norm(), 1e-7 * size);
+}
+
+/// A uniform tube of two, turned by 10 degrees: G 2 pi R^3 t phi / L, the seam's hinge has nothing
+/// to lose. Dimensionless: R = 1, E = 1.
+TEST(JoinSolution, EndToEndARotationIsTheTorsionOfATwistedTube) {
+  std::string text = with(end_to_end_text, "radius: 1.8, position: [0.2, 0, 8.5]",
+                          "radius: 2, position: [0, 0, 8]");
+  text = with(text, "young: 0.45", "young: 0.5");
+  const JoinProblem problem = problem_of(text);
+  JoinCells cells = coarse(problem, 3);
+  const JoinSolution s = solved(problem, cells);
+  ASSERT_EQ(s.summary.status, PathStatus::complete);
+  const double t = 0.15, torque = 2 * M_PI * t * (1 + t * t / 4) / 2.8 * (M_PI / 18) / 8;
+  EXPECT_NEAR(s.on_vein.ends[0].moment.z() / torque, 1, 0.01);
+  EXPECT_NEAR(s.on_artery.ends[0].moment.z() / torque, -1, 0.01);
+}
+
 }  // namespace
 }  // namespace vasorod::fem

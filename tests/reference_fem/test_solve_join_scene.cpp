@@ -267,5 +267,47 @@ TEST(SolveJoinScene, RefusesOptionsItCannotMeet) {
   refused(options, "found the law split-neo-hookean");
 }
 
+TEST(SolveJoinScene, ReportsAnEndToEndJoin) {
+  const Result r = solved(end_to_end_text);
+  EXPECT_EQ(r.status, Status::converged);
+  EXPECT_FALSE(r.glenn);
+  ASSERT_TRUE(r.end_to_end && r.end_to_end->mouth);
+  const EndToEndReport& report = *r.end_to_end;
+  EXPECT_EQ(report.rims[0].vessel, "wide");
+  EXPECT_NEAR(report.rims[0].cut.fraction, 8.0 / 14, 1e-12);
+  EXPECT_NEAR(report.rims[0].cut.perimeter, 4 * pi, 1e-12);
+  EXPECT_LT((report.rims[0].cut.normal - Vec3(0, 0, 1)).norm(), 1e-12);
+  EXPECT_EQ(report.rims[1].vessel, "narrow");
+  EXPECT_EQ(report.rims[1].cut.fraction, 1);
+  EXPECT_LT((report.rims[1].cut.point - Vec3(0.2, 0, 8.5)).norm(), 1e-12);
+  EXPECT_LT((report.rims[1].cut.normal + Vec3(0, 0, 1)).norm(), 1e-12);
+  EXPECT_EQ(report.narrower, 1);
+  EXPECT_EQ(report.join.rotation_deg, 10);
+  EXPECT_LT(report.join.largest_gap, 1e-12);
+  // Between both rims: the narrower is widened, the walls are pulled and become thinner.
+  EXPECT_GT(report.mouth->perimeter, 2 * pi * 1.8);
+  EXPECT_LT(report.mouth->perimeter, 4 * pi);
+  EXPECT_NEAR(report.mouth->perimeter_ratio, report.mouth->perimeter / (2 * pi * 1.8), 1e-3);
+  ASSERT_EQ(r.ends.size(), 2u);
+  EXPECT_LT((r.ends[0].force + r.ends[1].force).norm(), 1e-6 * r.ends[0].force.norm());
+  for (const Balance& balance : r.balance) EXPECT_LT(balance.residual, 1e-6);
+}
+
+TEST(SolveJoinScene, TheOrderOfVesselsDoesNotMatterToAnEndToEndJoin) {
+  const Result here = solved(end_to_end_text);
+  // The vessels' order in the file does not matter.
+  std::string other = end_to_end_text;
+  const auto wide = other.find("  - name: wide"), narrow = other.find("  - name: narrow"),
+             ends = other.find("ends:");
+  const std::string first = other.substr(wide, narrow - wide),
+                    second = other.substr(narrow, ends - narrow);
+  other.replace(wide, ends - wide, second + first);
+  const Result there = solved(other);
+  ASSERT_EQ(there.vessels[0].name, "narrow");
+  EXPECT_NEAR(there.energy.total() / here.energy.total(), 1, 1e-9);
+  EXPECT_NEAR(there.end_to_end->mouth->area / here.end_to_end->mouth->area, 1, 1e-9);
+  EXPECT_LT((there.vessels[0].current - here.vessels[1].current).cwiseAbs().maxCoeff(), 1e-8);
+}
+
 }  // namespace
 }  // namespace vasorod::fem

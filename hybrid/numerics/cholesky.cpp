@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -13,6 +14,13 @@
 #include "numerics/single_factor.h"
 
 namespace vasorod {
+namespace {
+
+// METIS draws from the C library's one sequence of random numbers, which it begins anew at each
+// call. Two calls at the same time would disturb each other, and no run would repeat.
+std::mutex one_metis;
+
+}  // namespace
 
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -119,6 +127,8 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>& groups,
                                    Ordering ordering, Work* work) {
+  std::unique_lock<std::mutex> alone(one_metis, std::defer_lock);
+  if (ordering == Ordering::nested_dissection) alone.lock();
   const FactorTime time(work);
   const OneCholmodThread one_thread;
   Matrix graph = group_graph(matrix, groups);

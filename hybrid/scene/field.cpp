@@ -37,8 +37,8 @@ Field::Field(std::string file, std::string key, const YAML::Node& node)
     : file_(std::move(file)), key_(std::move(key)), node_(node), line_(node_.Mark().line + 1) {}
 
 void Field::refuse(const std::string& what) const {
-  throw InputError(one_line(file_ + ":" + std::to_string(line_) + ": " +
-                            (key_.empty() ? "" : key_ + ": ") + "found " + what));
+  const std::string place = file_.empty() ? "" : file_ + ":" + std::to_string(line_) + ": ";
+  throw InputError(one_line(place + (key_.empty() ? "" : key_ + ": ") + "found " + what));
 }
 
 void Field::refuse(const std::string& what, const std::string& expected) const {
@@ -210,6 +210,12 @@ Field read_yaml(const std::string& file) {
   if (!root.IsDefined() || root.IsNull())
     throw InputError(name + ":1: found an empty file, expected a scene");
   return {file, "", root};
+}
+
+Field read_yaml_text(const std::string& text) {
+  const YAML::Node root = parse_yaml("", text);
+  if (!root.IsDefined() || root.IsNull()) throw InputError("found an empty text, expected a scene");
+  return {"", "", root};
 }
 
 void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {

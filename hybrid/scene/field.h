@@ -37,6 +37,8 @@ class Field {
   Field at(const std::string& name, const std::string& expected) const;
   std::optional<Field> find(const std::string& name) const;
 
+  /// Whether this is that word, with or without quotes.
+  bool is(const std::string& word) const { return node_.IsScalar() && node_.Scalar() == word; }
   std::string text(const std::string& expected) const;
   std::string one_of(const std::vector<std::string>& words) const;
   bool boolean() const;
@@ -69,6 +71,8 @@ class Field {
 /// The whole file as one map. Throws InputError if it is missing or not YAML with one document,
 /// FileError if it cannot be read.
 Field read_yaml(const std::string& file);
+/// The same of a text without a file: its messages name no place but the key.
+Field read_yaml_text(const std::string& text);
 
 /// Checks d3 and d1 given at `place`: not zero, at right angles within 1e-3. Makes them
 /// orthonormal.

@@ -22,8 +22,8 @@ constexpr std::size_t most_values = 2'000'000, most_bytes = 16'000'000;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& found,
                          const std::string& expected) {
-  throw InputError(one_line(file) + ":" + std::to_string(line) + ": found " + found +
-                   ", expected " + expected);
+  throw InputError((file.empty() ? "line " : one_line(file) + ":") + std::to_string(line) +
+                   ": found " + found + ", expected " + expected);
 }
 
 void check_bytes(const std::string& file, const std::string& text) {

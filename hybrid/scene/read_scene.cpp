@@ -51,17 +51,18 @@ Units read_units(const Field& field) {
   return units;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
-  const Field root = read_yaml(file.string());
+namespace {
+
+// `folder`: where the paths of surfaces and markups begin.
+Scene scene_of(const Field& root, const std::filesystem::path& folder) {
   root.check_keys({"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity",
                    "accuracy", "extrapolate",
                    "study"});  // study: notes for the comparison's driver, not read here
   Scene scene;
-  scene.file = file;
   scene.name = root.at("scene", "the scene's name").text("the scene's name");
   const Field units = root.at("units", "{length: mm, stress: MPa} or other units");
   scene.units = read_units(units);
-  scene.vessels = read_vessels(root.at("vessels", "a list of vessels"), file.parent_path(),
+  scene.vessels = read_vessels(root.at("vessels", "a list of vessels"), folder,
                                pressure_unit(units, scene.units));
   if (const auto ends = root.find("ends")) scene.ends = read_ends(*ends, scene.vessels);
   if (const auto contact = root.find("contact"))
@@ -72,7 +73,6 @@ Scene read_scene(const std::filesystem::path& file) {
     if (glenn.has_value() == end_to_end.has_value())
       surgery->refuse(glenn ? "both glenn and end_to_end" : "neither glenn nor end_to_end",
                       "one operation");
-    const std::filesystem::path folder = file.parent_path();
     if (glenn) scene.glenn = read_glenn(*glenn, scene.vessels, folder, scene.units);
     if (end_to_end)
       scene.end_to_end = read_end_to_end(*end_to_end, scene.vessels, folder, scene.units);
@@ -85,6 +85,28 @@ Scene read_scene(const std::filesystem::path& file) {
         extrapolate->refuse("it with the vessel '" + vessel.name + "'",
                             "it in a scene of bare rods alone");
   }
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  Scene scene = scene_of(read_yaml(file.string()), file.parent_path());
+  scene.file = file;
+  return scene;
+}
+
+Scene read_scene_text(const std::string& text, const std::filesystem::path& folder) {
+  Scene scene = scene_of(read_yaml_text(text), folder);
+  // There is no file in which these would be lines.
+  for (VesselSpec& vessel : scene.vessels) vessel.line = 0;
+  for (EndCondition& end : scene.ends) end.line = 0;
+  if (scene.glenn) scene.glenn->line = 0;
+  if (scene.end_to_end) {
+    scene.end_to_end->line = 0;
+    for (RimSpec& rim : scene.end_to_end->rims) rim.line = 0;
+  }
+  scene.fidelity_line = 0;
   return scene;
 }
 

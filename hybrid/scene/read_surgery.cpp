@@ -102,7 +102,7 @@ EndSelector read_keep(const Field& field, const VesselSpec& vessel, const std::s
 
 std::optional<double> read_rotation(const Field& field) {
   const auto rotation = field.find("rotation_deg");
-  if (!rotation || rotation->found() == "\"auto\"") return std::nullopt;
+  if (!rotation || rotation->is("auto")) return std::nullopt;
   return rotation->number_up_to(largest_length, "auto or a number");
 }
 

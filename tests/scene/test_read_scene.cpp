@@ -38,7 +38,7 @@ surgery:
     rpa: plain
     cut: [1, 2, 3]
     incision: [4, 5, 6]
-    rotation_deg: auto
+    rotation_deg: "auto"
     incision_length: 1.25
     incision_shape: {ellipse: {width: 4}}
     cut_tilt_deg: -20
@@ -202,6 +202,47 @@ TEST_F(ReadScene, ReadsAnEndToEndJoin) {
   EXPECT_EQ(to_string(spec.rims[1].end), "near(4, 5, 6)");
   EXPECT_EQ(spec.rims[1].line, spec.rims[0].line + 1);
   EXPECT_EQ(scene.joined(), (std::array<std::string, 2>{"plain", "tube"}));
+}
+
+// A text has neither a file nor lines that a reader could look up; what it says is the same.
+TEST_F(ReadScene, ATextIsReadAsAFileIs) {
+  const Scene scene = read_scene_text(tubes, folder), file = read(tubes);
+  EXPECT_TRUE(scene.file.empty());
+  EXPECT_EQ(input_files(scene), (std::vector{folder / "heart.vtp", folder / "sub/plain.stl"}));
+  EXPECT_EQ(*read_scene_text(tubes).vessel("heart").surface, "heart.vtp");
+  EXPECT_EQ(scene.ends[1].move, file.ends[1].move);
+  EXPECT_EQ(scene.glenn->keep.near, file.glenn->keep.near);
+  EXPECT_EQ(scene.units.metres, file.units.metres);
+  EXPECT_EQ(scene.ends[3].line + scene.vessels[2].line + scene.glenn->line + scene.fidelity_line,
+            0);
+}
+
+TEST_F(ReadScene, WhatIsWrongWithATextIsSaidWithoutAPlace) {
+  const auto said = [](const auto& reads) -> std::string {
+    try {
+      reads();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const std::string good = tubes;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  for (const std::string& text :
+       {changed("around: 40", "around: some"), changed("law: svk", "lav: svk"),
+        changed("fidelity: coupled", "extrapolate: false"), changed("rpa: plain", "rpa: plane")}) {
+    const std::string of_text = said([&] { read_scene_text(text, folder); }),
+                      of_file = said([&] { read(text); });
+    ASSERT_GT(of_file.size(), of_text.size());
+    EXPECT_EQ(of_text, of_file.substr(of_file.find(": ") + 2));
+    EXPECT_EQ(of_text.find("scene.yaml"), std::string::npos) << of_text;
+  }
+  EXPECT_EQ(said([&] { read_scene_text(changed("  - name: tube", "\t- name: tube")); }),
+            "line 4: found a tab in the indentation, expected spaces, as YAML asks for");
+  EXPECT_EQ(said([&] { read_scene_text(""); }), "found an empty text, expected a scene");
 }
 
 TEST_F(ReadScene, ReadsRods) {

@@ -43,6 +43,10 @@ if(VASOROD_PRECOMPILED)
   vasorod_precompiled_headers(vasorod_precompiled HEADERS ${headers})
   vasorod_precompiled_headers(vasorod_precompiled_rounding OPTIONS -frounding-math
     HEADERS ${headers})
+  if(VASOROD_PYTHON) # as the libraries that use them
+    set_target_properties(vasorod_precompiled vasorod_precompiled_rounding PROPERTIES
+      POSITION_INDEPENDENT_CODE ON)
+  endif()
   if(VASOROD_TESTS)
     vasorod_precompiled_headers(vasorod_precompiled_tests LINKS GTest::gtest
       HEADERS ${headers} <Eigen/Dense> <fstream> <gtest/gtest.h> <random>)

@@ -26,6 +26,10 @@ if(VASOROD_FUZZ)
   set(VASOROD_FUZZ_READERS data geometry surface_file scene result)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(VASOROD_PYTHON)
+  # Functions of a shared library (vasorod_library) are called and inlined as a program's are.
+  add_compile_options(-fno-semantic-interposition)
+endif()
 # Eigen and the Lie-group kernels are only fast when inlined; -fno-math-errno keeps IEEE results and
 # lets sqrt inline.
 add_compile_options(-fno-math-errno)
@@ -36,6 +40,10 @@ function(vasorod_library name)
   add_library(vasorod_${name} STATIC ${ARG_SOURCES})
   add_library(vasorod::${name} ALIAS vasorod_${name})
   set_target_properties(vasorod_${name} PROPERTIES EXPORT_NAME ${name})
+  if(VASOROD_PYTHON)
+    # A Python module is a shared library.
+    set_target_properties(vasorod_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_include_directories(vasorod_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid>
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/hybrid/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

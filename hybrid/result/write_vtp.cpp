@@ -51,19 +51,13 @@ Rows field(const Eigen::VectorXd& values, Eigen::Index rows, double at_rest) {
   return values;
 }
 
-int vtk_type(const NamedArray& array) {
+const std::map<std::string, int>& vtk_types() {
   static const std::map<std::string, int> types{
       {"Int8", VTK_TYPE_INT8},      {"UInt8", VTK_TYPE_UINT8},   {"Int16", VTK_TYPE_INT16},
       {"UInt16", VTK_TYPE_UINT16},  {"Int32", VTK_TYPE_INT32},   {"UInt32", VTK_TYPE_UINT32},
       {"Int64", VTK_TYPE_INT64},    {"UInt64", VTK_TYPE_UINT64}, {"Float32", VTK_TYPE_FLOAT32},
       {"Float64", VTK_TYPE_FLOAT64}};
-  if (const auto known = types.find(array.type); known != types.end()) return known->second;
-  if (!array.integer) return VTK_TYPE_FLOAT64;
-  // SimVascular expects ModelFaceID as a 32-bit array, so the narrow type is used if it can hold
-  // the values.
-  const bool narrow = array.values.size() == 0 ||
-                      array.values.cwiseAbs().maxCoeff() <= std::numeric_limits<int>::max();
-  return narrow ? VTK_TYPE_INT32 : VTK_TYPE_INT64;
+  return types;
 }
 
 // A name escaped for an XML attribute; VTK does not escape names.
@@ -89,7 +83,8 @@ vtkSmartPointer<vtkDataArray> own_array(const NamedArray& own, Eigen::Index rows
   if (own.values.rows() != rows)
     throw std::logic_error("array " + own.name + " has " + std::to_string(own.values.rows()) +
                            " rows for " + std::to_string(rows) + " points or cells");
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(own)));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(vtk_types().at(written_type(own))));
   array->SetName(escaped(taken.contains(own.name) ? own.name + "_input" : own.name).c_str());
   array->SetNumberOfComponents(static_cast<int>(own.values.cols()));
   array->SetNumberOfTuples(rows);
@@ -145,6 +140,16 @@ std::string bytes(vtkPolyData* data, const FileStamp& stamp) {
 }
 
 }  // namespace
+
+std::string written_type(const NamedArray& array) {
+  if (vtk_types().contains(array.type)) return array.type;
+  if (!array.integer) return "Float64";
+  // SimVascular expects ModelFaceID as a 32-bit array, so the narrow type is used if it can hold
+  // the values.
+  const bool narrow = array.values.size() == 0 ||
+                      array.values.cwiseAbs().maxCoeff() <= std::numeric_limits<int>::max();
+  return narrow ? "Int32" : "Int64";
+}
 
 FileStamp stamp_of(const Result& result, const VesselResult& vessel) {
   return {"length " + result.length_unit + ", stress " + result.stress_unit, result.program,

@@ -8,6 +8,10 @@
 
 namespace vasorod {
 
+/// Type of VTK's XML format with which an input's own array is written: that of the input, else
+/// Float64, or Int32 or Int64 by its values.
+std::string written_type(const NamedArray& array);
+
 /// What the field data of a file say about it, one text each. An empty text is left out.
 struct FileStamp {
   std::string units,  ///< Units: "length mm, stress MPa"

@@ -169,7 +169,7 @@ std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>&
     std::vector<Stage> stages = result.stages;
     for (Stage& stage : stages)
       for (const DrawnBody& body : bodies)
-        if ((body.glass || (is_stump(body) && stage.title != "rest")) &&
+        if ((is_stump(body) ? stage.title != "rest" : body.glass) &&
             std::find(stage.names.begin(), stage.names.end(), body.name) == stage.names.end()) {
           stage.surfaces.push_back({body.rest, body.triangles});
           stage.names.resize(stage.surfaces.size() - 1);
@@ -346,6 +346,7 @@ std::vector<DrawnBody> drawn_bodies(const Result& result) {
     stump.triangles = vessel.stump->triangles;
     stump.colour = body.colour;
     stump.wanted = false;
+    stump.glass = result.end_to_end.has_value();  // the other vessel lies where it was
   }
   return bodies;
 }

@@ -185,13 +185,14 @@ class OperationRows {
     else
       add(what, "unknown", "");
   }
-  void add_cut(const std::string& of, const CutReport& cut) {
+  // `what`: Cut, or Rim where it may be an end of a whole vessel.
+  void add_cut(const std::string& what, const std::string& vessel, const CutReport& cut) {
     const std::string& length = result_.length_unit;
-    add("Cut" + of + ", part of its length", cell_text(cut.fraction), "");
-    if (cut.tilt_deg != 0) add("Cut, tilt", cell_text(cut.tilt_deg), "degrees");
-    add("Cut, perimeter", cell_text(cut.perimeter), length);
-    add("Cut, plane through", vector_text(cut.point), length);
-    add("Cut, normal", vector_text(cut.normal), "");
+    add(what + " of " + vessel + ", part of its length", cell_text(cut.fraction), "");
+    if (cut.tilt_deg != 0) add(what + ", tilt", cell_text(cut.tilt_deg), "degrees");
+    add(what + ", perimeter", cell_text(cut.perimeter), length);
+    add(what + ", plane through", vector_text(cut.point), length);
+    add(what + ", normal", vector_text(cut.normal), "");
   }
   void add_seam(const SeamReport& seam) {
     add("Seam, pairs of points", std::to_string(seam.pairs), "");
@@ -220,7 +221,7 @@ std::string glenn_table(const Result& result, const JoinedVessels& joined) {
   const GlennReport& g = *result.glenn;
   const std::string& length = result.length_unit;
   OperationRows rows(result);
-  rows.add_cut(" of " + g.svc, g.cut);
+  rows.add_cut("Cut", g.svc, g.cut);
   rows.add("Incision of " + g.rpa + ", picked at", vector_text(g.incision.pick), length);
   rows.add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
   if (g.incision.shape != "slit") {
@@ -238,7 +239,7 @@ std::string glenn_table(const Result& result, const JoinedVessels& joined) {
 
 std::string end_to_end_table(const Result& result, const JoinedVessels& joined) {
   OperationRows rows(result);
-  for (const RimReport& rim : result.end_to_end->rims) rows.add_cut(" of " + rim.vessel, rim.cut);
+  for (const RimReport& rim : result.end_to_end->rims) rows.add_cut("Rim", rim.vessel, rim.cut);
   rows.add_seam(*joined.seam);
   rows.add_solution(*joined.seam, joined.mouth, "that of " + joined.mouth_of);
   return html_of("The operation", rows.table);

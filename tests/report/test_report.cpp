@@ -336,6 +336,27 @@ TEST(Report, AnOperationIsAboutTheVesselsItJoins) {
   EXPECT_TRUE(wanted().at("aorta"));
 }
 
+TEST(Report, AnEndToEndJoinHasItsTableAndATransparentStump) {
+  Result result = test::example_result();
+  result.glenn.reset();
+  EndToEndReport& report = result.end_to_end.emplace();
+  report.rims[0].vessel = "svc";
+  report.rims[0].cut.perimeter = 61.25;
+  report.rims[1].vessel = "graft";
+  report.narrower = 1;
+  report.join.pairs = 73;
+  report.mouth.emplace();
+  report.mouth->area_ratio = 0.875;
+  const std::string page = page_of(result);
+  for (const char* text : {"Rim of svc, part of its length", "61.25 mm", "Rim of graft",
+                           "Mouth, lumen over that of graft", "0.875", "73"})
+    EXPECT_TRUE(has(page, text)) << text;
+  std::map<std::string, bool> glass;
+  for (const DrawnBody& body : drawn_bodies(result)) glass[body.name] = body.glass;
+  EXPECT_TRUE(glass.at("svc stump"));
+  EXPECT_FALSE(glass.at("svc"));
+}
+
 TEST(Report, ABareRodIsDrawnAsATube) {
   Result result = test::example_result();
   VesselResult rod;

@@ -86,7 +86,7 @@ def join_section(rows, notes):
                 "hinge with nodes at equal arc length; its own error is the largest of",
                 "displacements, reactions, energy and mouth. Thickness: a factor on both walls.",
                 "`paper` has another functional; only its mouth is compared, with the shell by",
-                "Biot's law. A scene file has no end-to-end operation.",
+                "Biot's law. Tubes joined end to end are in [reference.md](reference.md).",
             ),
             accuracy_table(rows),
             "### The mouth over the length of the slit\n",

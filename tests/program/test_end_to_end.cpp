@@ -165,6 +165,25 @@ TEST(EndToEnd, MovedRigidlyOrInOtherUnitsItIsTheSame) {
   expect_same(solve(scene(metres)), metres);
 }
 
+// From walls without stress: held ends, both lumens at 75 mmHg.
+TEST(EndToEnd, UnderAPressureTwoHalvesPullAsTheUncutTube) {
+  const Halves halves;
+  const auto pressed = [](std::string scene) {
+    const std::string wall = "poisson: 0.45}\n", pressure = "    pressure: {after: 0.01}\n";
+    for (std::size_t at = scene.find(wall); at != std::string::npos;
+         at = scene.find(wall, at + wall.size() + pressure.size()))
+      scene.insert(at + wall.size(), pressure);
+    return scene;
+  };
+  for (const auto& [fidelity, tolerance] : {std::pair("rod", 1e-7), {"coupled", 1e-3}}) {
+    SCOPED_TRACE(fidelity);
+    const json two = solve(pressed(halves.joined(fidelity, "hold: true"))),
+               one = solve(pressed(halves.whole(fidelity, "hold: true")));
+    EXPECT_EQ(two.at("status"), "converged");
+    EXPECT_NEAR(at_end(two, "force").z() / at_end(one, "force").z(), 1, tolerance);
+  }
+}
+
 // Walls with a lumen under one pressure are refused a second one, as in every operation.
 TEST(EndToEnd, ThePressuresOfBothVesselsAreOne) {
   const Halves halves;

@@ -201,6 +201,15 @@ TEST(Validity, AMouthThatHasToTurnRoundAsksWhichPartIsKept) {
     ASSERT_EQ(validity.warnings.size(), warnings) << degrees;
     for (const std::string& warning : validity.warnings)
       EXPECT_NE(warning.find("keep"), std::string::npos);
+    EndToEndReport report;
+    report.rims[0].vessel = "upper";
+    report.rims[1].vessel = "graft";
+    report.join.axis_turn_deg = degrees;
+    Validity facing;
+    warn_of_keep(report, facing);
+    ASSERT_EQ(facing.warnings.size(), warnings) << degrees;
+    for (const std::string& warning : facing.warnings)
+      EXPECT_EQ(warning.find("vessels upper and graft: their rims have to turn by "), 0U);
   }
 }
 

@@ -228,6 +228,25 @@ TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
   scene.ends[1].vessel = "vena";
   EXPECT_NE(refusal([&] { predict(scene); }).find("found no vessel \"vena\""), std::string::npos);
 
+  scene = stretched_tube(1e-3, "skin");
+  EndToEndSpec& join = scene.end_to_end.emplace();
+  join.rims[0].vessel = join.rims[1].vessel = "aorta";
+  EXPECT_EQ(refusal([&] { predict(scene); }),
+            "scene \"stretched\": surgery: found the vessel \"aorta\" twice, expected two "
+            "different vessels");
+  join.rims[1].vessel = "heart";
+  scene.vessels.push_back(scene.vessels[0]);
+  scene.vessels[1].name = "heart";
+  scene.vessels[1].role = Role::obstacle;
+  EXPECT_NE(
+      refusal([&] {
+        predict(scene);
+      }).find("vessel heart: found an obstacle that the surgery joins, expected a deformable"),
+      std::string::npos);
+  scene.glenn.emplace();
+  EXPECT_NE(refusal([&] { predict(scene); }).find("end_to_end: found it beside glenn"),
+            std::string::npos);
+
   scene = bent_cantilever(20, 1);
   scene.fidelity = "paper";
   EXPECT_EQ(refusal([&] { predict(scene); }),

@@ -143,11 +143,13 @@ ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
         pair.contact = within(pair, scaled);
       else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
         pair.contact = between(pair, scaled);
+      if (pair.contact && hold_) pair.contact->hold();
     }
     if (!pair.contact) continue;
     pair.in_reach |= !pair.own();
     for (const ContactPoint& c : pair.contact->contacts())
-      if (c.stick > 0) state.slip = std::max(state.slip, contact_slip(c, slave.now).norm());
+      if (c.stick > 0 && (pair.own() || master.modelled))
+        state.slip = std::max(state.slip, FoundContacts::slip(c, slave.now, master.now));
     const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
     change += pair_change;
     sum += pair_sum;
@@ -208,6 +210,7 @@ StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
         for (size_t k = 0; k < 3; ++k)
           c.slack += c.weight[static_cast<int>(k)] * c.normal.dot(still.row(c.master[k]));
         c.master = {-1, -1, -1};
+        c.stick = 0;
       }
       all.points.push_back(c);
     }
@@ -224,6 +227,12 @@ double BodyContacts::gap_from_itself(const ScaledBodies& scaled) const {
       smallest = std::min(smallest, FoundContacts::gap(c, now, now));
   }
   return smallest;
+}
+
+void BodyContacts::hold() {
+  hold_ = true;
+  for (Pair& pair : pairs_)
+    if (pair.contact) pair.contact->hold();
 }
 
 bool BodyContacts::pressing() const {
@@ -251,7 +260,7 @@ double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled, bool sea
 
 bool is_settled(const ContactState& state, const SurfaceOptions& options, double slackness) {
   return state.touched.empty() && state.penetration <= slackness * options.contact_tolerance &&
-         state.slip <= slackness * options.contact_tolerance &&
+         state.slip <= slackness * options.slip_tolerance &&
          state.force_change <= slackness * options.pressure_tolerance;
 }
 
@@ -260,8 +269,7 @@ void require_contact(const ContactState& state, const SurfaceOptions& options,
   unmet.require("penetration over the mean edge", state.penetration, options.contact_tolerance);
   unmet.require("change of the contact forces by the last update", state.force_change,
                 options.pressure_tolerance);
-  unmet.require("slip of walls in contact over the mean edge", state.slip,
-                options.contact_tolerance);
+  unmet.require("slip of walls in contact over the mean edge", state.slip, options.slip_tolerance);
   if (!state.touched.empty()) unmet.add("a vessel was touched only now");
 }
 

@@ -16,7 +16,7 @@ struct ContactState {
   double penetration = 0;
   /// Change of the contact forces in the last multiplier update over their sum.
   double force_change = 0;
-  /// Farthest that a wall in contact with itself slid since the last search, scaled length.
+  /// Farthest that walls that stick to each other slid since the last search, scaled length.
   double slip = 0;
   /// Whether the set of contacts that carry pressure changed.
   bool pressed_changed = false;
@@ -50,6 +50,10 @@ class BodyContacts {
   /// Sets the multipliers to the pressures at the bodies' current positions, then finds the closest
   /// features again.
   ContactState refresh(const ScaledBodies& scaled);
+
+  /// Walls that press on each other stick between searches from here on (contact_pair.h): where
+  /// the set of those that press does not settle.
+  void hold();
 
   /// Finds what touches itself again, at the bodies' current positions, and keeps the multipliers.
   /// A collapse can bring walls together within one minimisation. False: nothing was searched.
@@ -103,6 +107,7 @@ class BodyContacts {
 
   const BodyProblem& problem_;
   double stiffness_;
+  bool hold_ = false;
   std::vector<Pair> pairs_;
 };
 

@@ -1,5 +1,6 @@
 #include "bodies/contact_pair.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -66,6 +67,7 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       stiffness_(stiffness),
       deepest_(slave_.joined ? through_the_mouth * mean_edge_length(slave_.rest)
                              : std::numeric_limits<double>::infinity()),
+      edge_(mean_edge_length(slave_.rest)),
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
@@ -86,6 +88,12 @@ double ContactPair::allowance(int vertex) {
     value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
   }
   return value;
+}
+
+void ContactPair::stick(ContactPoint& contact, const Points& slave, const Points& master) const {
+  const double pressure = multiplier(contact.slave) - stiffness_ * gap(contact, slave, master);
+  contact.stick = std::max(0.0, pressure) / edge_;
+  contact.held = apart(contact, slave, master);
 }
 
 bool ContactPair::inside_at_rest(int vertex) {
@@ -125,8 +133,10 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const double rest = allowance(i);
     if (feature.distance - faces - rest > reach) continue;
     if (feature.distance - faces - rest < -deepest_) continue;
-    add({i, feature.vertex, feature.weight, feature.normal, faces + rest, area_[i], stiffness_, 0},
-        i);
+    ContactPoint contact{
+        i, feature.vertex, feature.weight, feature.normal, faces + rest, area_[i], stiffness_, 0};
+    if (held_) stick(contact, slave, master);
+    add(contact, i);
   }
   end();
 }

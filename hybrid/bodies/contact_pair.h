@@ -11,6 +11,12 @@
 // Beside a seam the walls meet at an angle, and their faces would overlap: there o is the share
 // that the caller gives (seam_band.h). A wall that has come in through the mouth is not in contact.
 //
+// The planes are frozen until the next search and know nothing of the walls' curvature: in a
+// minimum of walls that meet in a point or on a line, the vertices that press may leave it along
+// the wall; the next search then finds others, and the two cycle. From hold() on, walls that press
+// on each other stick from one search to the next, as those of a wall that touches itself do
+// (self_contact.h).
+//
 // Left out are: hits on the rim of an open end; walls that face the same way (the far wall of a
 // vessel that a shallow one overlaps); the vertices and triangles that the caller excludes.
 #pragma once
@@ -30,14 +36,18 @@ class ContactPair : public FoundContacts {
   ContactPair(ContactSide slave, ContactSide master, double stiffness);
 
   void refresh(const Points& slave, const Points& master, double reach) override;
+  void hold() override { held_ = true; }
 
  private:
   double allowance(int vertex);
+  void stick(ContactPoint& contact, const Points& slave, const Points& master) const;
   bool inside_at_rest(int vertex);
 
   ContactSide slave_, master_;
   double stiffness_;
-  double deepest_;  // overlap beyond which walls are not in contact, length
+  bool held_ = false;  // see hold()
+  double deepest_;     // overlap beyond which walls are not in contact, length
+  double edge_;        // mean, of the slave, length
   Eigen::VectorXd area_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;

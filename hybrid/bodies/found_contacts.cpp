@@ -29,6 +29,18 @@ double FoundContacts::gap(const ContactPoint& contact, const Points& slave, cons
   return gap;
 }
 
+Vec3 FoundContacts::apart(const ContactPoint& contact, const Points& slave, const Points& master) {
+  Vec3 apart = slave.row(contact.slave);
+  for (size_t k = 0; k < 3; ++k)
+    apart -= contact.weight[static_cast<int>(k)] * master.row(contact.master[k]).transpose();
+  return apart;
+}
+
+double FoundContacts::slip(const ContactPoint& contact, const Points& slave, const Points& master) {
+  const Vec3 moved = apart(contact, slave, master) - contact.held;
+  return (moved - contact.normal.dot(moved) * contact.normal).norm();
+}
+
 std::pair<double, double> FoundContacts::update_multipliers(const Points& slave,
                                                             const Points& master) {
   double change = 0, sum = 0;

@@ -28,6 +28,9 @@ class FoundContacts {
   /// `reach` (length). Multipliers are kept for vertices that stay within reach.
   virtual void refresh(const Points& slave, const Points& master, double reach) = 0;
 
+  /// From the next search on, walls that press on each other stick until the one after.
+  virtual void hold() {}
+
   /// The contacts, numbered within the bodies; the slack is for a moving master.
   const std::vector<ContactPoint>& contacts() const { return contacts_; }
 
@@ -43,6 +46,8 @@ class FoundContacts {
 
   /// Gap of a contact at the given positions, length.
   static double gap(const ContactPoint& contact, const Points& slave, const Points& master);
+  /// How far a contact that sticks slid at the given positions, length.
+  static double slip(const ContactPoint& contact, const Points& slave, const Points& master);
 
  protected:
   /// `slots`: multipliers that are kept, as many as contacts can be told apart.
@@ -52,6 +57,8 @@ class FoundContacts {
   FoundContacts(FoundContacts&&) = default;
   FoundContacts& operator=(FoundContacts&&) = default;
 
+  /// From the place on the master to the slave's vertex, length.
+  static Vec3 apart(const ContactPoint& contact, const Points& slave, const Points& master);
   /// Forgets the contacts; add() afterwards, then end().
   void begin();
   /// Takes a contact with the multiplier of its slot.

@@ -12,6 +12,7 @@ std::optional<std::string> SurfaceOptions::is_invalid() const {
       {positive(balance_tolerance), "balance_tolerance: expected a number above 0"},
       {positive(seam_tolerance), "seam_tolerance: expected a number above 0"},
       {positive(contact_tolerance), "contact_tolerance: expected a number above 0"},
+      {positive(slip_tolerance), "slip_tolerance: expected a number above 0"},
       {positive(pressure_tolerance), "pressure_tolerance: expected a number above 0"},
       {positive(seam_stiffness), "seam_stiffness: expected a number above 0"},
       {positive(contact_stiffness), "contact_stiffness: expected a number above 0"},

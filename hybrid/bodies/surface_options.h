@@ -20,6 +20,9 @@ struct SurfaceOptions : SolverOptions {
   double seam_tolerance = 1e-3;
   /// On the penetration over the mean edge.
   double contact_tolerance = 1e-3;
+  /// On the slip of walls that stick between searches over the mean edge: so large a share of the
+  /// pressure may be left as a force along the walls.
+  double slip_tolerance = 1e-2;
   /// On the mean change of the pressures in the last multiplier update over their mean.
   double pressure_tolerance = 3e-3;
   /// k_j over the largest k_b or k_s of the joined bodies. Stiff enough to close the seam in two or

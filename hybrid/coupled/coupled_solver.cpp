@@ -334,6 +334,7 @@ CoupledOptions::CoupledOptions() {
   tolerance = 1e-9;
   // One multiplier update reaches it.
   seam_tolerance = 1e-4;
+  slip_tolerance = 1e-3;
   // Each update gains a factor of the penalty over the wall's stiffness.
   pressure_tolerance = 1e-4;
   contact_stiffness = 10;

@@ -13,6 +13,7 @@
 #include "bodies/scaled_bodies.h"
 #include "bodies/seam.h"
 #include "bodies/unmet_criteria.h"
+#include "data/sentence.h"
 #include "paper/paper_minimiser.h"
 #include "paper/paper_report.h"
 
@@ -140,6 +141,8 @@ class PaperRun {
     double tolerance =
         constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
     int settling_outers = 0;
+    bool held = false;
+    ContactState contact;
     for (solution_.outer_iterations = 1;; ++solution_.outer_iterations) {
       inner.tolerance = tolerance;
       // While contacts still open and close, the constant matrix, which includes them, is
@@ -149,7 +152,7 @@ class PaperRun {
                  settling = pressing && settling_outers < most_settling;
       settling_outers += settling ? 1 : 0;
       inner.max_iterations = settling ? settling_iterations : options_.max_iterations;
-      inner.reuse_hessian = !pressing;
+      inner.reuse_hessian = !pressing || (held && !contact.pressed_changed);
       inner.patience = pressing && !settling ? 1 : options_.patience;
       const PaperMinimiserSummary summary = minimiser_->minimise(positions_, inner);
       solution_.iterations += summary.iterations;
@@ -162,13 +165,22 @@ class PaperRun {
       const bool at_rest = summary.residual <= options_.tolerance;
       const double seam_gap = largest_gap(system_.joins, positions_);
       const bool seam_closed = seam_gap <= options_.seam_tolerance * seam_radius_;
-      const ContactState contact = contacts_.refresh(scaled_);
+      if (!held && solution_.outer_iterations >= options_.hold_after) {
+        contacts_.hold();
+        held = true;
+      }
+      contact = contacts_.refresh(scaled_);
       const bool pressed_right = is_settled(contact, options_);
       const double imbalance = worst_balance(sum_forces(scaled_, system_, first_, positions_));
       const bool balanced = imbalance <= options_.balance_tolerance;
       if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
         const bool asked = options_.certify;
         solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_);
+        if (contact.slip > 0)
+          solution_.notes.push_back(
+              "the set of walls in contact did not settle until they stuck: " +
+              std::string("forces along them of up to ") + number_text(contact.slip, 2) +
+              " of the pressure are left");
         solution_.status =
             asked && !solution_.smallest_curvature_positive ? Status::unstable : Status::converged;
         return;
@@ -232,7 +244,8 @@ class PaperRun {
 
 std::optional<std::string> PaperOptions::is_invalid() const {
   if (auto fault = SurfaceOptions::is_invalid()) return fault;
-  return first_fault({{patience >= 1, "patience: expected at least 1"}});
+  return first_fault({{patience >= 1, "patience: expected at least 1"},
+                      {hold_after >= 1, "hold_after: expected at least 1"}});
 }
 
 PaperSolver::PaperSolver(PaperOptions options)

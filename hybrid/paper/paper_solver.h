@@ -17,6 +17,9 @@ struct Work;
 struct PaperOptions : SurfaceOptions {
   /// Number of iterations for a tenfold reduction of the residual before the true Hessian is tried.
   int patience = 100;
+  /// Multiplier updates after which walls that press on each other stick between searches
+  /// (bodies/contact_pair.h). What settles at all has mostly settled by then.
+  int hold_after = 30;
   /// Called with the state so far (status interrupted) before a factorisation, at most once a
   /// second. May be empty.
   std::function<void(SurfaceSolution&&)> keep;

@@ -63,6 +63,33 @@ TEST(ContactPair, WhatCameInThroughTheMouthIsNotPushedOut) {
   EXPECT_LT(deepest(deep, true), 3.01 * edge);
 }
 
+// Pressed 0.1 into each other with stiffness 10, then held: a slip of one edge takes a tangential
+// force as large as the normal one, and walls that only come near do not stick.
+TEST(ContactPair, FromHoldOnWhatPressesSticks) {
+  const TriangleSurface slave = beside(0), master = beside(2.05);
+  ContactPair pair({slave, 0, {}}, {master, 0, {}}, 10);
+  Points pressed = slave.points;
+  pressed.col(0).array() += 0.15;
+  pair.refresh(pressed, master.points, 1);
+  for (const ContactPoint& c : pair.contacts()) EXPECT_EQ(c.stick, 0);
+  pair.hold();
+  pair.refresh(pressed, master.points, 1);
+  int sticking = 0, near = 0;
+  for (const ContactPoint& c : pair.contacts()) {
+    const double gap = FoundContacts::gap(c, pressed, master.points);
+    EXPECT_NEAR(c.stick * mean_edge_length(slave), std::max(0.0, -10 * gap), 1e-12);
+    (gap < 0 ? sticking : near) += 1;
+    EXPECT_LT(FoundContacts::slip(c, pressed, master.points), 1e-12);
+  }
+  EXPECT_GT(sticking, 5);
+  EXPECT_GT(near, 5);
+  // Moved along the axis, which turns no normal.
+  Points slid = pressed;
+  slid.col(2).array() += 0.02;
+  for (const ContactPoint& c : pair.contacts())
+    EXPECT_NEAR(FoundContacts::slip(c, slid, master.points), 0.02, 1e-3);
+}
+
 TEST(ContactPair, WhatIsOutOfReachIsNotListed) {
   const TriangleSurface slave = beside(0), master = beside(5);
   ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);

@@ -56,5 +56,21 @@ TEST(FoundContacts, WithinTheSettledGapTheMultiplierStays) {
   EXPECT_EQ(contact.contacts()[0].multiplier, 0);
 }
 
+// Along the plane it slides by 3-4-5, across it only comes nearer.
+TEST(FoundContacts, SlipIsTheMotionAlongThePlane) {
+  OverATriangle contact(0);
+  contact.refresh(at(0.1), triangle(), 1);
+  ContactPoint sticking = contact.contacts()[0];
+  sticking.held = Vec3(0.2 - 1. / 3, 0.2 - 1. / 3, 0.1);
+  EXPECT_NEAR(FoundContacts::slip(sticking, at(-2), triangle()), 0, 1e-15);
+  Points slid = at(-2);
+  slid.row(0) += Eigen::RowVector3d(0.3, 0.4, 0);
+  EXPECT_NEAR(FoundContacts::slip(sticking, slid, triangle()), 0.5, 1e-15);
+  // Both together: nothing slides.
+  EXPECT_NEAR(
+      FoundContacts::slip(sticking, slid, triangle().rowwise() + Eigen::RowVector3d(0.3, 0.4, 0)),
+      0, 1e-15);
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -13,6 +13,7 @@ TEST(SurfaceOptions, AFieldOutOfItsRangeIsNamed) {
   expect_positive<O>("balance_tolerance", &O::balance_tolerance);
   expect_positive<O>("seam_tolerance", &O::seam_tolerance);
   expect_positive<O>("contact_tolerance", &O::contact_tolerance);
+  expect_positive<O>("slip_tolerance", &O::slip_tolerance);
   expect_positive<O>("pressure_tolerance", &O::pressure_tolerance);
   expect_positive<O>("seam_stiffness", &O::seam_stiffness);
   expect_positive<O>("contact_stiffness", &O::contact_stiffness);

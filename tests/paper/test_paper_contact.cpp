@@ -143,6 +143,24 @@ TEST(PaperContact, TwoDeformableVesselsShareTheForceAndBothCarryPressure) {
   EXPECT_GT(moved, 0.2);
 }
 
+// What sticks between searches ends in the same place: the force along the walls that is left is a
+// hundredth of the pressure at most.
+TEST(PaperContact, WallsThatStickBetweenSearchesCarryTheSameForce) {
+  const BodyProblem problem = crossing(2);
+  PaperOptions held;
+  held.hold_after = 1;
+  const SurfaceSolution free = solve_paper(problem), stuck = solve_paper(problem, held);
+  ASSERT_EQ(stuck.status, Status::converged);
+  EXPECT_TRUE(free.notes.empty());
+  ASSERT_EQ(stuck.notes.size(), 1U);
+  EXPECT_NE(stuck.notes[0].find("did not settle until they stuck"), std::string::npos);
+  const Vec3 force = free.contacts[0].force;
+  EXPECT_LT((stuck.contacts[0].force - force).norm(), 0.01 * force.norm());
+  EXPECT_GT(stuck.contacts[0].smallest_gap, -2e-3);
+  const double moved = (free.bodies[1].positions - problem.bodies[1].rest.points).norm();
+  EXPECT_LT((stuck.bodies[1].positions - free.bodies[1].positions).norm(), 0.02 * moved);
+}
+
 TEST(PaperContact, OverlapAtRestCarriesNoPressureAtRest) {
   BodyProblem problem = crossing(0, 1.5);
   problem.bodies[0].carried.col(1).array() += 1e-9;  // its rod moves by a negligible amount

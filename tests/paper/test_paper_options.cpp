@@ -11,6 +11,7 @@ using namespace testing;
 TEST(PaperOptions, AFieldOutOfItsRangeIsNamed) {
   using O = PaperOptions;
   expect_named<O>("patience", &O::patience, {0, -3});
+  expect_named<O>("hold_after", &O::hold_after, {0, -1});
   expect_valid<O>(&O::patience, {1});
   expect_positive<O>("tolerance", &O::tolerance);
   expect_named<O>("max_outer", &O::max_outer, {0});

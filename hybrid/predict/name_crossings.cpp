@@ -5,6 +5,7 @@
 #include "data/index.h"
 #include "data/sentence.h"
 #include "judge/crossings.h"
+#include "predict/sharp_vein.h"
 
 namespace vasorod {
 
@@ -54,8 +55,17 @@ void name_crossings(const Prediction& prediction, Result& result) {
         sentence(a, b, crossing, prediction.scene->units.length, feels_itself(prediction, a)));
     result.validity.in_range = false;
   }
-  if (!result.self_intersections.empty() && prediction.surfaces)
-    result.status = worse(result.status, Status::self_intersecting);
+  if (result.self_intersections.empty() || !prediction.surfaces) return;
+  result.status = worse(result.status, Status::self_intersecting);
+  const std::optional<SharpVein> vein = sharp_vein(prediction);
+  const bool folds =
+      vein && std::any_of(result.self_intersections.begin(), result.self_intersections.end(),
+                          [&](const SelfIntersection& crossing) {
+                            return crossing.a == vein->name || crossing.b == vein->name;
+                          });
+  if (!folds) return;
+  if (const auto sentence = sharp_vein_sentence(*vein))
+    result.certificate.notes.push_back(*sentence);
 }
 
 }  // namespace vasorod

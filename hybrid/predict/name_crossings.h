@@ -10,7 +10,8 @@ namespace vasorod {
 /// Fills `self_intersections` from the predicted surfaces, with a warning for each, and puts the
 /// validity out of range. Where surfaces were solved, the status becomes self_intersecting at
 /// least; a fidelity that only carries them does not claim that they are apart. States that were
-/// interrupted are not searched.
+/// interrupted are not searched. Where the vein of an operation is among them and is bent too
+/// sharply, a note of the certificate says what would do (sharp_vein.h).
 void name_crossings(const Prediction& prediction, Result& result);
 
 }  // namespace vasorod

@@ -20,14 +20,20 @@ std::string base64_of(const std::vector<Number>& values) {
   return base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)});
 }
 
+// A part of the whole, 0 to 1.
+std::uint16_t sixteen_bits(double part) {
+  return static_cast<std::uint16_t>(std::clamp(part * 65535 + 0.5, 0.0, 65535.0));
+}
+
 // 16 bits per coordinate: a step is 1 / 65535 of the scene, far below a pixel.
 std::string positions(const Points& points, const Vec3& low, double size) {
   std::vector<std::uint16_t> steps;
   steps.reserve(static_cast<std::size_t>(points.size()));
   for (Eigen::Index i = 0; i < points.rows(); ++i)
-    for (int k = 0; k < 3; ++k)
-      steps.push_back(static_cast<std::uint16_t>(
-          std::clamp((points(i, k) - low[k]) / size * 65535 + 0.5, 0.0, 65535.0)));
+    for (int k = 0; k < 3; ++k) {
+      const double part = (points(i, k) - low[k]) / size;
+      steps.push_back(sixteen_bits(std::isfinite(part) ? part : 0));
+    }
   return base64_of(steps);
 }
 
@@ -36,7 +42,7 @@ std::string levels(const Eigen::VectorXd& values, const ColourScale& scale) {
   steps.reserve(static_cast<std::size_t>(values.size()));
   for (const double value : values) {
     const double part = std::isfinite(value) ? (value - scale.low) / (scale.high - scale.low) : 0;
-    steps.push_back(static_cast<std::uint16_t>(std::clamp(part * 65535 + 0.5, 0.0, 65535.0)));
+    steps.push_back(sixteen_bits(part));
   }
   return base64_of(steps);
 }

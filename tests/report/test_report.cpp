@@ -119,7 +119,8 @@ TEST(Report, FieldsOfAStateThatIsNoSolutionAreGrey) {
     EXPECT_EQ(pictures[k].png != solved[k].png, pictures[k].field) << pictures[k].file;
   }
   EXPECT_EQ(pictures[3].title, "result, no solution");
-  for (const auto& field : scene_of(page_of(result)).at("fields"))
+  const nlohmann::json drawn = scene_of(page_of(result));
+  for (const auto& field : drawn.at("fields"))
     for (const auto& colour : field.at("colours")) {
       const int rgb = colour.get<int>();
       EXPECT_EQ(rgb >> 16, rgb & 255);

@@ -1,11 +1,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <iomanip>
-#include <sstream>
 
 #include <vasorod/fit.h>
 #include <vasorod/version.h>
 
+#include "obj_text.h"
 #include "predict/small_scenes.h"
 #include "scratch_folder.h"
 #include "surface_file/sample_surfaces.h"
@@ -16,24 +15,12 @@ namespace {
 
 using namespace testing;
 
-std::string as_obj(const TriangleSurface& surface) {
-  std::ostringstream text;
-  text << std::setprecision(17);
-  for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-    text << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
-         << surface.points(i, 2) << '\n';
-  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-    text << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-         << surface.triangles(t, 2) + 1 << '\n';
-  return text.str();
-}
-
 class Fit : public ScratchFolder {};
 
 TEST_F(Fit, AStraightTubeGivesItsLengthAndRadius) {
   const shapes::Tube tube;  // length 100, radius 10
   const TriangleSurface surface = tube.surface();
-  const Result result = fit({write("aorta.obj", as_obj(surface)), "mm", {}});
+  const Result result = fit({write("aorta.obj", obj_text(surface)), "mm", {}});
   EXPECT_EQ(result.fidelity, "fit");
   EXPECT_EQ(result.scene, "aorta");
   EXPECT_EQ(result.program, "vasorod " + version());
@@ -78,7 +65,7 @@ TEST_F(Fit, AStraightTubeGivesItsLengthAndRadius) {
 TEST_F(Fit, ATaperedTubeHasItsRadiiFromEndToEnd) {
   shapes::Tube tube;
   tube.end_radius = 7;
-  const Result result = fit({write("taper.obj", as_obj(tube.surface())), "mm", {}});
+  const Result result = fit({write("taper.obj", obj_text(tube.surface())), "mm", {}});
   EXPECT_NEAR(result.fit->whole.smallest_radius, 7, 0.05);
   EXPECT_NEAR(result.fit->whole.largest_radius, 10, 0.05);
   EXPECT_NEAR(result.fit->whole.mean_radius, 8.5, 0.02) << "linear along the axis";
@@ -135,7 +122,7 @@ TEST_F(Fit, ARadiusOfAnotherUnitIsAskedAbout) {
     shapes::Tube tube;
     tube.radius = tube.end_radius = radius;
     tube.length = 10 * radius;
-    const Result result = fit({write("adult.obj", as_obj(tube.surface())), "mm", {}});
+    const Result result = fit({write("adult.obj", obj_text(tube.surface())), "mm", {}});
     ASSERT_EQ(result.validity.warnings.size(), 1u) << radius;
     EXPECT_NE(result.validity.warnings[0].find("is it in cm?"), std::string::npos);
   }
@@ -145,7 +132,7 @@ TEST_F(Fit, ABentTaperedTubeGivesItsArcAndItsRadii) {
   shapes::Tube tube;
   tube.bend = 1.2;
   tube.end_radius = 7;
-  const Result result = fit({write("arch.obj", as_obj(tube.surface())), "mm", {}});
+  const Result result = fit({write("arch.obj", obj_text(tube.surface())), "mm", {}});
   const CenterlineResult& line = *result.vessels.at(0).centerline;
   EXPECT_NEAR(line.abscissa.back(), 100, 0.2);
   for (size_t i = 0; i < line.abscissa.size(); ++i) {
@@ -163,7 +150,7 @@ TEST_F(Fit, TheUnitIsTheFilesAndTheAnswersToo) {
   shapes::Tube tube;
   tube.length = 10;
   tube.radius = tube.end_radius = 1;
-  const auto file = write("aorta.obj", as_obj(tube.surface()));
+  const auto file = write("aorta.obj", obj_text(tube.surface()));
   const Result result = fit({file, "cm", {}});
   EXPECT_EQ(result.length_unit, "cm");
   EXPECT_NEAR(result.vessels.at(0).centerline->abscissa.back(), 10, 1e-9);
@@ -178,7 +165,7 @@ TEST_F(Fit, TheUnitIsTheFilesAndTheAnswersToo) {
 }
 
 TEST_F(Fit, ARemeshedTubeHasItsLengthAndRadiusStill) {
-  const auto file = write("aorta.obj", as_obj(shapes::Tube().surface()));
+  const auto file = write("aorta.obj", obj_text(shapes::Tube().surface()));
   const Result result = fit({file, "mm", 2.5});
   EXPECT_NE(result.model.cleaning.at("aorta").find("remeshed to an edge of 2.5"),
             std::string::npos);
@@ -190,7 +177,7 @@ TEST_F(Fit, ARemeshedTubeHasItsLengthAndRadiusStill) {
 }
 
 TEST_F(Fit, TheNameIsOneThatFilesMayHave) {
-  const auto file = write("my vessel (1).obj", as_obj(shapes::Tube().surface()));
+  const auto file = write("my vessel (1).obj", obj_text(shapes::Tube().surface()));
   EXPECT_EQ(fit({file, "mm", {}}).vessels.at(0).name, "my_vessel__1_");
 }
 
@@ -216,7 +203,7 @@ TEST_F(Fit, WhatIsNoOpenTubeIsRefusedWithItsFile) {
     disk.points.row(i + 1) << 10 * std::cos(i * M_PI / 6), 10 * std::sin(i * M_PI / 6), 0;
     disk.triangles.row(i) << 0, i + 1, 1 + (i + 1) % 12;
   }
-  refused("disk.obj", as_obj(disk));
+  refused("disk.obj", obj_text(disk));
 }
 
 }  // namespace

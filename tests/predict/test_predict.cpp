@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <iomanip>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
+#include "obj_text.h"
 #include "predict/small_scenes.h"
 #include "scratch_folder.h"
 
@@ -263,16 +262,10 @@ class Spaces : public ScratchFolder {
     for (std::size_t k = 0; k < comments.size(); ++k) {
       VesselSpec vessel = tube("v" + std::to_string(k));
       TriangleSurface surface = tube_surface(*vessel.tube);
-      std::ostringstream text;
-      text << "# 3D Slicer output. " << comments[k] << '\n' << std::setprecision(17);
-      for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-        text << "v " << surface.points(i, 0) + 40.0 * static_cast<double>(k) << ' '
-             << surface.points(i, 1) << ' ' << surface.points(i, 2) << '\n';
-      for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-        text << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-             << surface.triangles(t, 2) + 1 << '\n';
+      surface.points.col(0).array() += 40.0 * static_cast<double>(k);
+      const std::string text = "# 3D Slicer output. " + comments[k] + '\n' + obj_text(surface);
       vessel.tube.reset();
-      vessel.surface = write(vessel.name + ".obj", text.str());
+      vessel.surface = write(vessel.name + ".obj", text);
       scene.vessels.push_back(vessel);
     }
     scene.ends = {held("v0", EndSelector::Kind::start)};

@@ -7,6 +7,7 @@
 
 #include <vasorod/read_scene.h>
 
+#include "obj_text.h"
 #include "program/run_program.h"
 #include "surface_file/read_surface.h"
 
@@ -38,18 +39,6 @@ YAML::Node list_of(const Vec3& v) {
 
 Vec3 vec3_of(const YAML::Node& node) {
   return {node[0].as<double>(), node[1].as<double>(), node[2].as<double>()};
-}
-
-// OBJ with all digits, one of the supported formats.
-void write_obj(const std::filesystem::path& file, const TriangleSurface& surface) {
-  std::ofstream out(file);
-  out << std::setprecision(17);
-  for (int i = 0; i < surface.points.rows(); ++i)
-    out << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
-        << surface.points(i, 2) << '\n';
-  for (int t = 0; t < surface.triangles.rows(); ++t)
-    out << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-        << surface.triangles(t, 2) + 1 << '\n';
 }
 
 }  // namespace
@@ -90,7 +79,7 @@ nlohmann::json solve_glenn(const GlennScene& changed, const std::string& options
     TriangleSurface surface = load_surface(spec, scene).surface;
     for (int i = 0; i < surface.points.rows(); ++i)
       surface.points.row(i) = moved(surface.points.row(i).transpose()).transpose();
-    write_obj(scratch / (spec.name + ".obj"), surface);
+    std::ofstream(scratch / (spec.name + ".obj")) << obj_text(surface);
     vessel["surface"] = spec.name + ".obj";
     if (vessel["wall"]) {
       scaled(vessel["wall"], "thickness", changed.length_scale);

@@ -12,21 +12,13 @@
 #include "geometry/rigid_motion.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
+#include "program/solved_scene.h"
 #include "result/read_vtp.h"
 
 namespace vasorod::testing {
 namespace {
 
 using nlohmann::json;
-
-json solve(const std::string& scene, int exit_code = 0) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml") << scene;
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                       (scratch / "out").string() + "' --json"));
-  EXPECT_EQ(run.exit_code, exit_code) << run.err << run.out;
-  return json::parse(run.out);
-}
 
 std::string tube(const std::string& name, const std::string& wall, const std::string& moved) {
   return "scene: " + name +
@@ -42,7 +34,7 @@ const std::string isotropic = "{thickness: 1.0, young: 1.0, poisson: 0.3}";
 TEST(Coupled, ABendFlattensTheTubeAndBalances) {
   // 10 degrees over 100 mm: a third of the Brazier curvature.
   const json result =
-      solve(tube("bend", isotropic, "rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]"));
+      solved_scene(tube("bend", isotropic, "rotate_deg: [0, 10, 0], move: [8.7044, 0, -0.5069]"));
   EXPECT_EQ(result.at("status"), "converged");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_LT(result.at("balance")[0].at("residual").get<double>(), 1e-6);
@@ -172,10 +164,11 @@ TEST(Coupled, TheRodsStrainsAreTheSectionsMeansAndCarryItsForces) {
 }
 
 TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
-  const json result = solve(tube("twist",
-                                 "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: "
-                                 "0.7, poisson: 0.3, coupling: 0.1}}",
-                                 "rotate_deg: [0, 0, 1]"));
+  const json result =
+      solved_scene(tube("twist",
+                        "{thickness: 1.0, young: 1.0, shear: 0.1, transverse: {young: "
+                        "0.7, poisson: 0.3, coupling: 0.1}}",
+                        "rotate_deg: [0, 0, 1]"));
   EXPECT_EQ(result.at("status"), "converged");
   const double exact = 0.1 * 2 * M_PI * 1000 * (1 + 0.0025) * (M_PI / 180) / 100;
   EXPECT_NEAR(result.at("ends")[1].at("moment")[2].get<double>(), exact, 0.01 * exact);
@@ -183,8 +176,8 @@ TEST(Coupled, ATwistedTransverselyIsotropicTubeAnswersWithItsOwnShearModulus) {
 
 // Bent to 0.9 of the Brazier curvature between rigid ends, this tube kinks on the way, near 0.75.
 TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
-  const json result =
-      solve(tube("kink", isotropic, "rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]"), 1);
+  const json result = solved_scene(
+      tube("kink", isotropic, "rotate_deg: [0, 25.4604, 0], move: [21.8567, 0, -3.2574]"), 1);
   EXPECT_EQ(result.at("status"), "buckled");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
@@ -194,7 +187,7 @@ TEST(Coupled, PastItsLimitATubeIsFollowedToItsKinkAndSaysSo) {
 // Twisted by 30 degrees, it wrinkles on the way, at 20 degrees. The wrinkles can rotate about the
 // axis without energy, which is not an instability.
 TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
-  const json result = solve(tube("wrinkles", isotropic, "rotate_deg: [0, 0, 30]"), 1);
+  const json result = solved_scene(tube("wrinkles", isotropic, "rotate_deg: [0, 0, 30]"), 1);
   EXPECT_EQ(result.at("status"), "buckled");
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.05);
   const double smooth = 2 * M_PI * 1000 / 2.6 * (M_PI / 6) / 100;
@@ -205,11 +198,11 @@ TEST(Coupled, PastItsLimitATwistedTubeIsFollowedToItsWrinkles) {
 // tests/judge/test_validity.cpp). Half of Brazier's curvature is beyond it; with the ordinary
 // modulus the tube bends smoothly to that curvature.
 TEST(Coupled, SoftInShearATubeWrinklesEarlierAndSaysSo) {
-  const json result = solve(tube("soft_shear",
-                                 "{thickness: 1.0, young: 1.0, shear: 0.05, "
-                                 "transverse: {young: 1.0, poisson: 0.3, coupling: 0}}",
-                                 "rotate_deg: [0, 14.1447, 0], move: [12.2760, 0, -1.0128]"),
-                            1);
+  const json result = solved_scene(tube("soft_shear",
+                                        "{thickness: 1.0, young: 1.0, shear: 0.05, "
+                                        "transverse: {young: 1.0, poisson: 0.3, coupling: 0}}",
+                                        "rotate_deg: [0, 14.1447, 0], move: [12.2760, 0, -1.0128]"),
+                                   1);
   EXPECT_EQ(result.at("status"), "buckled");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_FALSE(result.at("validity").at("in_range").get<bool>());
@@ -222,7 +215,7 @@ TEST(Coupled, BetweenSoftEndsATubeKinksEarlierAndSaysSo) {
       "soft", isotropic, "section: soft, rotate_deg: [0, 12.7302, 0], move: [11.0646, 0, -0.8206]");
   const std::string held = "end: start, hold: true";
   scene.replace(scene.find(held), held.size(), held + ", section: soft");
-  const json result = solve(scene, 1);
+  const json result = solved_scene(scene, 1);
   EXPECT_EQ(result.at("status"), "buckled");
   EXPECT_GT(result.at("metrics")[0].at("flattening").get<double>(), 0.2);
 }
@@ -272,7 +265,7 @@ fidelity: coupled
 // Two tubes, one cut and joined to the side of the other: both deform, the seam closes, both
 // vessels are in balance.
 TEST(Coupled, ASmallGlennIsOneMinimumOfBothVesselsAndTheirSeam) {
-  const json result = solve(small_glenn("coupled"));
+  const json result = solved_scene(small_glenn("coupled"));
   EXPECT_EQ(result.at("status"), "converged");
   EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
   EXPECT_LT(result.at("glenn").at("join").at("largest_gap").get<double>(), 0.01 * 3.3);
@@ -318,7 +311,7 @@ TEST(Coupled, TheMouthOfAnEllipseIsAboutAsLargeAsTheEllipse) {
   const std::string opening = "incision_shape: {ellipse: {length: 8.4, width: 4.4}}";
   for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
     SCOPED_TRACE(fidelity);
-    const json result = solve(tee(fidelity, opening));
+    const json result = solved_scene(tee(fidelity, opening));
     EXPECT_EQ(result.at("status"), "converged");
     const json& glenn = result.at("glenn");
     EXPECT_EQ(glenn.at("incision").at("shape"), "ellipse");
@@ -349,7 +342,7 @@ TEST(Coupled, ATiltedCutIsSolvedAndItsMirrorImageIsMirrored) {
   const double perimeter = 4 * 3.3 / std::cos(tilt) * std::comp_ellint_2(std::sin(tilt));
   for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
     SCOPED_TRACE(fidelity);
-    const json result = solve(tee(fidelity, "cut_tilt_deg: 30"));
+    const json result = solved_scene(tee(fidelity, "cut_tilt_deg: 30"));
     EXPECT_EQ(result.at("status"), "converged");
     EXPECT_EQ(number(result, "cut", "tilt_deg"), 30);
     EXPECT_NEAR(number(result, "cut", "perimeter") / perimeter, 1, 5e-3);
@@ -364,8 +357,8 @@ TEST(Coupled, ATiltedCutIsSolvedAndItsMirrorImageIsMirrored) {
   const std::string placed = "[-22, 0, 30.8],\n           tangent: [1, 0, 0]";
   reversed.replace(reversed.find(placed), placed.size(),
                    "[22, 0, 30.8],\n           tangent: [-1, 0, 0]");
-  const json one = solve(tee("skin", "cut_tilt_deg: 30")),
-             other = solve(tee("skin", "cut_tilt_deg: -30")), third = solve(reversed);
+  const json one = solved_scene(tee("skin", "cut_tilt_deg: 30")),
+             other = solved_scene(tee("skin", "cut_tilt_deg: -30")), third = solved_scene(reversed);
   const double lean = one.at("glenn").at("cut").at("plane").at("normal")[0].get<double>();
   EXPECT_NEAR(lean, 0.5, 1e-6);
   for (const json* mirrored : {&other, &third}) {

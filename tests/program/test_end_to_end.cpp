@@ -6,22 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "program/run_program.h"
+#include "program/solved_scene.h"
 #include "real_anatomy.h"
 
 namespace vasorod::testing {
 namespace {
 
 using nlohmann::json;
-
-json solve(const std::string& scene, int exit_code = 0) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml") << scene;
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                       (scratch / "out").string() + "' --json --no-report"));
-  EXPECT_EQ(run.exit_code, exit_code) << run.err << run.out;
-  return json::parse(run.out);
-}
 
 // Tubes of 30, the second behind the first, in other units and another place if asked.
 struct Halves {
@@ -91,12 +82,12 @@ TEST(EndToEnd, TwoHalvesPullAndTwistAsTheUncutTube) {
     SCOPED_TRACE(fidelity);
     const double tolerance = fidelity == std::string("coupled") ? 4e-4 : 1e-7;
     const std::string stretch = "move: [0, 0, 2]", twist = "rotate_deg: [0, 0, 8]";
-    const json pulled = solve(halves.joined(fidelity, stretch));
+    const json pulled = solved_scene(halves.joined(fidelity, stretch));
     EXPECT_EQ(pulled.at("status"), "converged");
-    const double force = at_end(solve(halves.whole(fidelity, stretch)), "force").z();
+    const double force = at_end(solved_scene(halves.whole(fidelity, stretch)), "force").z();
     EXPECT_NEAR(at_end(pulled, "force").z() / force, 1, tolerance);
-    const json twisted = solve(halves.joined(fidelity, twist));
-    const double torque = at_end(solve(halves.whole(fidelity, twist)), "moment").z();
+    const json twisted = solved_scene(halves.joined(fidelity, twist));
+    const double torque = at_end(solved_scene(halves.whole(fidelity, twist)), "moment").z();
     EXPECT_NEAR(at_end(twisted, "moment").z() / torque, 1, tolerance);
   }
 }
@@ -105,7 +96,8 @@ TEST(EndToEnd, TwoHalvesPullAndTwistAsTheUncutTube) {
 TEST(EndToEnd, TwoHalvesAreTheUncutRodUnderABend) {
   const Halves halves;
   const std::string bend = "rotate_deg: [0, 20, 0], move: [9, 0, -2]";
-  const json joined = solve(halves.joined("rod", bend)), whole = solve(halves.whole("rod", bend));
+  const json joined = solved_scene(halves.joined("rod", bend)),
+             whole = solved_scene(halves.whole("rod", bend));
   for (const char* what : {"force", "moment"})
     EXPECT_LT((at_end(joined, what) - at_end(whole, what)).norm(),
               1e-6 * at_end(whole, what).norm());
@@ -119,14 +111,14 @@ TEST(EndToEnd, ARotationIsTheTorsionOfATwistedTube) {
                torque = shear * 2 * M_PI * 4 * (16 + 0.04) * 0.4 * angle / 60;
   for (const auto& [fidelity, tolerance] : {std::pair("rod", 1e-3), {"coupled", 0.015}}) {
     SCOPED_TRACE(fidelity);
-    const json result = solve(halves.joined(fidelity, "hold: true"));
+    const json result = solved_scene(halves.joined(fidelity, "hold: true"));
     EXPECT_EQ(result.at("end_to_end").at("join").at("rotation_deg"), 10);
     // The second vessel is turned by +10 degrees about +z and held back at its end.
     EXPECT_NEAR(at_end(result, "moment").z() / -torque, 1, tolerance);
   }
   halves.rotation = "auto";
   // By the angle between two points of the rim, so that the turned rims' points meet.
-  const json result = solve(halves.joined("coupled", "rotate_deg: [0, 0, 15]"));
+  const json result = solved_scene(halves.joined("coupled", "rotate_deg: [0, 0, 15]"));
   EXPECT_NEAR(result.at("end_to_end").at("join").at("rotation_deg").get<double>(), 15, 1e-6);
   EXPECT_LT(at_end(result, "moment").norm(), 1e-5 * torque);
 }
@@ -144,7 +136,7 @@ TEST(EndToEnd, MovedRigidlyOrInOtherUnitsItIsTheSame) {
   metres.stress = 1e3;
   metres.unit_of_length = "m";
   metres.unit_of_stress = "kPa";
-  const json original = solve(scene(here));
+  const json original = solved_scene(scene(here));
   const Eigen::Vector3d force = at_end(original, "force"), moment = at_end(original, "moment");
   const auto expect_same = [&](const json& result, const Halves& of) {
     Eigen::Vector3d f = at_end(result, "force"), m = at_end(result, "moment");
@@ -161,8 +153,8 @@ TEST(EndToEnd, MovedRigidlyOrInOtherUnitsItIsTheSame) {
                 other.at("area").get<double>(), 1e-5 * other.at("area").get<double>());
     EXPECT_NEAR(mine.at("area_ratio").get<double>(), other.at("area_ratio").get<double>(), 1e-5);
   };
-  expect_same(solve(scene(there)), there);
-  expect_same(solve(scene(metres)), metres);
+  expect_same(solved_scene(scene(there)), there);
+  expect_same(solved_scene(scene(metres)), metres);
 }
 
 // From walls without stress: held ends, both lumens at 75 mmHg.
@@ -177,8 +169,8 @@ TEST(EndToEnd, UnderAPressureTwoHalvesPullAsTheUncutTube) {
   };
   for (const auto& [fidelity, tolerance] : {std::pair("rod", 1e-7), {"coupled", 1e-3}}) {
     SCOPED_TRACE(fidelity);
-    const json two = solve(pressed(halves.joined(fidelity, "hold: true"))),
-               one = solve(pressed(halves.whole(fidelity, "hold: true")));
+    const json two = solved_scene(pressed(halves.joined(fidelity, "hold: true"))),
+               one = solved_scene(pressed(halves.whole(fidelity, "hold: true")));
     EXPECT_EQ(two.at("status"), "converged");
     EXPECT_NEAR(at_end(two, "force").z() / at_end(one, "force").z(), 1, tolerance);
   }
@@ -226,7 +218,7 @@ fidelity: )" +
 TEST(EndToEnd, RealAnatomyTakesAGraft) {
   for (const char* fidelity : {"skin", "paper", "coupled"}) {
     SCOPED_TRACE(fidelity);
-    const json result = solve(grafted(fidelity));
+    const json result = solved_scene(grafted(fidelity));
     EXPECT_EQ(result.at("status"), "converged");
     const json& report = result.at("end_to_end");
     EXPECT_EQ(report.at("narrower"), "svc");  // its wall is twice as thick

@@ -6,6 +6,7 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/tube.h>
 
+#include "obj_text.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
 #include "real_anatomy.h"
@@ -36,13 +37,7 @@ class Init : public ::testing::Test {
     return Json::parse(contents_of(scratch / "out" / "result.json"), nullptr, false);
   }
   fs::path write_obj(const std::string& name, const TriangleSurface& surface) const {
-    std::ofstream file(scratch / name);
-    for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-      file << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
-           << surface.points(i, 2) << '\n';
-    for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-      file << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-           << surface.triangles(t, 2) + 1 << '\n';
+    std::ofstream(scratch / name) << obj_text(surface);
     return scratch / name;
   }
   // The vein and the artery of a scene of tubes, as files of their names.

@@ -6,6 +6,7 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/tube.h>
 
+#include "obj_text.h"
 #include "program/run_program.h"
 #include "program/small_glenn.h"
 
@@ -90,16 +91,9 @@ TEST_F(Picks, AMarkupIsReadInTheSpaceOfItsVessel) {
   std::string scene = small_glenn("skin");
   const Scene tubes = read_scene(scratch / "tubes.yaml");
   for (const VesselSpec& vessel : tubes.vessels) {
-    const TriangleSurface surface = tube_surface(*vessel.tube);
-    std::ofstream file(scratch / (vessel.name + ".obj"));
-    file.precision(17);
-    file << "# SPACE=RAS\n";
-    for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-      file << "v " << surface.points(i, 0) + 2 << ' ' << surface.points(i, 1) - 30 << ' '
-           << surface.points(i, 2) << '\n';
-    for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-      file << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-           << surface.triangles(t, 2) + 1 << '\n';
+    TriangleSurface surface = tube_surface(*vessel.tube);
+    surface.points.rowwise() += Eigen::RowVector3d(2, -30, 0);
+    std::ofstream(scratch / (vessel.name + ".obj")) << "# SPACE=RAS\n" << obj_text(surface);
     const auto at = scene.find("tube: {", scene.find("name: " + vessel.name));
     scene.replace(at, scene.find('\n', at) - at, "surface: " + vessel.name + ".obj");
   }

@@ -1,11 +1,9 @@
 // Tubes that end in contact with themselves, through the built program. Each test takes about half
 // a minute and is not among the default tests (label long).
-#include <fstream>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "program/run_program.h"
+#include "program/solved_scene.h"
 
 namespace vasorod::testing {
 namespace {
@@ -14,13 +12,7 @@ using nlohmann::json;
 
 // The smooth branch is lost on the way, which the exit code says.
 json solve(const std::string& scene) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "scene.yaml") << "units: {length: mm, stress: MPa}\n"
-                                        << scene << "fidelity: coupled\n";
-  const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
-                                       (scratch / "out").string() + "' --json --threads 1"));
-  EXPECT_EQ(run.exit_code, 1) << run.err << run.out;
-  return json::parse(run.out);
+  return solved_scene("units: {length: mm, stress: MPa}\n" + scene + "fidelity: coupled\n", 1);
 }
 
 void expect_in_contact_with_itself(const json& result) {

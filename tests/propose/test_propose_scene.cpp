@@ -5,6 +5,7 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/tube.h>
 
+#include "obj_text.h"
 #include "propose/propose_scene.h"
 #include "scratch_folder.h"
 
@@ -20,16 +21,7 @@ class ProposeScene : public ScratchFolder {
     spec.radius = radius * scale;
     spec.around = around;
     spec.along = 40;
-    const TriangleSurface surface = tube_surface(spec);
-    std::ostringstream text;
-    text << head;
-    for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-      text << "v " << surface.points(i, 0) << ' ' << surface.points(i, 1) << ' '
-           << surface.points(i, 2) << '\n';
-    for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-      text << "f " << surface.triangles(t, 0) + 1 << ' ' << surface.triangles(t, 1) + 1 << ' '
-           << surface.triangles(t, 2) + 1 << '\n';
-    return write(name, text.str());
+    return write(name, head + testing::obj_text(tube_surface(spec)));
   }
   // The scene as its own reader understands it.
   Scene proposed(const std::vector<std::filesystem::path>& surfaces,

@@ -65,6 +65,7 @@ class Score {
 };
 
 std::vector<Candidate> candidates_on(const Vessel& artery, const Score& score) {
+  const RayHits wall(artery.surface);
   std::vector<Candidate> all;
   for (int to = 1; to < static_cast<int>(artery.ends.size()); ++to) {
     const AxisRoute route(artery.rod, artery.ends[0].node, artery.ends[index(to)].node);
@@ -75,7 +76,7 @@ std::vector<Candidate> candidates_on(const Vessel& artery, const Score& score) {
         candidate.along = rounded(along, 1e-3);
         candidate.around_deg = around;
         const Pose section = section_at(artery.rod, route.at(candidate.along * route.length()));
-        const auto point = wall_point(artery.surface, section, around * M_PI / 180);
+        const auto point = wall_point(wall, section, around * M_PI / 180);
         if (!point) continue;
         candidate.point = *point;
         score((*point - section.position).normalized(), candidate);

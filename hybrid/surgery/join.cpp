@@ -117,11 +117,11 @@ Points rows_of(const Points& points, const std::vector<int>& rows) {
 void take(const Side& mouth, const Side& rim, const std::vector<SeamKnot>& knots, int other_tip,
           JoinOutcome& outcome) {
   // No vertex was removed: the editors' indices are the surfaces'.
-  auto svc_part = mouth.editor.whole(), rpa_part = rim.editor.whole();
-  outcome.svc = std::move(svc_part.surface);
-  outcome.svc_sources = std::move(svc_part.sources);
-  outcome.rpa = std::move(rpa_part.surface);
-  outcome.rpa_sources = std::move(rpa_part.sources);
+  auto first_part = mouth.editor.whole(), second_part = rim.editor.whole();
+  outcome.first = std::move(first_part.surface);
+  outcome.first_sources = std::move(first_part.sources);
+  outcome.second = std::move(second_part.surface);
+  outcome.second_sources = std::move(second_part.sources);
   for (size_t k = 0; k < knots.size(); ++k) {
     const size_t at = (knots.size() - k) % knots.size();
     if (knots[at].rim == other_tip) outcome.other_tip = static_cast<int>(k);
@@ -129,8 +129,8 @@ void take(const Side& mouth, const Side& rim, const std::vector<SeamKnot>& knots
   }
 }
 
-JoinOutcome matched(const TriangleSurface& svc, const std::vector<int>& mouth,
-                    const Points& mouth_start, const TriangleSurface& rpa,
+JoinOutcome matched(const TriangleSurface& first, const std::vector<int>& mouth,
+                    const Points& mouth_start, const TriangleSurface& second,
                     const std::vector<int>& rim, const Points& rim_start, int other_tip) {
   if (mouth_start.rows() != static_cast<Eigen::Index>(mouth.size()) ||
       rim_start.rows() != static_cast<Eigen::Index>(rim.size()))
@@ -140,8 +140,8 @@ JoinOutcome matched(const TriangleSurface& svc, const std::vector<int>& mouth,
   outcome.offset = opposite_offset(mouth_curve, rim_curve);
   outcome.rms_distance = std::sqrt(opposite_distance(mouth_curve, rim_curve, outcome.offset));
 
-  const SeamCurve on_mouth{LoopCurve(rows_of(svc.points, mouth)), outcome.offset, false},
-      on_rim{LoopCurve(rows_of(rpa.points, rim)), 0, true};
+  const SeamCurve on_mouth{LoopCurve(rows_of(first.points, mouth)), outcome.offset, false},
+      on_rim{LoopCurve(rows_of(second.points, rim)), 0, true};
   const Order order = order_of(on_mouth, on_rim, other_tip);
   for (const double quality : triangle_qualities) {
     SeamRefusals refusals{{}, std::vector<char>(mouth.size(), 0), std::vector<char>(rim.size(), 0)};
@@ -150,10 +150,10 @@ JoinOutcome matched(const TriangleSurface& svc, const std::vector<int>& mouth,
     while (true) {
       const auto knots = choose_knots(order.corners, refusals);
       const auto places = equal_shares(on_mouth, on_rim, knots, order.corners.other_tip);
-      const Side above = divide(svc, mouth, on_mouth, order.mouth, knots, &SeamKnot::mouth,
+      const Side above = divide(first, mouth, on_mouth, order.mouth, knots, &SeamKnot::mouth,
                                 places.mouth, tolerances);
       const Side below =
-          divide(rpa, rim, on_rim, order.rim, knots, &SeamKnot::rim, places.rim, tolerances);
+          divide(second, rim, on_rim, order.rim, knots, &SeamKnot::rim, places.rim, tolerances);
       if (above.loop.refused.empty() && below.loop.refused.empty()) {
         take(above, below, knots, order.corners.other_tip, outcome);
         return outcome;
@@ -161,36 +161,36 @@ JoinOutcome matched(const TriangleSurface& svc, const std::vector<int>& mouth,
       if (!note_refusals(knots, above, below, order.corners.other_tip, refusals)) break;
     }
   }
-  throw InputError("seam near " + place_text(rpa.points.row(rim.front())) +
+  throw InputError("seam near " + place_text(second.points.row(rim.front())) +
                    ": the triangles beside the cut or the incision are too irregular for pairs at "
                    "equal arc length, expected rounder ones, as `remesh` makes them");
 }
 
 }  // namespace
 
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
-                       const Points& mouth_start, const TriangleSurface& rpa,
+JoinOutcome match_seam(const TriangleSurface& first, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& second,
                        const std::vector<int>& rim, int other_tip) {
-  return matched(svc, mouth, mouth_start, rpa, rim, rows_of(rpa.points, rim), other_tip);
+  return matched(first, mouth, mouth_start, second, rim, rows_of(second.points, rim), other_tip);
 }
 
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
-                       const Points& mouth_start, const TriangleSurface& rpa,
+JoinOutcome match_seam(const TriangleSurface& first, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& second,
                        const std::vector<int>& rim, const Points& rim_start) {
-  return matched(svc, mouth, mouth_start, rpa, rim, rim_start, no_tip);
+  return matched(first, mouth, mouth_start, second, rim, rim_start, no_tip);
 }
 
-WeldedSurface weld(const TriangleSurface& svc, const TriangleSurface& rpa,
+WeldedSurface weld(const TriangleSurface& first, const TriangleSurface& second,
                    const std::vector<std::array<int, 2>>& pairs) {
   WeldedSurface welded;
-  const auto svc_count = svc.points.rows();
-  std::vector<int> number(static_cast<size_t>(rpa.points.rows()), -1);
-  for (int v = 0; v < svc_count; ++v) welded.origin.push_back({v, -1});
+  const auto first_count = first.points.rows();
+  std::vector<int> number(static_cast<size_t>(second.points.rows()), -1);
+  for (int v = 0; v < first_count; ++v) welded.origin.push_back({v, -1});
   for (const auto& [a, b] : pairs) {
     number[static_cast<size_t>(b)] = a;
     welded.origin[static_cast<size_t>(a)][1] = b;
   }
-  for (int v = 0; v < rpa.points.rows(); ++v) {
+  for (int v = 0; v < second.points.rows(); ++v) {
     if (number[static_cast<size_t>(v)] >= 0) continue;
     number[static_cast<size_t>(v)] = static_cast<int>(welded.origin.size());
     welded.origin.push_back({-1, v});
@@ -200,16 +200,16 @@ WeldedSurface weld(const TriangleSurface& svc, const TriangleSurface& rpa,
     const auto [a, b] = welded.origin[i];
     auto row = welded.surface.points.row(static_cast<Eigen::Index>(i));
     if (a >= 0 && b >= 0)
-      row = (svc.points.row(a) + rpa.points.row(b)) / 2;
+      row = (first.points.row(a) + second.points.row(b)) / 2;
     else
-      row = a >= 0 ? svc.points.row(a) : rpa.points.row(b);
+      row = a >= 0 ? first.points.row(a) : second.points.row(b);
   }
-  welded.surface.triangles.resize(svc.triangles.rows() + rpa.triangles.rows(), 3);
-  welded.surface.triangles.topRows(svc.triangles.rows()) = svc.triangles;
-  for (int t = 0; t < rpa.triangles.rows(); ++t)
+  welded.surface.triangles.resize(first.triangles.rows() + second.triangles.rows(), 3);
+  welded.surface.triangles.topRows(first.triangles.rows()) = first.triangles;
+  for (int t = 0; t < second.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k)
-      welded.surface.triangles(svc.triangles.rows() + t, k) =
-          number[static_cast<size_t>(rpa.triangles(t, k))];
+      welded.surface.triangles(first.triangles.rows() + t, k) =
+          number[static_cast<size_t>(second.triangles(t, k))];
   return welded;
 }
 

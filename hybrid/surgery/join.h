@@ -11,14 +11,14 @@
 
 namespace vasorod {
 
-/// A seam.
+/// A seam of two surfaces: the first has the mouth, the second the rim.
 struct JoinOutcome {
   /// The inputs with the seam's vertices moved along their loops and others added; the inputs'
   /// vertices first.
-  TriangleSurface svc, rpa;
-  VertexSources svc_sources, rpa_sources;  ///< in the inputs
-  /// {svc vertex, rpa vertex}: every vertex of mouth and rim once, in the rim's order from rim[0],
-  /// its first tip.
+  TriangleSurface first, second;
+  VertexSources first_sources, second_sources;  ///< in the inputs
+  /// {first vertex, second vertex}: every vertex of mouth and rim once, in the rim's order from
+  /// rim[0], its first tip.
   std::vector<std::array<int, 2>> pairs;
   int other_tip = 0;  ///< index into `pairs` of the rim's other tip
   /// In fractions of arc length: mouth(u) meets rim(offset - u), from mouth[0] and rim[0].
@@ -37,25 +37,26 @@ struct JoinOutcome {
 /// is not strained at rest. Most slides are on the rim; the slit's tips stay and are pairs. No
 /// triangle turns over, no new edge is shorter than 5 % of the mean edge. Throws InputError where
 /// the triangles do not allow that.
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
-                       const Points& mouth_start, const TriangleSurface& rpa,
+JoinOutcome match_seam(const TriangleSurface& first, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& second,
                        const std::vector<int>& rim, int other_tip);
 
 /// The same for a rim without tips, that of a second mouth, which has a start too (`rim_start`).
 /// Only rim[0] stays.
-JoinOutcome match_seam(const TriangleSurface& svc, const std::vector<int>& mouth,
-                       const Points& mouth_start, const TriangleSurface& rpa,
+JoinOutcome match_seam(const TriangleSurface& first, const std::vector<int>& mouth,
+                       const Points& mouth_start, const TriangleSurface& second,
                        const std::vector<int>& rim, const Points& rim_start);
 
 /// One surface from two joined ones.
 struct WeldedSurface {
-  TriangleSurface surface;  ///< the SVC's vertices, then those of the RPA that are not on the seam
-  /// Per vertex {svc vertex or -1, rpa vertex or -1}; both on the seam.
+  TriangleSurface
+      surface;  ///< the first's vertices, then those of the second that are not on the seam
+  /// Per vertex {first vertex or -1, second vertex or -1}; both on the seam.
   std::vector<std::array<int, 2>> origin;
 };
 
 /// Joins both surfaces to one for output: each pair becomes one vertex midway between the two.
-WeldedSurface weld(const TriangleSurface& svc, const TriangleSurface& rpa,
+WeldedSurface weld(const TriangleSurface& first, const TriangleSurface& second,
                    const std::vector<std::array<int, 2>>& pairs);
 
 }  // namespace vasorod

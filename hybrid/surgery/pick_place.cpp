@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 
 #include <vasorod/error.h>
 
@@ -90,7 +89,7 @@ PickPlace place_incision_pick(const std::string& where, const PickSpec& pick,
   if (!pick.along) return place_point(where, pick, vessel, route);
   PickPlace place = place_along(pick, vessel.vessel, route);
   place.angle = pick.around_deg * (M_PI / 180);
-  const auto point = wall_point(vessel.vessel.surface, place.section, place.angle);
+  const auto point = wall_point(RayHits(vessel.vessel.surface), place.section, place.angle);
   if (!point)
     throw InputError(joined_text(
         where, ": found along: ", *pick.along, ", around_deg: ", pick.around_deg, ", where vessel ",
@@ -99,28 +98,11 @@ PickPlace place_incision_pick(const std::string& where, const PickSpec& pick,
   return place;
 }
 
-std::optional<Vec3> wall_point(const TriangleSurface& surface, const Pose& section, double angle) {
-  const Vec3 origin = section.position;
+std::optional<Vec3> wall_point(const RayHits& wall, const Pose& section, double angle) {
   const Vec3 ray = std::cos(angle) * section.director(1) + std::sin(angle) * section.director(2);
-  double nearest = std::numeric_limits<double>::infinity();
-  bool outwards = false;
-  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t) {
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)).transpose() - origin,
-               b = surface.points.row(surface.triangles(t, 1)).transpose() - origin,
-               c = surface.points.row(surface.triangles(t, 2)).transpose() - origin;
-    // Signed volumes beside the ray: all of one sign where it passes through the triangle. On a
-    // shared edge both triangles count, and the nearest hit is the same point.
-    const double u = ray.dot(b.cross(c)), v = ray.dot(c.cross(a)), w = ray.dot(a.cross(b));
-    if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))) continue;
-    const double sum = u + v + w;
-    if (sum == 0) continue;
-    const double distance = ray.dot(u * a + v * b + w * c) / sum;
-    if (!(distance > 0 && distance < nearest)) continue;
-    nearest = distance;
-    outwards = sum > 0;
-  }
-  if (!outwards) return std::nullopt;
-  return Vec3(origin + nearest * ray);
+  const auto hits = wall.along(section.position, ray);
+  if (hits.empty() || !hits.front().leaves) return std::nullopt;
+  return Vec3(section.position + hits.front().distance * ray);
 }
 
 std::optional<MovedPick> moved_pick(const Vessel& vessel, const PickPlace& pick,
@@ -128,14 +110,15 @@ std::optional<MovedPick> moved_pick(const Vessel& vessel, const PickPlace& pick,
                                     const std::function<bool(const Vec3&)>& fits) {
   const auto from = route.distance_to(pick.at);
   if (!from) return std::nullopt;
+  const RayHits wall(vessel.surface);
   constexpr int steps = 10;
   for (int step = 1; step <= steps; ++step)
     for (const int sense : {1, -1}) {
       const double to = *from + sense * reach * step / steps;
       if (to < 0 || to > route.length()) continue;
       const AxisPlace at = route.at(to);
-      const auto point = wall_point(
-          vessel.surface, frame_at(vessel.rod, vessel.rod.rest, at.element, at.s), pick.angle);
+      const auto point =
+          wall_point(wall, frame_at(vessel.rod, vessel.rod.rest, at.element, at.s), pick.angle);
       if (point && fits(*point))
         return MovedPick{*point, std::abs(to - *from), to / route.length()};
     }

@@ -8,6 +8,7 @@
 #include <vasorod/error.h>
 #include <vasorod/scene.h>
 
+#include "geometry/ray_hits.h"
 #include "vessel/axis_route.h"
 #include "vessel/prepared_vessel.h"
 
@@ -49,9 +50,9 @@ PickPlace place_cut(const std::string& where, const PickSpec& pick, const Prepar
 PickPlace place_incision_pick(const std::string& where, const PickSpec& pick,
                               const PreparedVessel& vessel);
 
-/// The point of the surface that the ray from the section's middle at `angle` (radians, from d1
+/// The point of the wall that the ray from the section's middle at `angle` (radians, from d1
 /// towards d2) leaves through; empty where it leaves through an open end.
-std::optional<Vec3> wall_point(const TriangleSurface& surface, const Pose& section, double angle);
+std::optional<Vec3> wall_point(const RayHits& wall, const Pose& section, double angle);
 
 /// A pick that was moved along its vessel.
 struct MovedPick {

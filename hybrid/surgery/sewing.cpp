@@ -21,8 +21,8 @@ Points carried_rim(const PreparedVessel& vessel, const RodPoses& poses,
 }
 
 void sew(const JoinOutcome& seam, PreparedVessel& first, PreparedVessel& second) {
-  follow_edit(first, seam.svc, seam.svc_sources);
-  follow_edit(second, seam.rpa, seam.rpa_sources);
+  follow_edit(first, seam.first, seam.first_sources);
+  follow_edit(second, seam.second, seam.second_sources);
   bind_again(first);
   bind_again(second);
 }

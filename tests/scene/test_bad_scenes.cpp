@@ -1,58 +1,13 @@
-// Scenes that must be refused with one sentence, and mutations of valid scenes that must be read or
-// refused.
-#include <algorithm>
-#include <gtest/gtest.h>
-#include <random>
-#include <sstream>
-
-#include <vasorod/error.h>
-#include <vasorod/read_scene.h>
-
-#include "scratch_folder.h"
+// Scenes whose parts must be refused with one sentence, operations apart.
+#include "bad_scene.h"
 
 namespace vasorod {
 namespace {
 
-const std::string base = R"(scene: bad
-units: {length: mm, stress: MPa}
-vessels:
-  - name: tube
-    tube: {length: 100, radius: 10}
-    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}
-  - name: other
-    tube: {length: 50, radius: 5, position: [30, 0, 0]}
-    wall: {thickness: 1.0, young: 1.0, poisson: 0.3}
-ends:
-  - {vessel: tube, end: start, hold: true}
-  - {vessel: tube, end: end, move: [1, 0, 0]}
-contact: [[tube, other]]
-surgery:
-  glenn: {svc: tube, rpa: other, cut: [10, 0, 50], incision: [35, 0, 25], keep: {near: [0, 0, 100]}}
-fidelity: paper
-)";
-
-// Replaces the first occurrence of `from` by `to`. The sentence must contain all of `says`.
-struct Bad {
-  std::string what, from, to;
-  std::vector<std::string> says;
-};
-
-std::string refusal(const std::filesystem::path& file) {
-  try {
-    read_scene(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-const std::string glenn =
-    "  glenn: {svc: tube, rpa: other, cut: [10, 0, 50], incision: [35, 0, 25], keep: {near: [0, 0, "
-    "100]}}";
-
-std::string end_to_end(const std::string& rims) {
-  return "  end_to_end: {rims: [" + rims + "]}";
-}
+using testing::Bad;
+using testing::BadScene;
+using testing::base;
+using testing::refusal;
 
 const std::vector<Bad> bads = {
     {"unknown_key",
@@ -187,85 +142,6 @@ const std::vector<Bad> bads = {
      {":13:", "\"aorta\"", "tube or other"}},
     {"contact_twice", "[[tube, other]]", "[[tube, other], [other, tube]]", {"a second time"}},
     {"contact_three", "[[tube, other]]", "[[tube, other, tube]]", {"two vessels"}},
-    {"surgery_unknown", "glenn:", "fontan:", {"\"fontan\"", "glenn"}},
-    {"surgery_empty", glenn, "  {}", {":15:", "surgery: found neither glenn nor end_to_end"}},
-    {"surgery_both",
-     "contact: [[tube, other]]\nsurgery:",
-     "contact: [[tube, other]]\nsurgery:\n  end_to_end: {}",
-     {"surgery: found both glenn and end_to_end", "one operation"}},
-    {"rims_missing", glenn, "  end_to_end: {}", {"surgery.end_to_end.rims: found nothing"}},
-    {"rims_one",
-     glenn,
-     end_to_end("{vessel: tube, end: end}"),
-     {"rims: found", "a list of two rims"}},
-    {"rims_same",
-     glenn,
-     end_to_end("{vessel: tube, end: end}, {vessel: tube, end: start}"),
-     {":15:", "rims[1].vessel: found \"tube\" a second time", "another vessel"}},
-    {"rim_unknown_vessel",
-     glenn,
-     end_to_end("{vessel: tube, end: end}, {vessel: othr, end: start}"),
-     {"rims[1].vessel", "\"othr\"", "\"other\""}},
-    {"rim_without_place",
-     glenn,
-     end_to_end("{vessel: tube, end: end}, {vessel: other}"),
-     {"rims[1]: found neither cut nor end"}},
-    {"rim_with_two_places",
-     glenn,
-     end_to_end("{vessel: tube, end: end, cut: [10, 0, 50]}, {vessel: other, end: start}"),
-     {"rims[0]: found both cut and end"}},
-    {"rim_without_keep",
-     glenn,
-     end_to_end("{vessel: tube, cut: [10, 0, 50]}, {vessel: other, end: start}"),
-     {"rims[0].keep: found nothing"}},
-    {"rim_keeps_a_whole_vessel",
-     glenn,
-     end_to_end("{vessel: tube, end: end, cut_tilt_deg: 5}, {vessel: other, end: start}"),
-     {"rims[0].cut_tilt_deg: found it beside end"}},
-    {"rim_tilt",
-     glenn,
-     end_to_end("{vessel: tube, cut: [10, 0, 50], cut_tilt_deg: 76, keep: {near: [0, 0, 0]}}, "
-                "{vessel: other, end: start}"),
-     {"rims[0].cut_tilt_deg: found 76", "-75 to 75"}},
-    {"rim_end_word",
-     glenn,
-     end_to_end("{vessel: tube, end: top}, {vessel: other, end: start}"),
-     {"rims[0].end: found \"top\"", "start, end, {near: [x, y, z]} or {face: ModelFaceID}"}},
-    {"end_to_end_rotation_word",
-     glenn,
-     end_to_end("{vessel: tube, end: end}, {vessel: other, end: start}], rotation_deg: [automatic"),
-     {"rotation_deg: found", "auto or a number"}},
-    {"glenn_same", "rpa: other", "rpa: tube", {"another vessel"}},
-    {"glenn_no_cut", "cut: [10, 0, 50], ", "", {"surgery.glenn.cut: found nothing"}},
-    {"glenn_incision_length",
-     "svc: tube,",
-     "svc: tube, incision_length: 5,",
-     {"surgery.glenn.incision_length: found 5"}},
-    {"glenn_tilt",
-     "svc: tube,",
-     "svc: tube, cut_tilt_deg: 80,",
-     {"surgery.glenn.cut_tilt_deg: found 80", "-75 to 75"}},
-    {"glenn_shape_word",
-     "svc: tube,",
-     "svc: tube, incision_shape: oval,",
-     {"surgery.glenn.incision_shape: found \"oval\"", "slit, {ellipse: RATIO}"}},
-    {"glenn_ellipse_ratio",
-     "svc: tube,",
-     "svc: tube, incision_shape: {ellipse: 1.5},",
-     {"incision_shape.ellipse: found 1.5", "0.1 to 1"}},
-    {"glenn_ellipse_no_width",
-     "svc: tube,",
-     "svc: tube, incision_shape: {ellipse: {length: 8}},",
-     {"incision_shape.ellipse.width: found nothing", "across the artery"}},
-    {"glenn_ellipse_two_lengths",
-     "svc: tube,",
-     "svc: tube, incision_length: 1, incision_shape: {ellipse: {length: 8, width: 4}},",
-     {"surgery.glenn.incision_length: found it beside an ellipse that has a length"}},
-    {"glenn_rotation_word",
-     "svc: tube",
-     "svc: tube, rotation_deg: automatic",
-     {"auto or a number"}},
-    {"glenn_no_keep", ", keep: {near: [0, 0, 100]}", "", {"surgery.glenn.keep"}},
     {"fidelity_no_name", "fidelity: paper", "fidelity: [paper]", {"the name of a fidelity"}},
     {"fidelity_and_accuracy",
      "fidelity: paper",
@@ -301,23 +177,8 @@ const std::vector<Bad> bads = {
     {"force_too_large", "move: [1, 0, 0]", "force: [0, 0, 1e31]", {"force[2]: found 1e+31"}},
 };
 
-class BadScene : public ScratchFolder {};
-
 TEST_F(BadScene, IsRefusedWithOneSentence) {
-  for (const Bad& bad : bads) {
-    SCOPED_TRACE(bad.what);
-    std::string text = base;
-    ASSERT_NE(text.find(bad.from), std::string::npos);
-    text.replace(text.find(bad.from), bad.from.size(), bad.to);
-    const auto file = write("scene.yaml", text);
-    const std::string sentence = refusal(file);
-    EXPECT_EQ(sentence.rfind(file.string() + ":", 0), 0U) << sentence;
-    EXPECT_NE(sentence.find("found "), std::string::npos) << sentence;
-    EXPECT_NE(sentence.find(", expected "), std::string::npos) << sentence;
-    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-    for (const std::string& word : bad.says)
-      EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
-  }
+  expect_refused(bads);
 }
 
 // A number that is no mistake of kind, but longer than a sentence.
@@ -402,109 +263,6 @@ TEST_F(BadRod, OtherFidelities) {
                           "[{length: 1, elements: 1, stiffness: {axial: 1, shear: [1, 1], bending: "
                           "[1, 1], torsion: 1}}]}}\n");
   EXPECT_NE(refusal(file).find("bare rod \"a\", expected rod"), std::string::npos);
-}
-
-class BadFile : public ScratchFolder {};
-
-TEST_F(BadFile, MissingEmptyFolderAndBinary) {
-  EXPECT_NE(refusal(folder / "none.yaml").find("no such file"), std::string::npos);
-  EXPECT_NE(refusal(folder).find("folder"), std::string::npos);
-  EXPECT_NE(refusal(write("empty.yaml", "")).find("empty"), std::string::npos);
-  EXPECT_NE(refusal(write("comment.yaml", "# nothing\n")).find("empty"), std::string::npos);
-  EXPECT_NE(refusal(write("word.yaml", "hello")).find("expected a map"), std::string::npos);
-  EXPECT_FALSE(refusal(write("binary.yaml", std::string("\0\1\2\xff\xfe{[", 7))).empty());
-  EXPECT_FALSE(refusal(write("deep.yaml", std::string(20000, '['))).empty());
-}
-
-TEST_F(BadFile, WhatWouldNeverEndOrFillTheMemory) {
-  for (const std::string text : {",", "{scene: x},", ",#5: d", "!#up1, pu^SNull", ",(", "]", "}",
-                                 "a: 1\n,", "--- ,", ", !!str"}) {
-    const std::string sentence = refusal(write("stray.yaml", text));
-    EXPECT_NE(sentence.find(", expected "), std::string::npos) << text << ": " << sentence;
-  }
-  EXPECT_NE(refusal(write("comma.yaml", ",")).find(":1: found a stray \",\" in column 1"),
-            std::string::npos);
-  for (const std::string part : {"[", "{a: ", "- ", "? "}) {
-    std::string text;
-    for (int k = 0; k < 100000; ++k) text += part;
-    EXPECT_NE(refusal(write("deep.yaml", text)).find(", expected "), std::string::npos);
-  }
-  std::ostringstream doubled;  // 2^40 values where it is written in full
-  doubled << "a0: &a0 [x, x]\n";
-  for (int k = 1; k < 40; ++k)
-    doubled << "a" << k << ": &a" << k << " [*a" << k - 1 << ", *a" << k - 1 << "]\n";
-  EXPECT_NE(refusal(write("doubled.yaml", doubled.str())).find("more than 2000000 values"),
-            std::string::npos);
-  EXPECT_NE(refusal(write("large.yaml", std::string{}.append(17'000'000, '#'))).find("bytes"),
-            std::string::npos);
-  EXPECT_NE(refusal(write("zero.yaml", std::string("scene: a\0b", 10))).find("0x00"),
-            std::string::npos);
-}
-
-// Every mutation is read or refused with one line; no other outcome is allowed.
-TEST_F(BadFile, MutationsAreReadOrRefused) {
-  std::mt19937 random(1);
-  const std::string letters = "[]{}:,-#&*!|>'\"%@` \n\t0123456789.eE+xaz_\xc3\xa9\x01";
-  auto pick = [&](size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random); };
-  int refused = 0;
-  constexpr int rounds = 400;
-  for (int round = 0; round < rounds; ++round) {
-    std::string text = base;
-    const size_t changes = 1 + pick(4);
-    for (size_t k = 0; k < changes && !text.empty(); ++k) {
-      const size_t at = pick(text.size());
-      switch (pick(5)) {
-        case 0:
-          text[at] = letters[pick(letters.size())];
-          break;
-        case 1:
-          text.insert(at, 1, letters[pick(letters.size())]);
-          break;
-        case 2:
-          text.erase(at, 1 + pick(5));
-          break;
-        case 3:
-          text.insert(at, text.substr(pick(text.size()), pick(40)));
-          break;
-        default:
-          text.resize(std::max<size_t>(at, 1));
-          break;
-      }
-    }
-    const auto file = write("scene.yaml", text);
-    try {
-      read_scene(file);
-    } catch (const InputError& error) {
-      ++refused;
-      const std::string sentence = error.what();
-      ASSERT_EQ(sentence.find('\n'), std::string::npos) << text;
-      ASSERT_NE(sentence.find(", expected "), std::string::npos) << sentence;
-    } catch (const std::exception& error) {
-      FAIL() << error.what() << "\n" << text;
-    }
-  }
-  EXPECT_GT(refused, rounds / 2);
-}
-
-// Replaces every value of the scene in turn by one of a wrong type.
-TEST_F(BadFile, WrongKindsOfEveryValue) {
-  for (const char* wrong : {"[]", "{}", "[[1]]", "{a: 1}", "~", "-1", "0", "1e400", ".inf", "\"\"",
-                            "*x", "&x", "!!int a"}) {
-    for (size_t colon = base.find(": "); colon != std::string::npos;
-         colon = base.find(": ", colon + 1)) {
-      const size_t end = base.find_first_of(",}\n", colon);
-      std::string text = base;
-      text.replace(colon + 2, end - colon - 2, wrong);
-      const auto file = write("scene.yaml", text);
-      try {
-        read_scene(file);
-      } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << text;
-      } catch (const std::exception& error) {
-        FAIL() << error.what() << "\n" << text;
-      }
-    }
-  }
 }
 
 }  // namespace

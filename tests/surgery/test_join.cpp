@@ -83,8 +83,9 @@ void expect_slid(const TriangleSurface& before, const std::vector<int>& loop,
 
 // What the seam made of both surfaces, where it is worse than `worst`.
 void see(const Operation& op, const JoinOutcome& seam, testing::MadeBySurgery& worst) {
-  for (const auto& [before, after, sources] : {std::tuple(&op.svc, &seam.svc, &seam.svc_sources),
-                                               std::tuple(&op.rpa, &seam.rpa, &seam.rpa_sources)}) {
+  for (const auto& [before, after, sources] :
+       {std::tuple(&op.svc, &seam.first, &seam.first_sources),
+        std::tuple(&op.rpa, &seam.second, &seam.second_sources)}) {
     const auto made = testing::made_by_surgery(*before, *after, *sources);
     worst.shortest_edge = std::min(worst.shortest_edge, made.shortest_edge);
     worst.smallest_angle = std::min(worst.smallest_angle, made.smallest_angle);
@@ -98,10 +99,10 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     SCOPED_TRACE("seam " + std::to_string(i));
     const auto op = operate(i, 0.1 * i, random);
     const auto seam = match_seam(op.svc, op.mouth, op.mouth_start, op.rpa, op.rim, op.other_tip);
-    ASSERT_TRUE(testing::oriented(seam.svc.triangles));
-    ASSERT_TRUE(testing::oriented(seam.rpa.triangles));
-    EXPECT_EQ(euler_number(seam.svc.triangles), 0);
-    EXPECT_EQ(euler_number(seam.rpa.triangles), -1);
+    ASSERT_TRUE(testing::oriented(seam.first.triangles));
+    ASSERT_TRUE(testing::oriented(seam.second.triangles));
+    EXPECT_EQ(euler_number(seam.first.triangles), 0);
+    EXPECT_EQ(euler_number(seam.second.triangles), -1);
 
     // The pairs contain each vertex of both loops once, in opposite order.
     std::vector<int> on_mouth, on_rim;
@@ -111,7 +112,7 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
     }
     std::reverse(on_mouth.begin(), on_mouth.end());
     for (const auto& [surface, loop] :
-         {std::pair(&seam.svc, &on_mouth), std::pair(&seam.rpa, &on_rim)}) {
+         {std::pair(&seam.first, &on_mouth), std::pair(&seam.second, &on_rim)}) {
       std::rotate(loop->begin(), std::min_element(loop->begin(), loop->end()), loop->end());
       const auto loops = boundary_loops(surface->triangles);
       EXPECT_EQ(std::count(loops.begin(), loops.end(), *loop), 1);
@@ -121,24 +122,24 @@ TEST(Join, HundredsOfSeamsPairOneToOneAndWeldToOneSurface) {
               op.rim[static_cast<size_t>(op.other_tip)]);
 
     // Vertices off the loops stay, those on them slide along them.
-    EXPECT_LT(testing::source_error(op.svc, seam.svc, seam.svc_sources), 1e-11);
-    EXPECT_LT(testing::source_error(op.rpa, seam.rpa, seam.rpa_sources), 1e-11);
-    expect_slid(op.svc, op.mouth, seam.svc);
-    expect_slid(op.rpa, op.rim, seam.rpa);
-    EXPECT_EQ(seam.rpa.points.row(op.rim[0]), op.rpa.points.row(op.rim[0]));
+    EXPECT_LT(testing::source_error(op.svc, seam.first, seam.first_sources), 1e-11);
+    EXPECT_LT(testing::source_error(op.rpa, seam.second, seam.second_sources), 1e-11);
+    expect_slid(op.svc, op.mouth, seam.first);
+    expect_slid(op.rpa, op.rim, seam.second);
+    EXPECT_EQ(seam.second.points.row(op.rim[0]), op.rpa.points.row(op.rim[0]));
     const int other = op.rim[index(op.other_tip)];
-    EXPECT_EQ(seam.rpa.points.row(other), op.rpa.points.row(other));
-    EXPECT_NEAR(total_area(seam.svc) / total_area(op.svc), 1, 2e-3);
-    EXPECT_NEAR(total_area(seam.rpa) / total_area(op.rpa), 1, 2e-3);
+    EXPECT_EQ(seam.second.points.row(other), op.rpa.points.row(other));
+    EXPECT_NEAR(total_area(seam.first) / total_area(op.svc), 1, 2e-3);
+    EXPECT_NEAR(total_area(seam.second) / total_area(op.rpa), 1, 2e-3);
     see(op, seam, worst);
 
-    const auto welded = weld(seam.svc, seam.rpa, seam.pairs);
+    const auto welded = weld(seam.first, seam.second, seam.pairs);
     ASSERT_TRUE(testing::oriented(welded.surface.triangles));
     EXPECT_EQ(euler_number(welded.surface.triangles), -1);  // 0 - 1, glued along a circle
     EXPECT_EQ(boundary_loops(welded.surface.triangles).size(), 3U);
     EXPECT_EQ(welded.origin.size(), static_cast<size_t>(welded.surface.points.rows()));
     EXPECT_EQ(welded.surface.points.rows() + static_cast<Eigen::Index>(seam.pairs.size()),
-              seam.svc.points.rows() + seam.rpa.points.rows());
+              seam.first.points.rows() + seam.second.points.rows());
   }
   EXPECT_GT(worst.shortest_edge, 0.05);
   EXPECT_GT(worst.smallest_angle, 5);
@@ -162,7 +163,7 @@ double sum(const std::vector<double>& values) {
 // Paired segments have the same share in their loop's length; how far they are apart, in mean
 // segments.
 double share_error(const JoinOutcome& seam) {
-  const auto a = segments(seam.svc, seam, 0), b = segments(seam.rpa, seam, 1);
+  const auto a = segments(seam.first, seam, 0), b = segments(seam.second, seam, 1);
   double worst = 0;
   for (size_t k = 0; k < a.size(); ++k)
     worst = std::max(worst, std::abs(a[k] / sum(a) - b[k] / sum(b)) * double(a.size()));
@@ -182,7 +183,7 @@ TEST(Join, PairedSegmentsHaveEqualSharesOnCoarseAndFineTubes) {
       const auto seam = match_seam(op.svc, op.mouth, op.mouth_start, op.rpa, op.rim, op.other_tip);
       EXPECT_LT(share_error(seam), 1e-9);
       // What the slid vertices cut off is second order in the edge.
-      const auto a = segments(seam.svc, seam, 0), b = segments(seam.rpa, seam, 1);
+      const auto a = segments(seam.first, seam, 0), b = segments(seam.second, seam, 1);
       EXPECT_NEAR(sum(a) / sum(b), 1, 3.0 / (svc * svc) + 3.0 / (rpa * rpa));
       const double n = double(std::max(op.mouth.size(), op.rim.size()));
       most_pairs = std::max(most_pairs, double(seam.pairs.size()) / n);
@@ -204,12 +205,12 @@ TEST(Join, TurningTheMouthTurnsTheMatch) {
     std::mt19937 random(21);
     const auto op = operate(4, phi, random);
     const auto seam = match_seam(op.svc, op.mouth, op.mouth_start, op.rpa, op.rim, op.other_tip);
-    const Vec3 first = seam.rpa.points.row(seam.pairs.front()[1]);
-    const Vec3 other = seam.rpa.points.row(seam.pairs[static_cast<size_t>(seam.other_tip)][1]);
+    const Vec3 first = seam.second.points.row(seam.pairs.front()[1]);
+    const Vec3 other = seam.second.points.row(seam.pairs[static_cast<size_t>(seam.other_tip)][1]);
     const Vec3 along = (other - first).normalized();
     // Start position of the mouth's partner of the first tip, from its source.
     Vec3 start = Vec3::Zero();
-    const auto& source = seam.svc_sources[static_cast<size_t>(seam.pairs.front()[0])];
+    const auto& source = seam.first_sources[static_cast<size_t>(seam.pairs.front()[0])];
     for (size_t k = 0; k < source.vertex.size(); ++k) {
       const auto at =
           std::find(op.mouth.begin(), op.mouth.end(), source.vertex[k]) - op.mouth.begin();
@@ -250,7 +251,7 @@ TEST(Join, TheTipsMeetTheMouthAtTheStatedAngle) {
       for (const int tip : {0, seam.other_tip}) {
         const auto& [a, b] = seam.pairs[index(tip)];
         const Vec3 on_rim = incision.surface.points.row(b);
-        const Vec3 on_mouth = target * Vec3(seam.svc.points.row(a));
+        const Vec3 on_mouth = target * Vec3(seam.first.points.row(a));
         const double sense = on_rim.z() > incision.pick.z() ? 1 : -1;
         const Vec3 from_middle = on_mouth - incision.pick;
         const double off = std::atan2(outward.cross(sense * Vec3::UnitZ()).dot(from_middle),

@@ -146,14 +146,14 @@ TEST(PickPlace, OffTheVesselTheNearestPointIsNamed) {
 // At the very end of the tube, half of a ray's directions meet no wall.
 TEST(PickPlace, AtAnOpenEndThereMayBeNoWall) {
   const BentTube tube;
-  const TriangleSurface surface = tube_surface(tube.spec);
+  const RayHits wall(tube_surface(tube.spec));
   Pose section;
   section.position = tube.axis(0) - 0.1 * tube.spec.tangent;
   section.rotation << tube.spec.normal, tube.spec.tangent.cross(tube.spec.normal),
       tube.spec.tangent;
-  EXPECT_FALSE(wall_point(surface, section, 0.3));
+  EXPECT_FALSE(wall_point(wall, section, 0.3));
   section.position = tube.axis(0) + 0.1 * tube.spec.tangent;
-  EXPECT_TRUE(wall_point(surface, section, 0.3));
+  EXPECT_TRUE(wall_point(wall, section, 0.3));
 }
 
 TEST(PickPlace, AMovedPickIsTheNearestStepThatFits) {

@@ -5,11 +5,11 @@ the plan is empty and the table stays as it is."""
 import yaml
 
 from cases import text_of
-from extremes import TIME_LIMIT, ending_of, share
+from extremes import TIME_LIMIT, ending_of
 from measure import result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
-from tables import markdown, paragraph, provenance, provenance_text, value_or_range, write_table
+from tables import provenance, write_table
 
 FILE = "glenns.csv"
 SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "adult.yaml"
@@ -85,36 +85,3 @@ def make_table(store, path):
             *provenance([record for _, record in found]),
         ],
     )
-
-
-def section(rows, notes):
-    good = sum(row["ending"] == "converged" for row in rows)
-    own = sum(row["ending"] == "self_intersecting" for row in rows)
-    strains = [row["strain"] for row in rows if row["strain"] is not None]
-    header = ("cut", "incision", "rotation", "ending", "s", "walls through each other, mm deep")
-    return [
-        "## Glenn shunts on the adult anatomy\n",
-        paragraph(
-            f"`adult.yaml` at `{FIDELITY}` with other picks: `converged`",
-            f"{share(good, len(rows))}, `self_intersecting` {share(own, len(rows))}. The kept vein",
-            "is short for its width; `validity.largest_strain` of those that converged is",
-            f"{value_or_range(strains, '{:.2f}'.format) if strains else '-'}, and above 0.2 is out",
-            "of the model's range. This fidelity does not feel a wall that touches itself.",
-        ),
-        markdown(
-            (*header, "sentence"),
-            [
-                [
-                    row["cut"],
-                    row["incision"],
-                    f"{row['rotation']:g}" if row["rotation"] != "auto" else "auto",
-                    row["ending"],
-                    f"{row['seconds']:.1f}",
-                    row["crossings"] or "-",
-                    row["sentence"] or "-",
-                ]
-                for row in rows
-            ],
-        ),
-        provenance_text(notes),
-    ]

@@ -1,8 +1,9 @@
-"""docs/comparison.md from the tables in benchmarks/baselines, chapter by chapter: no number in it
-is typed. A chapter without its table is absent."""
+"""docs/comparison.md and docs/extremes.md (questions, answers, figures), and beside them
+comparison_tables.md and extremes_tables.md (every table), from benchmarks/baselines alone: no
+number in them is typed, and no finished run is needed. A chapter without its table is absent."""
 
-import figures
-from chapters.accuracy import accuracy_section
+from chapters import answers, limits, limits_answers
+from chapters.accuracy import accuracy_section, cases_section
 from chapters.inflated import bends_section, loads_section
 from chapters.irregular import irregular_section
 from chapters.join import join_section
@@ -13,50 +14,99 @@ from chapters.sensitivity import sensitivity_section
 from chapters.trade import front_of, trade_section
 from tables import IMAGES, paragraph, read_table
 
+TABLES = (
+    "accuracy",
+    "irregular",
+    "laws",
+    "promise",
+    "sensitivity",
+    "shear_gap",
+    "trade",
+    "inflated",
+    "inflated_bends",
+    "join",
+    "pressure",
+    "extremes_rod",
+    "extremes_wall",
+    "glenns",
+)
 
-def table_if_there(path):
-    return read_table(path) if path.exists() else None
+
+def read_tables(baselines):
+    """{name: (rows, notes)} of those that are there."""
+    return {
+        name: read_table(baselines / f"{name}.csv")
+        for name in TABLES
+        if (baselines / f"{name}.csv").exists()
+    }
 
 
-def write_report(baselines, docs):
+def tables_page(tables):
+    accuracy, notes = tables["accuracy"]
     text = [
-        "# Accuracy and cost against finite elements\n",
+        "# All tables of the comparison\n",
         paragraph(
-            "Written by `./run report` from the tables in `benchmarks/baselines`; no number here",
-            "is typed by hand. How to add a case: [adding_a_case.md](adding_a_case.md).",
+            "Questions, answers and figures: [comparison.md](comparison.md). Written by `./run",
+            "report` from the tables in `benchmarks/baselines`; no number here is typed by hand.",
         ),
+        cases_section(accuracy),
+        accuracy_section(accuracy, notes, tables.get("irregular", ([],))[0]),
     ]
-    images = docs / IMAGES
-    accuracy, notes = read_table(baselines / "accuracy.csv")
-    irregular = table_if_there(baselines / "irregular.csv")
-    text.append(accuracy_section(accuracy, notes, irregular[0] if irregular else []))
-    figures.errors_picture(accuracy, images / "accuracy.png")
-    figures.limits_picture(accuracy, images / "agreement.png")
-    if irregular:
-        text.append(irregular_section(*irregular))
-    laws = table_if_there(baselines / "laws.csv")
-    if laws:
-        text.append(laws_section(*laws))
-    text.append(promise_section(accuracy, table_if_there(baselines / "promise.csv")))
-    if (baselines / "sensitivity.csv").exists():
-        rows, notes = read_table(baselines / "sensitivity.csv")
-        text.append(sensitivity_section(rows, notes, table_if_there(baselines / "shear_gap.csv")))
-        figures.sensitivity_picture(rows, images / "sensitivity.png")
-    if (baselines / "trade.csv").exists():
-        rows, notes = read_table(baselines / "trade.csv")
-        text.append(trade_section(rows, notes))
-        figures.trade_picture(
-            [row for row in rows if row["rms"] is not None],
-            images / "trade.png",
-            front_of([row for row in rows if row["rms"] is not None]),
-        )
+    if "irregular" in tables:
+        text.append(irregular_section(*tables["irregular"]))
+    if "laws" in tables:
+        text.append(laws_section(*tables["laws"]))
+    text.append(promise_section(accuracy, tables.get("promise")))
+    if "sensitivity" in tables:
+        text.append(sensitivity_section(*tables["sensitivity"], tables.get("shear_gap")))
     for name, section in (
+        ("trade", trade_section),
         ("inflated", loads_section),
         ("inflated_bends", bends_section),
         ("join", join_section),
         ("pressure", pressure_section),
     ):
-        table = table_if_there(baselines / f"{name}.csv")
-        if table:
-            text.append(section(*table))
-    (docs / "comparison.md").write_text("\n".join(part for part in text if part).rstrip() + "\n")
+        if name in tables:
+            text.append(section(*tables[name]))
+    return "\n".join(part for part in text if part).rstrip() + "\n"
+
+
+def pages(baselines):
+    """{file: text}; needs no matplotlib."""
+    tables = read_tables(baselines)
+    return {
+        "comparison.md": answers.page(tables),
+        "comparison_tables.md": tables_page(tables),
+        "extremes.md": limits_answers.page(tables),
+        "extremes_tables.md": limits.page(tables),
+    }
+
+
+def drawn(baselines):
+    """{file: figure}"""
+    import figures  # needs matplotlib
+
+    tables = read_tables(baselines)
+    accuracy = tables["accuracy"][0]
+    made = {
+        "shapes.svg": figures.errors_figure(accuracy),
+        "reactions.svg": figures.reactions_figure(accuracy),
+    }
+    if "trade" in tables:
+        rows = [row for row in tables["trade"][0] if row["rms"] is not None]
+        made["cost.svg"] = figures.cost_figure(rows, front_of(rows))
+    if "sensitivity" in tables:
+        made["moduli.svg"] = figures.moduli_figure(tables["sensitivity"][0])
+    names = ("extremes_wall", "extremes_rod", "sensitivity", "glenns")
+    counts = limits_answers.counts_of(*(tables.get(name, ([],))[0] for name in names))
+    made["endings.svg"] = figures.endings_figure(counts)
+    return {f"{IMAGES}/{name}": figure for name, figure in made.items()}
+
+
+def write_report(baselines, docs):
+    from figures import save
+
+    for name, text in pages(baselines).items():
+        (docs / name).write_text(text)
+    for name, figure in drawn(baselines).items():
+        save(figure, docs / name)

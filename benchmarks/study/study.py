@@ -4,7 +4,8 @@
   study.py run PLAN [--case NAME ...]   what is not there yet is run, the rest is kept
   study.py tables                       tables from finished runs, into benchmarks/baselines
   study.py promise                      the table behind `accuracy: x`, from those
-  study.py report                       docs/comparison.md and docs/extremes.md, from those
+  study.py report                       docs/comparison.md, docs/extremes.md and the pages of their
+                                        tables, from the tables alone
   study.py check [--quick]              have the curves moved? exit 1 says where, and draws it
   study.py accept --reason TEXT         yes, and this is why
 """
@@ -32,7 +33,6 @@ import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
 from store import REPOSITORY, Store  # noqa: E402
-from tables import read_table  # noqa: E402
 
 BASELINES = REPOSITORY / "benchmarks" / "baselines"
 
@@ -143,10 +143,6 @@ def write_report(arguments):
     import report  # needs matplotlib
 
     report.write_report(arguments.baselines, arguments.docs)
-    more = []
-    if (arguments.baselines / glenns.FILE).exists():
-        more = glenns.section(*read_table(arguments.baselines / glenns.FILE))
-    extremes.write_page(arguments.baselines, arguments.docs, more)
 
 
 def check(arguments):
@@ -201,12 +197,12 @@ def main():
     command.set_defaults(call=tables)
     command = commands.add_parser("promise", help="the table behind accuracy: x")
     command.set_defaults(call=write_promise)
-    command = commands.add_parser("report", help="docs/comparison.md")
+    command = commands.add_parser("report", help="the pages, from the tables alone")
     command.add_argument(
         "--docs",
         type=Path,
         default=REPOSITORY / "docs",
-        help="where comparison.md and its pictures go (default: docs)",
+        help="where the pages and their pictures go (default: docs)",
     )
     command.set_defaults(call=write_report)
     command = commands.add_parser("check", help="have the baseline's curves moved?")

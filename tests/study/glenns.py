@@ -7,6 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import glenns  # noqa: E402
+from chapters.limits import glenn_section  # noqa: E402
 from finished import leave  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
@@ -50,7 +51,7 @@ with tempfile.TemporaryDirectory() as scratch:
 assert [row["ending"] for row in rows[-2:]] == ["self_intersecting", "interrupted"]
 assert rows[-2]["crossings"] == "svc, svc: 1.25" and rows[-1]["sentence"] == "too long"
 assert rows[0]["strain"] == 0.7 and rows[-1]["strain"] is None
-text = "\n".join(glenns.section(rows, notes))
+text = "\n".join(glenn_section(rows, notes))
 assert "`converged` 22 of 24 (91.7 %), `self_intersecting` 1 of 24 (4.2 %)" in " ".join(
     text.split()
 ), text

@@ -89,11 +89,11 @@ with tempfile.TemporaryDirectory() as scratch:
 
 text = join_section(rows, notes)
 assert (
-    "| slit | 1 | biot | coupled | 40 | 7.00 | -12.50 | +25.00 | -10.00 | 1.00 | 2.00 | 0.20 |"
+    "| slit | 1 | biot | coupled | 40 | 8.00 | 7.00 | -12.50 | +25.00 | -10.00 | 1.00 | 2.00 | 0.20"
     in text
 ), text
 assert "| slit | 1 | biot | coupled | 60 | status iteration_limit | -" in text, text
-assert "| slit | 1 | biot | paper | 60 | 9.00 | +12.50 | - | - |" in text, text
+assert "| slit | 1 | biot | paper | 60 | 8.00 | 9.00 | +12.50 | - | - |" in text, text
 assert "| slit | biot | coupled | 40 | 12.50 | 2.0 | 2.0 |" in text, text
 
 now = [{"mouth": 7.02, "energy": 0.0501}, None]

@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import extremes  # noqa: E402
 from chapters.aims import aims  # noqa: E402
 from chapters.irregular import irregular_section  # noqa: E402
+from chapters.limits import rod_section, wall_section  # noqa: E402
 from chapters.sensitivity import sensitivity_section  # noqa: E402
 from chapters.trade import time_ratios  # noqa: E402
 
@@ -130,7 +131,7 @@ assert [(g["cases"], g["certified"], g["other"]) for g in groups] == [
     (9, 8, "1 unstable (2 elements: no minimum)"),
     (6, 6, None),
 ], groups
-assert "Certified: 14 of 15 (93.3 %)" in "\n".join(extremes.rod_section(groups, ["", "x"]))
+assert "Certified: 14 of 15 (93.3 %)" in "\n".join(rod_section(groups, ["", "x"]))
 wall = [
     {
         "fidelity": "paper",
@@ -143,7 +144,7 @@ wall = [
     }
     for k, ending in ((1, "converged"), (2, "unstable"), (3, "failed"))
 ]
-text = "\n".join(extremes.wall_section(wall, ["", "x"]))
+text = "\n".join(wall_section(wall, ["", "x"]))
 assert (
     "| paper | twist | 1 turns to 3 turns | 3 | 1 | 1 | 1 | 3.0 s (3 turns) | 1 |" in text
     and "converged`: 1 of 3 (33.3 %)" in text

@@ -14,9 +14,10 @@ def accuracy_table(rows):
         start = [row["opening"], f"{row['thickness']:g}", row["law"], row["fidelity"]]
         start.append(f"{row['around']:g}")
         if row["failure"]:
-            return [*start, row["failure"], *["-"] * 6]
+            return [*start, row["failure"], *["-"] * 7]
         return [
             *start,
+            f"{row['mouth_reference']:.2f}",
             f"{row['mouth']:.2f}",
             signed(over(row, "mouth")),
             signed(over(row, "energy")),
@@ -26,8 +27,9 @@ def accuracy_table(rows):
             percent(row["own_error"]),
         ]
 
-    head = ("opening", "thickness", "law", "model", "around", "mouth, mm2", "mouth, %")
-    head += ("energy, %", "support, %", "vein, % of R", "artery, % of R", "shell's own error, %")
+    head = ("opening", "thickness", "law", "model", "around", "shell, mm2", "mouth, mm2")
+    head += ("mouth, %", "energy, %", "support, %", "vein, % of R", "artery, % of R")
+    head += ("shell's own error, %",)
     return markdown(head, [line(row) for row in rows if row["length"] == 1])
 
 

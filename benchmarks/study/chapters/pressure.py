@@ -8,7 +8,7 @@ def mouth_table(rows):
     def line(row):
         start = [row["opening"], f"{row['length']:g}", f"{row['pressure']:g}", f"{row['around']:g}"]
         if row["failure"]:
-            return [*start, row["failure"], *["-"] * 8]
+            return [*start, row["failure"], *["-"] * 9]
         return [
             *start,
             f"{row['mouth_reference']:.2f}",
@@ -19,12 +19,13 @@ def mouth_table(rows):
             signed(over(row, "support")),
             percent(row["rms_vein"]),
             percent(row["rms_artery"]),
+            percent(row["own_error"]),
             f"{row['seconds']:.1f}",
         ]
 
     head = ("opening", "`incision_length`", "mmHg", "around", "shell, mm2", "`coupled`, mm2")
     head += ("mouth, %", "span x width, mm", "energy, %", "support, %", "vein, % of R")
-    head += ("artery, % of R", "s")
+    head += ("artery, % of R", "shell's own error, %", "s")
     return markdown(head, [line(row) for row in rows])
 
 

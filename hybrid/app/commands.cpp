@@ -94,6 +94,7 @@ int finish(Result& result, const CommandOptions& options) {
   WriteOptions write;
   write.stop = options.solve.stop;
   write.report = options.report;
+  write.picture_width = options.picture_width;
   write_result_folder(result, options.folder, write);
   say(result, options);
   return result.status == Status::converged ? 0 : 1;

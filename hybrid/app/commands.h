@@ -17,10 +17,11 @@ namespace vasorod {
 struct CommandOptions {
   std::filesystem::path input, second, folder;
   bool json = false;
-  bool report = true;  ///< `solve` only; false: numbers and VTP only
-  FitRequest fit;      ///< `fit` only
-  SolveOptions solve;  ///< `solve` only
-  DrawOptions draw;    ///< `draw` only; the picture's file is `folder`
+  bool report = true;     ///< `solve` only; false: numbers and VTP only
+  int picture_width = 0;  ///< `solve` only; pixels, 0: the page's
+  FitRequest fit;         ///< `fit` only
+  SolveOptions solve;     ///< `solve` only
+  DrawOptions draw;       ///< `draw` only; the picture's file is `folder`
 };
 
 struct InitOptions {

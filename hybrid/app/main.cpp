@@ -83,7 +83,8 @@ void add_drawing(CLI::App* app, CommandOptions* command) {
          [draw](const std::vector<double>& v) {
            draw->range = {{v.at(0), v.at(1)}};
          },
-         "Values of the first and the last colour; by default the field's")
+         "Values of the first and the last colour, pressures in the scene's unit; by default as in "
+         "report.html")
       ->expected(2)
       ->check(number("a finite number", [](double) { return true; }));
   app->add_option("--only", draw->only, "Names of the vessels to draw");
@@ -110,6 +111,8 @@ void add_drawing(CLI::App* app, CommandOptions* command) {
   app->add_flag("--rest", draw->rest, "The shape at rest");
   app->add_flag("--mesh", draw->mesh, "The edges of the triangles");
   app->add_flag("--rod", draw->rod, "Transparent walls, the rods and their directors inside");
+  app->add_flag("--lettering", draw->lettering,
+                "Names, a scale bar and the patient's axes where the surfaces name their space");
   app->add_option("--size", draw->size, "Width and height, pixels")->check(CLI::Range(16, 8192));
 }
 
@@ -134,6 +137,10 @@ int run(int argc, char** argv) {
   solve->add_flag_callback(
       "--no-report", [&common] { common.command.report = false; },
       "Numbers and VTP only: no pictures and no report.html");
+  solve
+      ->add_option("--picture-width", common.command.picture_width,
+                   "Width of every picture, pixels; by default 640 and 760")
+      ->check(CLI::Range(320, 8192));
 
   auto* fit =
       app.add_subcommand("fit", "Centerline, radii and reference rod of one vessel surface");

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace vasorod {
@@ -57,6 +58,13 @@ class FrontGrid {
         std::count_if(grid_.begin(), grid_.end(), [](const Cell& cell) { return cell.wanted; }));
   }
 
+  // Of the covered cells.
+  double wanted_share() const {
+    const auto covered = std::count_if(grid_.begin(), grid_.end(),
+                                       [](const Cell& c) { return std::isfinite(c.depth); });
+    return covered > 0 ? double(wanted_cells()) / static_cast<double>(covered) : 0;
+  }
+
   // Whether no body is more than two cells in front of a point.
   bool shows(const Vec3& point) {
     double depth = 0;
@@ -83,15 +91,14 @@ class FrontGrid {
   std::vector<Cell> grid_ = std::vector<Cell>(static_cast<std::size_t>(cells + 1) * (cells + 1));
 };
 
-// The best of the directions perpendicular to `up` or lifted a little; the first if several are
-// equal.
+// The best of the directions perpendicular to `up` or lifted; the first if several are equal.
 template <class Score>
-Vec3 best_direction(const Vec3& up, Score&& score) {
+Vec3 best_direction(const Vec3& up, Score&& score, std::initializer_list<double> lifts) {
   constexpr int around = 24;
   const Vec3 axis = up.normalized(), start = axis.unitOrthogonal();
   Vec3 best = start;
   double most = -1;
-  for (const double lift : {0.12, 0.35})
+  for (const double lift : lifts)
     for (int k = 0; k < around; ++k) {
       const Vec3 direction =
           (Eigen::AngleAxisd(2 * M_PI * k / around, axis) * start + lift * axis).normalized();
@@ -104,24 +111,59 @@ Vec3 best_direction(const Vec3& up, Score&& score) {
   return best;
 }
 
+// The weight of the spots that a direction shows.
+double shown_weight(FrontGrid& grid, const std::vector<Spot>& spots, const Vec3& direction) {
+  double sum = 0;
+  for (const Spot& spot : spots)
+    if (const double facing = spot.normal.dot(direction); facing > 0 && grid.shows(spot.at))
+      sum += facing * spot.weight;
+  return sum;
+}
+
+constexpr auto low = {0.12, 0.35};       // a little above the level
+constexpr auto any = {0.12, 0.35, 0.8};  // as high as the stages of an operation are seen from
+
 }  // namespace
 
+Vec2 pixel_of(const Camera& camera, const Vec3& point, int width, int height) {
+  const Vec3 at = camera.axes * (point - camera.centre);
+  const double scale =
+      camera.distance / (camera.distance - at.z()) * 0.5 * height / camera.half_height;
+  return {0.5 * (1 - camera.shift) * width + scale * at.x(), 0.5 * height - scale * at.y()};
+}
+
 Vec3 clearest_direction(const std::vector<Seen>& scene, const Vec3& up) {
-  return best_direction(up, [&](const Vec3& direction) {
-    return static_cast<double>(FrontGrid(scene, axes_of(direction, up)).wanted_cells());
-  });
+  return best_direction(
+      up,
+      [&](const Vec3& direction) {
+        return static_cast<double>(FrontGrid(scene, axes_of(direction, up)).wanted_cells());
+      },
+      low);
+}
+
+Vec3 clearest_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots,
+                        const Vec3& up) {
+  if (spots.empty()) return clearest_direction(scene, up);
+  double whole = 0;
+  for (const Spot& spot : spots) whole += spot.weight;
+  return best_direction(
+      up,
+      [&](const Vec3& direction) {
+        FrontGrid grid(scene, axes_of(direction, up));
+        return grid.wanted_share() + shown_weight(grid, spots, direction) / whole;
+      },
+      any);
 }
 
 Vec3 facing_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots,
                       const Vec3& up) {
-  return best_direction(up, [&](const Vec3& direction) {
-    FrontGrid grid(scene, axes_of(direction, up));
-    double sum = 0;
-    for (const Spot& spot : spots)
-      if (const double facing = spot.normal.dot(direction); facing > 0 && grid.shows(spot.at))
-        sum += facing * spot.weight;
-    return sum;
-  });
+  return best_direction(
+      up,
+      [&](const Vec3& direction) {
+        FrontGrid grid(scene, axes_of(direction, up));
+        return shown_weight(grid, spots, direction);
+      },
+      low);
 }
 
 Vec3 level_up(const std::vector<Seen>& scene) {
@@ -166,7 +208,7 @@ Camera fit_camera(const std::vector<Seen>& scene, const Vec3& towards_eye, const
         camera.half_height = std::max({camera.half_height, std::abs(at.y()) * shrink,
                                        std::abs(at.x()) * shrink / (aspect * (1 - clear_right))});
       }
-  constexpr double margin = 1.06;
+  constexpr double margin = 1.1;
   camera.half_height = camera.half_height > 0 ? margin * camera.half_height : 1;
   return camera;
 }

@@ -16,6 +16,9 @@ struct Camera {
   double shift = 0;  ///< distance of the centre left of the picture's middle, in half widths
 };
 
+/// Where a point appears in a picture of this size, pixels from the top left.
+Vec2 pixel_of(const Camera& camera, const Vec3& point, int width, int height);
+
 /// A body in front of the camera.
 struct Seen {
   const Points* points = nullptr;
@@ -36,6 +39,11 @@ struct Spot {
 /// as far as it faces the eye, and not at all if a body hides it.
 Vec3 facing_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots,
                       const Vec3& up);
+
+/// Of these and of higher directions, the one that shows most of the wanted bodies and, as
+/// important, of the spots.
+Vec3 clearest_direction(const std::vector<Seen>& scene, const std::vector<Spot>& spots,
+                        const Vec3& up);
 
 /// The `up` for a wide picture: perpendicular to the longest axis of the wanted points.
 Vec3 level_up(const std::vector<Seen>& scene);

@@ -26,16 +26,14 @@ std::vector<std::string> wrapped(const std::string& text, double width, double s
 
 }  // namespace
 
-void draw_colour_bar(Picture& picture, const ColourScale& scale) {
+void draw_colour_bar(Picture& picture, const ColourScale& scale, const std::string& found) {
   constexpr Colour ink{0.48F, 0.48F, 0.50F};  // readable on white and on black
   const double size = picture.height / 22.0;
   const int top = static_cast<int>(0.2 * picture.height),
-            bottom = static_cast<int>(0.9 * picture.height);
+            bottom = static_cast<int>(0.86 * picture.height);
   const std::vector<double> ticks = scale.ticks();
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : scale.high - scale.low;
   double widest = 0;
-  for (const double tick : ticks)
-    widest = std::max(widest, text_width(tick_text(tick, step), size));
+  for (const double tick : ticks) widest = std::max(widest, text_width(scale.text_at(tick), size));
   const int bar = static_cast<int>(size),
             right = static_cast<int>(picture.width - 0.8 * size - widest - 0.5 * size);
   const int left = right - bar;
@@ -49,13 +47,19 @@ void draw_colour_bar(Picture& picture, const ColourScale& scale) {
     const double row = row_of(tick);
     draw_box(picture, right, static_cast<int>(row - 0.5), right + static_cast<int>(0.3 * size),
              static_cast<int>(row - 0.5) + 1, ink);
-    draw_text(picture, right + 0.5 * size, row + 0.36 * size, tick_text(tick, step), size, ink);
+    draw_text(picture, right + 0.5 * size, row + 0.36 * size, scale.text_at(tick), size, ink);
   }
   const std::vector<std::string> lines = wrapped(scale.title, 0.26 * picture.width, size);
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_text(picture, picture.width - 0.8 * size - text_width(lines[k], size),
               top - (0.9 + 1.2 * static_cast<double>(lines.size() - 1 - k)) * size, lines[k], size,
               ink);
+  constexpr double smaller = 0.8;  // letters
+  const std::vector<std::string> notes = wrapped(found, 0.26 * picture.width, smaller * size);
+  for (std::size_t k = 0; k < notes.size() && !found.empty(); ++k)
+    draw_text(picture, picture.width - 0.8 * size - text_width(notes[k], smaller * size),
+              bottom + 1.5 * size + 1.2 * static_cast<double>(k) * smaller * size, notes[k],
+              smaller * size, ink);
 }
 
 }  // namespace vasorod

@@ -53,11 +53,15 @@ Colour ColourScale::operator()(double value) const {
 
 std::vector<double> ColourScale::ticks() const {
   if (map == ColourMap::grey) return {};
-  const double step = step_of(high - low), slack = 1e-9 * (high - low);
+  const double step = step_of((high - low) * shown_per) / shown_per, slack = 1e-9 * (high - low);
   std::vector<double> values;
   for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k)
     values.push_back(k == 0 ? 0 : k * step);
   return values;
+}
+
+std::string ColourScale::text_at(double tick) const {
+  return tick_text(tick * shown_per, step_of((high - low) * shown_per));
 }
 
 std::string tick_text(double value, double step) {
@@ -68,8 +72,9 @@ std::string tick_text(double value, double step) {
 }
 
 ColourScale scale_for(ColourMap map, const std::string& title,
-                      std::span<const Eigen::VectorXd* const> fields, double neutral) {
-  double low = neutral, high = neutral;
+                      std::span<const Eigen::VectorXd* const> fields, double neutral,
+                      double reach) {
+  double low = map == ColourMap::diverging ? neutral - reach : neutral, high = neutral + reach;
   for (const Eigen::VectorXd* field : fields)
     for (const double value : *field)
       if (std::isfinite(value)) {
@@ -77,16 +82,16 @@ ColourScale scale_for(ColourMap map, const std::string& title,
         high = std::max(high, value);
       }
   if (map == ColourMap::diverging) {
-    const double reach = std::max(high - neutral, neutral - low);
-    low = neutral - reach;
-    high = neutral + reach;
+    const double most = std::max(high - neutral, neutral - low);
+    low = neutral - most;
+    high = neutral + most;
   }
   // Without this, a field of constant value would show its rounding errors.
   if (high - low <= 1e-9 * std::max(1.0, std::abs(neutral))) {
     high = neutral + (map == ColourMap::diverging ? 0.01 : 1);
     low = map == ColourMap::diverging ? neutral - 0.01 : neutral;
   }
-  return {map, low, high, title};
+  return {map, low, high, title, 1};
 }
 
 }  // namespace vasorod

@@ -20,13 +20,16 @@ enum class ColourMap { diverging, sequential, grey };
 struct ColourScale {
   ColourMap map = ColourMap::sequential;
   double low = 0, high = 1;
-  std::string title;  ///< with the unit
+  std::string title;     ///< with the unit
+  double shown_per = 1;  ///< numbers at the ticks per unit of the values: mmHg for stresses
 
   /// Values outside [low, high] have the colour of the nearer end. Values that are not finite are
   /// grey.
   Colour operator()(double value) const;
-  /// About five round values inside [low, high]; none in grey.
+  /// About five values inside [low, high] whose shown numbers are round; none in grey.
   std::vector<double> ticks() const;
+  /// What stands at a tick.
+  std::string text_at(double tick) const;
 };
 
 /// The map's colours at equal steps, as 0xRRGGBB.
@@ -35,9 +38,11 @@ std::span<const std::uint32_t> colours_of(ColourMap map);
 /// The value of a tick with no more digits than the ticks' step needs.
 std::string tick_text(double value, double step);
 
-/// A scale for the range of the values. Diverging scales are symmetric about `neutral`. A range
+/// A scale for the range of the values, at least `reach` to each side of `neutral` that the map
+/// has, so that harmless values are pale. Diverging scales are symmetric about `neutral`. A range
 /// without width is widened.
 ColourScale scale_for(ColourMap map, const std::string& title,
-                      std::span<const Eigen::VectorXd* const> fields, double neutral = 0);
+                      std::span<const Eigen::VectorXd* const> fields, double neutral = 0,
+                      double reach = 0);
 
 }  // namespace vasorod

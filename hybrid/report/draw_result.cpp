@@ -7,6 +7,7 @@
 
 #include "data/index.h"
 #include "data/sentence.h"
+#include "report/annotations.h"
 #include "report/camera.h"
 #include "report/picture.h"
 #include "report/report_pictures.h"
@@ -94,8 +95,11 @@ std::optional<DrawnField> field_of(const Result& result, const DrawOptions& opti
     }
     return field;
   }
-  throw InputError("found the colour " + in_quotes(options.colour) + ", expected " +
-                   listed(drawable_colours()));
+  const std::vector<std::string> known = drawable_colours();
+  if (std::find(known.begin(), known.end(), options.colour) != known.end())
+    throw InputError("found the colour " + in_quotes(options.colour) +
+                     ", which was not modelled in this result, expected the colour vessel");
+  throw InputError("found the colour " + in_quotes(options.colour) + ", expected " + listed(known));
 }
 
 Vec3 direction(const std::optional<Vec3>& given, const Vec3& usual, const std::string& name) {
@@ -176,8 +180,17 @@ std::string draw_result(const Result& result, const DrawOptions& options) {
     surface.triangles = &body.surface.triangles;
     surface.colour = body.colour;
   }
-  Picture picture = render(drawn, camera, options.size[0], options.size[1]);
-  if (field) draw_colour_bar(picture, field->scale);
+  const Drawing drawing(drawn, camera, options.size[0], options.size[1]);
+  Picture picture = drawing.coloured(drawn);
+  if (field) draw_colour_bar(picture, field->scale, field->found);
+  if (options.lettering) {
+    std::vector<std::string> names = labels_of(bodies);
+    names.resize(drawn.size());
+    FreeRoom room(picture);
+    draw_scale_bar(picture, room, camera, result.length_unit);
+    draw_orientation(picture, room, camera, space_of(result));
+    draw_labels(picture, room, drawing.bodies(), names);
+  }
   return png_bytes(picture);
 }
 

@@ -132,6 +132,15 @@ void draw_text(Picture& picture, double x, double y, const std::string& text, do
   }
 }
 
+void draw_line(Picture& picture, const Vec2& from, const Vec2& to, double width,
+               const Colour& colour) {
+  const Vec2 way = to - from;
+  if (!(way.norm() > 0)) return;
+  const Vec2 along = 0.5 * width * way.normalized(), across(-along.y(), along.x());
+  const Vec2 begin = from - along, end = to + along;
+  fill(picture, {{begin - across, end - across, end + across, begin + across}}, colour);
+}
+
 void draw_box(Picture& picture, int left, int top, int right, int bottom, const Colour& colour) {
   for (int row = top; row < bottom; ++row)
     for (int column = left; column < right; ++column) blend(picture, column, row, colour, 1);

@@ -409,6 +409,21 @@ Drawing::Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera
                                             std::move(glass), std::move(borders)});
 }
 
+std::vector<int> Drawing::bodies() const {
+  const Data& data = *data_;
+  std::vector<int> found;
+  found.reserve(static_cast<std::size_t>(data.width) * static_cast<std::size_t>(data.height));
+  for (int row = 0; row < data.height; ++row)
+    for (int column = 0; column < data.width; ++column) {
+      const std::size_t at = data.canvas.sample(samples * column, samples * row);
+      const bool pane = !data.glass.triangle.empty() && data.glass.triangle[at] != nothing &&
+                        data.glass.nearness[at] > data.solid.nearness[at];
+      const std::uint32_t triangle = pane ? data.glass.triangle[at] : data.solid.triangle[at];
+      found.push_back(triangle == nothing ? -1 : data.canvas.triangles[triangle].body);
+    }
+  return found;
+}
+
 Picture Drawing::coloured(const std::vector<DrawnSurface>& surfaces) const {
   const auto& [width, height, canvas, solid, glass, borders] = *data_;
   Picture picture{width, height,

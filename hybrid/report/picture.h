@@ -39,6 +39,9 @@ class Drawing {
   /// Points, triangles, mesh and whether a body is transparent count here; the colours do not.
   Drawing(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width, int height);
 
+  /// Per pixel, row by row, the body nearest to the eye, its place in `surfaces`; -1: none.
+  std::vector<int> bodies() const;
+
   /// `surfaces`: those of the constructor in the colours and opacities to show; what was
   /// transparent stays so.
   Picture coloured(const std::vector<DrawnSurface>& surfaces) const;
@@ -54,8 +57,9 @@ class Drawing {
 Picture render(const std::vector<DrawnSurface>& surfaces, const Camera& camera, int width,
                int height);
 
-/// A legend at the right edge: the scale's colours, ticks and title.
-void draw_colour_bar(Picture& picture, const ColourScale& scale);
+/// A legend at the right edge: the scale's colours, ticks and title; below it the sentence `found`
+/// on the values of the picture.
+void draw_colour_bar(Picture& picture, const ColourScale& scale, const std::string& found = {});
 
 /// The picture as the bytes of a PNG file.
 std::string png_bytes(const Picture& picture);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/mmhg.h"
 #include "report/base64.h"
 #include "report/page_assets.h"
 #include "report/report_parts.h"
@@ -111,7 +112,8 @@ std::string facts(const Result& result) {
     html += fact("Largest twist shear", peak(twist), "");
     if (result.fidelity != "rod") {  // without surfaces there is no lumen and no contact
       html += fact("Smallest lumen over rest", peak(lumen), "");
-      html += fact("Largest contact pressure", peak(pressure), unit(result.stress_unit));
+      html += fact("Largest contact pressure", peak(pressure * mmhg_per(result.stress_unit)),
+                   unit("mmHg (" + cell_text(pressure) + " " + result.stress_unit + ")"));
     }
   }
   if (const auto joined = joined_vessels(result))
@@ -131,6 +133,16 @@ std::string figures(const std::vector<NamedPicture>& pictures, bool fields) {
               "\" src=\"data:image/png;base64," + base64(picture.png) + "\"><figcaption>" +
               html_text(picture.title) + "</figcaption></figure>\n";
   return html + "</div>\n";
+}
+
+// What the colours of the pictures mean.
+std::string ranges_note(const Result& result) {
+  if (drawn_fields(result).empty() || !is_solution(result.status)) return {};
+  return "<p class=\"soft small\">The colours of twist and stretch reach at least 0.2 from the "
+         "value at rest, the strain up to which the laws of the wall agree; those of contact at "
+         "least 10 mmHg, about the pressure in the veins after a Glenn operation. Larger values "
+         "widen them. Below each legend stand the extremes of this result. Scale bars hold at the "
+         "depth of the picture's middle.</p>\n";
 }
 
 }  // namespace
@@ -165,7 +177,9 @@ std::string report_html(const Result& result, const std::vector<NamedPicture>& p
     html += figures(pictures, false);
   } else {
     html += "<h2>Stages</h2>\n" + figures(pictures, false);
-    html += "<h2>Twist, stretch and contact</h2>\n" + figures(pictures, true);
+    if (std::any_of(pictures.begin(), pictures.end(), [](const auto& one) { return one.field; }))
+      html +=
+          "<h2>Twist, stretch and contact</h2>\n" + figures(pictures, true) + ranges_note(result);
   }
   html += report_tables(result);
   html += "<footer>Lengths in " + html_text(result.length_unit);

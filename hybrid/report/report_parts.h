@@ -10,7 +10,8 @@ namespace vasorod {
 /// Text with the reserved characters of HTML replaced.
 std::string html_text(const std::string& text);
 
-/// Four significant digits; a dash if the value is not finite.
+/// Three significant digits, all before the point up to a million; a dash if the value is not
+/// finite. result.json has every digit.
 std::string cell_text(double value);
 
 /// "N" if the scene's units give newtons (also mN, kN, MN), else as "MPa cm²".

@@ -1,7 +1,7 @@
 #include "report/report_pictures.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "geometry/triangle_surface.h"
+#include "report/annotations.h"
 #include "report/camera.h"
 #include "report/picture.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr int stage_width = 640, stage_height = 480, field_width = 760, field_height = 540;
 constexpr float glass = 0.35F, faint_glass = 0.22F;
 constexpr const char* no_solution = ", no solution";  // behind the captions of such a state
+constexpr double legend = 0.2;                        // of the width of a coloured picture
 
 std::string slug(const std::string& title) {
   std::string name;
@@ -28,83 +30,6 @@ std::string slug(const std::string& title) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return name;
-}
-
-// The centerline with at most `most_drawn` nodes: more cannot be told apart in a picture, and a rod
-// may have a million.
-CenterlineResult thinned(const CenterlineResult& line) {
-  constexpr std::size_t most_drawn = 2000;
-  const std::size_t nodes = line.abscissa.size();
-  if (line.lines.size() != 1 || line.lines[0].size() != nodes || nodes <= most_drawn) return line;
-  CenterlineResult thin;
-  const std::size_t step = (nodes + most_drawn - 1) / most_drawn;
-  std::vector<Eigen::Index> kept;
-  for (std::size_t i = 0; i < nodes; i += step) kept.push_back(line.lines[0][i]);
-  if (kept.back() != line.lines[0].back()) kept.push_back(line.lines[0].back());
-  thin.rest = line.rest(kept, Eigen::all);
-  thin.current = line.current(kept, Eigen::all);
-  thin.lines.emplace_back();
-  for (const Eigen::Index k : kept) {
-    const auto i = static_cast<std::size_t>(k);
-    thin.lines[0].push_back(static_cast<int>(thin.abscissa.size()));
-    thin.abscissa.push_back(line.abscissa[i]);
-    thin.directors.push_back(line.directors[i]);
-    if (!line.radius.empty()) thin.radius.push_back(line.radius[i]);
-  }
-  return thin;
-}
-
-// A tube around the centerline, twelve points around each node. The radius of a bare rod is a
-// hundredth of its length.
-DrawnBody tube_about(const CenterlineResult& whole) {
-  const CenterlineResult line = thinned(whole);
-  constexpr int around = 12;
-  const auto nodes = line.current.rows();
-  DrawnBody shape;
-  shape.rest.resize(around * nodes, 3);
-  shape.current.resize(around * nodes, 3);
-  const double thin = line.abscissa.empty()
-                          ? 1
-                          : 0.01 * *std::max_element(line.abscissa.begin(), line.abscissa.end());
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double radius = line.radius.empty() ? thin : line.radius[k];
-    // The frames at rest are not stored; a section across the rest line is enough for a picture.
-    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0),
-                       after = std::min(i + 1, nodes - 1);
-    const Vec3 along = line.rest.row(after) - line.rest.row(before);
-    const Mat3 turn =
-        Eigen::Quaterniond::FromTwoVectors(line.directors[k].col(2), along).toRotationMatrix();
-    for (int j = 0; j < around; ++j) {
-      const double angle = 2 * M_PI * j / around;
-      const Vec3 spoke = radius * (std::cos(angle) * line.directors[k].col(0) +
-                                   std::sin(angle) * line.directors[k].col(1));
-      shape.current.row(around * i + j) = line.current.row(i) + spoke.transpose();
-      shape.rest.row(around * i + j) = line.rest.row(i) + (turn * spoke).transpose();
-    }
-  }
-  std::vector<Eigen::RowVector3i> triangles;
-  for (const std::vector<int>& run : line.lines)
-    for (std::size_t i = 0; i + 1 < run.size(); ++i)
-      for (int j = 0; j < around; ++j) {
-        const int a = around * run[i], b = around * run[i + 1], next = (j + 1) % around;
-        triangles.emplace_back(a + j, a + next, b + j);
-        triangles.emplace_back(a + next, b + next, b + j);
-      }
-  shape.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (Eigen::Index t = 0; t < shape.triangles.rows(); ++t)
-    shape.triangles.row(t) = triangles[static_cast<std::size_t>(t)];
-  return shape;
-}
-
-// The axis of a fitted vessel, as a thin dark tube inside its transparent wall.
-DrawnBody axis_of(const VesselResult& vessel, const FitReport& fit) {
-  CenterlineResult line = *vessel.centerline;
-  line.radius.assign(line.radius.size(), 0.08 * fit.whole.mean_radius);
-  DrawnBody body = tube_about(line);
-  body.name = vessel.name + " axis";
-  body.colour = {0.16F, 0.20F, 0.30F};
-  return body;
 }
 
 // After an operation, the kept end of the vena cava (the head's side) is up. Otherwise the longest
@@ -120,12 +45,43 @@ Vec3 up_of(const Result& result, const std::vector<Seen>& scene) {
   return level_up(scene);
 }
 
+// The points of the seam on the second vessel: those of its borders that lie on one of the first.
+std::vector<Spot> seam_spots(const Result& result, const std::vector<DrawnBody>& bodies) {
+  const auto joined = joined_vessels(result);
+  if (!joined) return {};
+  std::array<const DrawnBody*, 2> pair{};
+  for (const DrawnBody& body : bodies)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (body.vessel && body.vessel->rest.rows() > 0 && body.name == joined->names[k])
+        pair[k] = &body;
+  if (!pair[0] || !pair[1]) return {};
+  const auto loops = boundary_loops(pair[0]->triangles),
+             others = boundary_loops(pair[1]->triangles);
+  const Points normals = vertex_normals({pair[1]->current, pair[1]->triangles});
+  std::vector<Spot> spots;
+  for (const std::vector<int>& other : others)
+    for (std::size_t k = 0; k < other.size(); ++k) {
+      const Vec3 at = pair[1]->current.row(other[k]),
+                 next = pair[1]->current.row(other[(k + 1) % other.size()]);
+      const double edge = (next - at).norm();
+      const auto meets = [&](int vertex) {
+        return (pair[0]->current.row(vertex).transpose() - at).norm() < edge;
+      };
+      if (std::any_of(loops.begin(), loops.end(), [&](const std::vector<int>& loop) {
+            return std::any_of(loop.begin(), loop.end(), meets);
+          }))
+        spots.push_back({at, normals.row(other[k]), edge});
+    }
+  return spots;
+}
+
 // The stages of an operation are seen from above, because the incision lies on the recipient's
 // upper side.
 View stage_view(const Result& result, const View& common) {
   if (!result.glenn) return common;
   constexpr double lift = 0.8;  // of the level part
   const Vec3 level = common.towards_eye - common.towards_eye.dot(common.up) * common.up;
+  if (common.towards_eye.dot(common.up) > lift * level.norm()) return common;
   return {(level.normalized() + lift * common.up).normalized(), common.up};
 }
 
@@ -187,8 +143,13 @@ std::vector<Stage> stages_of(const Result& result, const std::vector<DrawnBody>&
   return stages;
 }
 
+// What every picture of a result has beside its bodies.
+struct Lettering {
+  std::string unit, space;  // of length; of the patient's coordinates
+};
+
 Picture stage_picture(const Stage& stage, const std::vector<DrawnBody>& bodies,
-                      const Camera& camera) {
+                      const Camera& camera, const Lettering& lettering, int width) {
   std::vector<DrawnSurface> drawn;
   for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
     DrawnSurface& surface = drawn.emplace_back();
@@ -199,7 +160,17 @@ Picture stage_picture(const Stage& stage, const std::vector<DrawnBody>& bodies,
       surface.opacity = body->glass ? glass : 1;
     }
   }
-  return render(drawn, camera, stage_width, stage_height);
+  const Drawing drawing(drawn, camera, width, width * stage_height / stage_width);
+  Picture picture = drawing.coloured(drawn);
+  std::vector<std::string> names = stage.names;
+  names.resize(stage.surfaces.size());
+  for (std::string& name : names)
+    if (name.ends_with(" axis")) name.clear();
+  FreeRoom room(picture);
+  draw_scale_bar(picture, room, camera, lettering.unit);
+  draw_orientation(picture, room, camera, lettering.space);
+  draw_labels(picture, room, drawing.bodies(), names);
+  return picture;
 }
 
 std::vector<DrawnSurface> in_colours_of(const DrawnField& field,
@@ -220,22 +191,48 @@ std::vector<DrawnSurface> in_colours_of(const DrawnField& field,
 // there.
 class FieldDrawing {
  public:
-  FieldDrawing(const std::vector<DrawnBody>& bodies, const Camera& camera)
-      : bodies_(bodies), camera_(camera) {}
+  FieldDrawing(const std::vector<DrawnBody>& bodies, const Camera& camera, Lettering lettering,
+               int width)
+      : bodies_(bodies), camera_(camera), lettering_(std::move(lettering)), width_(width) {}
 
   Picture picture(const DrawnField& field) {
     const std::vector<DrawnSurface> surfaces = in_colours_of(field, bodies_);
-    std::call_once(once_, [&] { drawing_.emplace(surfaces, camera_, field_width, field_height); });
+    std::call_once(once_, [&] {
+      drawing_.emplace(surfaces, camera_, width_, width_ * field_height / field_width);
+      seen_ = drawing_->bodies();
+    });
     Picture picture = drawing_->coloured(surfaces);
-    draw_colour_bar(picture, field.scale);
+    draw_colour_bar(picture, field.scale, field.found);
+    FreeRoom room(picture);
+    draw_scale_bar(picture, room, camera_, lettering_.unit);
+    draw_orientation(picture, room, camera_, lettering_.space);
+    draw_labels(picture, room, seen_, labels_of(bodies_));
+    add_inset(field, surfaces, picture, room);
     return picture;
   }
 
  private:
+  void add_inset(const DrawnField& field, const std::vector<DrawnSurface>& surfaces,
+                 Picture& picture, FreeRoom& room) const {
+    if (field.scale.map == ColourMap::grey) return;
+    std::vector<PatchSource> sources;
+    for (const DrawnSurface& surface : surfaces)
+      if (surface.values && surface.opacity >= 1)
+        sources.push_back({surface.points, surface.values});
+    const auto patch = small_patch(sources, field.scale, field.at_rest, camera_);
+    if (!patch) return;
+    const int side = picture.height / 3;
+    draw_inset(picture, room, render(surfaces, close_up(*patch, camera_), side, side), *patch,
+               camera_);
+  }
+
   const std::vector<DrawnBody>& bodies_;
   Camera camera_;
+  Lettering lettering_;
+  int width_;
   std::once_flag once_;
   std::optional<Drawing> drawing_;
+  std::vector<int> seen_;
 };
 
 struct Task {
@@ -269,88 +266,6 @@ void draw_all(std::vector<Task>& tasks, int threads, const std::function<bool()>
 
 }  // namespace
 
-std::vector<DrawnField> drawn_fields(const Result& result) {
-  if (result.fit) return {};
-  const auto fields_of = [&](const Eigen::VectorXd VesselResult::*values) {
-    std::vector<const Eigen::VectorXd*> fields;
-    for (const VesselResult& vessel : result.vessels) fields.push_back(&(vessel.*values));
-    return fields;
-  };
-  const auto shear = fields_of(&VesselResult::twist_shear),
-             stretch = fields_of(&VesselResult::axial_stretch),
-             pressure = fields_of(&VesselResult::contact_pressure);
-  std::vector<DrawnField> drawn{
-      {"twist_shear", scale_for(ColourMap::diverging, "twist shear", shear), 0,
-       &VesselResult::twist_shear},
-      {"axial_stretch", scale_for(ColourMap::diverging, "axial stretch", stretch, 1), 1,
-       &VesselResult::axial_stretch},
-      {"contact_pressure",
-       scale_for(ColourMap::sequential, "contact pressure, " + result.stress_unit, pressure), 0,
-       &VesselResult::contact_pressure}};
-  if (!is_solution(result.status))
-    for (DrawnField& field : drawn) {
-      field.scale.map = ColourMap::grey;
-      field.scale.title += no_solution;
-    }
-  return drawn;
-}
-
-const Eigen::VectorXd* DrawnBody::values(const DrawnField& field) const {
-  if (!vessel) return nullptr;
-  const Eigen::VectorXd& own = vessel->*field.values;
-  return own.size() > 0 && own.size() == current.rows() ? &own : nullptr;
-}
-
-std::vector<DrawnBody> drawn_bodies(const Result& result) {
-  static const std::vector<Colour> veins{{0.42F, 0.60F, 0.85F},
-                                         {0.62F, 0.57F, 0.83F},
-                                         {0.42F, 0.70F, 0.66F},
-                                         {0.86F, 0.70F, 0.42F},
-                                         {0.60F, 0.72F, 0.46F}};
-  static const std::vector<Colour> arteries{
-      {0.85F, 0.45F, 0.42F}, {0.78F, 0.56F, 0.50F}, {0.80F, 0.50F, 0.58F}};
-  // An operation is about the two vessels it joins, other scenes about whatever may move.
-  const auto joined = joined_vessels(result);
-  const auto wanted = [&](const VesselResult& vessel) {
-    return joined ? vessel.name == joined->names[0] || vessel.name == joined->names[1]
-                  : !vessel.obstacle;
-  };
-  const bool any_wanted = std::any_of(result.vessels.begin(), result.vessels.end(), wanted);
-  std::vector<DrawnBody> bodies;
-  std::size_t beside = 0, others = 0;
-  for (const VesselResult& vessel : result.vessels) {
-    DrawnBody body;
-    if (vessel.rest.rows() > 0) {
-      body.rest = vessel.rest;
-      body.current = vessel.current;
-      body.triangles = vessel.triangles;
-    } else if (vessel.centerline) {
-      body = tube_about(*vessel.centerline);
-    }
-    body.name = vessel.name;
-    body.vessel = &vessel;
-    body.wanted = wanted(vessel) || !any_wanted;
-    body.glass = !body.wanted || result.fit;
-    if (!wanted(vessel))
-      body.colour = arteries[beside++ % arteries.size()];
-    else if (joined)
-      body.colour = veins[vessel.name == joined->names[0] ? 0 : 1];
-    else
-      body.colour = veins[others++ % veins.size()];
-    bodies.push_back(body);
-    if (result.fit && vessel.centerline) bodies.push_back(axis_of(vessel, *result.fit));
-    if (!vessel.stump) continue;
-    DrawnBody& stump = bodies.emplace_back();
-    stump.name = vessel.name + " stump";
-    stump.rest = stump.current = vessel.stump->points;
-    stump.triangles = vessel.stump->triangles;
-    stump.colour = body.colour;
-    stump.wanted = false;
-    stump.glass = result.end_to_end.has_value();  // the other vessel lies where it was
-  }
-  return bodies;
-}
-
 namespace {
 
 Camera camera_from(const View& view, const std::vector<DrawnBody>& bodies, double aspect,
@@ -371,7 +286,7 @@ View report_view(const Result& result, const std::vector<DrawnBody>& bodies) {
   scene.reserve(bodies.size());
   for (const DrawnBody& body : bodies) scene.push_back({&body.current, body.wanted});
   const Vec3 up = up_of(result, scene);
-  return {clearest_direction(scene, up), up};
+  return {clearest_direction(scene, seam_spots(result, bodies), up), up};
 }
 
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect) {
@@ -379,17 +294,20 @@ Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies,
 }
 
 std::vector<NamedPicture> report_pictures(const Result& result, int threads,
-                                          const std::function<bool()>& stop) {
+                                          const std::function<bool()>& stop, int width) {
   const std::vector<DrawnBody> bodies = drawn_bodies(result);
   const std::vector<Stage> stages = stages_of(result, bodies);
   const std::vector<DrawnField> fields = drawn_fields(result);
   const View view = report_view(result, bodies), pressed = view_of_pressure(bodies, view);
   const bool turned = pressed.towards_eye != view.towards_eye;
   const auto field_camera = [&](const View& from) {
-    return camera_from(from, bodies, double(field_width) / field_height, 0.2);
+    return camera_from(from, bodies, double(field_width) / field_height, legend);
   };
-  FieldDrawing common_drawing(bodies, field_camera(view)),
-      pressure_drawing(bodies, field_camera(pressed));
+  const Lettering lettering{result.length_unit, space_of(result)};
+  const int stage_pixels = width > 0 ? width : stage_width,
+            field_pixels = width > 0 ? width : field_width;
+  FieldDrawing common_drawing(bodies, field_camera(view), lettering, field_pixels),
+      pressure_drawing(bodies, field_camera(pressed), lettering, field_pixels);
   const auto of_pressure = [](const DrawnField& field) {
     return field.values == &VesselResult::contact_pressure;
   };
@@ -417,8 +335,10 @@ std::vector<NamedPicture> report_pictures(const Result& result, int threads,
   }
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < stages.size(); ++k)
-    tasks.push_back(
-        {&pictures[k], [&, k] { return stage_picture(stages[k], bodies, stage_camera); }});
+    tasks.push_back({&pictures[k], [&, k] {
+                       return stage_picture(stages[k], bodies, stage_camera, lettering,
+                                            stage_pixels);
+                     }});
   for (std::size_t k = 0; k < fields.size(); ++k)
     tasks.push_back({&pictures[stages.size() + k], [&, k] {
                        const bool own = turned && of_pressure(fields[k]);

@@ -27,10 +27,13 @@ struct DrawnField {
   std::string file;  ///< twist_shear, axial_stretch, contact_pressure
   ColourScale scale;
   double at_rest = 0;
+  std::string found;  ///< the values of this result in words, for the legend
   const Eigen::VectorXd VesselResult::*values = nullptr;  ///< per vessel; empty: not modelled
 };
 
-/// The fields to draw; none for `fit`. Fields of a state that is no solution are grey and say so.
+/// The fields to draw that were modelled; none for `fit`. Their scales reach at least to a strain
+/// of 0.2, where the laws of the wall end, and to 10 mmHg: what is harmless is pale. Fields of a
+/// state that is no solution are grey and say so.
 std::vector<DrawnField> drawn_fields(const Result& result);
 
 /// A body of the view and of the pictures: a vessel's surface, a tube around the centerline where
@@ -58,7 +61,14 @@ struct View {
   Vec3 towards_eye, up;
 };
 
-/// The side from which the pictures of a result look: the bodies in the result are seen best.
+/// The space of the patient's coordinates, LPS or RAS; empty: no surface names one.
+std::string space_of(const Result& result);
+
+/// The names to write beside the bodies; none for the axes of a fit.
+std::vector<std::string> labels_of(const std::vector<DrawnBody>& bodies);
+
+/// The side from which the pictures of a result look: the bodies in the result are seen best, and
+/// the seam of an operation with them.
 View report_view(const Result& result, const std::vector<DrawnBody>& bodies);
 
 /// The camera of the view and of the pictures of the result. The wanted bodies fill it, at rest and
@@ -66,8 +76,9 @@ View report_view(const Result& result, const std::vector<DrawnBody>& bodies);
 Camera report_camera(const Result& result, const std::vector<DrawnBody>& bodies, double aspect);
 
 /// Draws up to `threads` pictures at once. The bytes do not depend on `threads`. `stop` is asked
-/// before each, never by two threads at once; from then on pictures have no bytes.
+/// before each, never by two threads at once; from then on pictures have no bytes. `width`: pixels
+/// of every picture; 0: those of the page.
 std::vector<NamedPicture> report_pictures(const Result& result, int threads = 1,
-                                          const std::function<bool()>& stop = {});
+                                          const std::function<bool()>& stop = {}, int width = 0);
 
 }  // namespace vasorod

@@ -17,8 +17,10 @@ struct Table {
   std::size_t text_columns = 1;
 };
 
-std::string table_html(const Table& table) {
-  std::string html = "<div class=\"scroll\"><table>\n";
+// The region scrolls where it is too wide for the screen, so the keyboard must reach it.
+std::string table_html(const std::string& title, const Table& table) {
+  std::string html = R"(<div class="scroll" role="region" tabindex="0" aria-label=")" +
+                     html_text(title) + "\"><table>\n";
   if (!table.head.empty()) {
     html += "<thead><tr>";
     for (std::size_t i = 0; i < table.head.size(); ++i)
@@ -41,13 +43,23 @@ std::string table_html(const Table& table) {
 
 std::string html_of(const std::string& title, const Table& table) {
   return table.rows.empty() ? std::string()
-                            : "<h2>" + html_text(title) + "</h2>\n" + table_html(table);
+                            : "<h2>" + html_text(title) + "</h2>\n" + table_html(title, table);
+}
+
+template <class Text>
+std::string vector_of(const Vec3& v, Text&& text) {
+  const double rounding = 1e-9 * v.norm();
+  const auto component = [&](double x) { return text(std::abs(x) < rounding ? 0 : x); };
+  return component(v.x()) + ", " + component(v.y()) + ", " + component(v.z());
 }
 
 std::string vector_text(const Vec3& v) {
-  const double rounding = 1e-9 * v.norm();
-  const auto text = [&](double x) { return cell_text(std::abs(x) < rounding ? 0 : x); };
-  return text(v.x()) + ", " + text(v.y()) + ", " + text(v.z());
+  return vector_of(v, cell_text);
+}
+
+// A place, to a ten-thousandth of its coordinates: a scan's may be far from the origin.
+std::string place_cell(const Vec3& v) {
+  return vector_of(v, [](double x) { return std::isfinite(x) ? number_text(x, 4) : "–"; });
 }
 
 // Numbers of a state that is no solution are greyed, under a line that says so.
@@ -121,7 +133,7 @@ std::string fit_tables(const Result& result) {
   ends.text_columns = 4;
   for (const FittedEnd& end : result.fit->ends)
     ends.rows.push_back({html_text(end.end), end.name.empty() ? "–" : html_text(end.name),
-                         vector_text(end.center), vector_text(end.normal), cell_text(end.radius)});
+                         place_cell(end.center), vector_text(end.normal), cell_text(end.radius)});
   Table branches;
   branches.head = {"Branch", "Radius, " + unit, "Length, " + unit};
   branches.text_columns = 2;
@@ -161,12 +173,12 @@ std::string metrics_table(const Result& result) {
     for (const auto& [name, point] : m.where) {
       std::string words = name;
       std::replace(words.begin(), words.end(), '_', ' ');
-      where.rows.push_back({html_text(m.vessel), html_text(words), vector_text(point)});
+      where.rows.push_back({html_text(m.vessel), html_text(words), place_cell(point)});
     }
   std::string html = html_of("What became of the vessels", table);
   if (!where.rows.empty())
-    html += "<details><summary>Where each extreme occurs</summary>\n" + table_html(where) +
-            "</details>\n";
+    html += "<details><summary>Where each extreme occurs</summary>\n" +
+            table_html("Where each extreme occurs", where) + "</details>\n";
   return html;
 }
 
@@ -191,7 +203,7 @@ class OperationRows {
     add(what + " of " + vessel + ", part of its length", cell_text(cut.fraction), "");
     if (cut.tilt_deg != 0) add(what + ", tilt", cell_text(cut.tilt_deg), "degrees");
     add(what + ", perimeter", cell_text(cut.perimeter), length);
-    add(what + ", plane through", vector_text(cut.point), length);
+    add(what + ", plane through", place_cell(cut.point), length);
     add(what + ", normal", vector_text(cut.normal), "");
   }
   void add_seam(const SeamReport& seam) {
@@ -222,7 +234,7 @@ std::string glenn_table(const Result& result, const JoinedVessels& joined) {
   const std::string& length = result.length_unit;
   OperationRows rows(result);
   rows.add_cut("Cut", g.svc, g.cut);
-  rows.add("Incision of " + g.rpa + ", picked at", vector_text(g.incision.pick), length);
+  rows.add("Incision of " + g.rpa + ", picked at", place_cell(g.incision.pick), length);
   rows.add("Incision of " + g.rpa + ", length", cell_text(g.incision.length), length);
   if (g.incision.shape != "slit") {
     rows.add("Incision, width of the " + g.incision.shape, cell_text(g.incision.width), length);
@@ -230,7 +242,7 @@ std::string glenn_table(const Result& result, const JoinedVessels& joined) {
   }
   rows.add("Incision, perimeter over the cut's", cell_text(g.incision.perimeter_ratio), "");
   rows.add("Incision, ends",
-           vector_text(g.incision.ends[0]) + " and " + vector_text(g.incision.ends[1]), length);
+           place_cell(g.incision.ends[0]) + " and " + place_cell(g.incision.ends[1]), length);
   rows.add_seam(g.join);
   rows.add_solved("Incision, opened area", g.incision.opened_area, length + "²");
   rows.add_solution(g.join, joined.mouth, "the cut vein's");
@@ -259,25 +271,28 @@ std::string force_tables(const Result& result) {
   ends.text_columns = 2;
   for (const EndReaction& e : result.ends)
     ends.rows.push_back({html_text(e.vessel), html_text(e.end), vector_text(e.force),
-                         vector_text(e.moment), vector_text(e.center)});
+                         vector_text(e.moment), place_cell(e.center)});
   Table contact;
   contact.head = {"Vessel",
                   "touches",
                   "Force on the first, " + force,
                   "Area, " + result.length_unit + "²",
                   "Largest pressure, " + result.stress_unit,
+                  "mmHg",
                   "Smallest gap, " + result.length_unit};
   contact.text_columns = 2;
   for (const ContactReport& c : result.contact)
     contact.rows.push_back({html_text(c.a), html_text(c.b), vector_text(c.force), cell_text(c.area),
-                            cell_text(c.largest_pressure), cell_text(c.smallest_gap)});
+                            cell_text(c.largest_pressure),
+                            cell_text(c.largest_pressure * mmhg_per(result.stress_unit)),
+                            cell_text(c.smallest_gap)});
   Table crossing;
   crossing.head = {"Vessel", "passes through", "Pairs of triangles", "Depth, " + result.length_unit,
                    "Deepest at, " + result.length_unit};
   crossing.text_columns = 2;
   for (const SelfIntersection& s : result.self_intersections)
     crossing.rows.push_back({html_text(s.a), s.b == s.a ? "itself" : html_text(s.b),
-                             std::to_string(s.pairs), cell_text(s.depth), vector_text(s.where)});
+                             std::to_string(s.pairs), cell_text(s.depth), place_cell(s.where)});
   Table balance;
   balance.head = {"Vessel",
                   "Supports",
@@ -387,7 +402,8 @@ std::string html_text(const std::string& text) {
 
 std::string cell_text(double value) {
   if (!std::isfinite(value)) return "–";
-  return number_text(value == 0 ? 0.0 : value, 4);  // no -0
+  if (std::abs(value) >= 1000 && std::abs(value) < 1e6) return fixed_text(value, 0);
+  return number_text(value == 0 ? 0.0 : value, 3);  // no -0
 }
 
 std::string force_unit(const Result& result) {

@@ -65,7 +65,8 @@ void write_result_folder(Result& result, const std::filesystem::path& folder,
   for (const auto& [name, content] : geometry_files(result)) replacement.write(name, content);
   std::vector<NamedPicture> pictures;
   if (options.report)
-    pictures = report_pictures(result, result.environment.threads, Haste(options));
+    pictures =
+        report_pictures(result, result.environment.threads, Haste(options), options.picture_width);
   if (std::any_of(pictures.begin(), pictures.end(), is_left_out)) {
     std::erase_if(pictures, is_left_out);
     result.model.left_out["pictures"] = "stopped by the time limit or a signal";

@@ -84,10 +84,8 @@ std::string view_scene(const Result& result) {
   scene["fields"] = Json::array();
   for (const DrawnField& field : fields) {
     Json ticks = Json::array();
-    const std::vector<double> values = field.scale.ticks();
-    const double step =
-        values.size() > 1 ? values[1] - values[0] : field.scale.high - field.scale.low;
-    for (const double value : values) ticks.push_back(Json::array({value, tick_text(value, step)}));
+    for (const double value : field.scale.ticks())
+      ticks.push_back(Json::array({value, field.scale.text_at(value)}));
     const auto colours = colours_of(field.scale.map);
     scene["fields"].push_back(
         {{"title", field.scale.title},

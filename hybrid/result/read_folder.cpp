@@ -30,6 +30,7 @@ void add_surface(const fs::path& file, VesselResult& vessel) {
   vessel.axial_stretch = std::move(read.axial_stretch);
   vessel.twist_shear = std::move(read.twist_shear);
   vessel.contact_pressure = std::move(read.contact_pressure);
+  vessel.space = std::move(read.space);
 }
 
 void add_centerline(const fs::path& file, VesselResult& vessel) {

@@ -106,6 +106,7 @@ ReadVessel read_vessel_vtp(const std::filesystem::path& file) {
   vessel.axial_stretch = values_of(data, "AxialStretch");
   vessel.twist_shear = values_of(data, "TwistShear");
   vessel.contact_pressure = values_of(data, "ContactPressure");
+  vessel.space = data.space;
   try {
     boundary_loops(vessel.triangles);
   } catch (const InputError& error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <vasorod/types.h>
@@ -14,6 +15,7 @@ struct ReadVessel {
   Triangles triangles;
   /// Per vertex; empty: the file has none.
   Eigen::VectorXd axial_stretch, twist_shear, contact_pressure;
+  std::string space;  ///< SPACE: LPS or RAS; empty: the file does not say
 };
 
 /// NAME_centerline.vtp: the nodes and the polylines through them.

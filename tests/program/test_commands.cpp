@@ -77,6 +77,8 @@ TEST(Commands, DrawWritesThePictureThatIsAskedFor) {
                           " --up 1 0 0 --mark 10 0 50 --mark -10 0 50 --size 320 200"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(contents_of(scratch / "one.png").substr(1, 3), "PNG");
+  EXPECT_EQ(run_program(vasorod(draw + quoted("lettered.png") + " --lettering")).exit_code, 0);
+  EXPECT_GT(contents_of(scratch / "lettered.png").size(), contents_of(scratch / "one.png").size());
   EXPECT_EQ(run_program(vasorod(draw + quoted("none/one.png"))).exit_code, 3);
   for (const std::string& wrong :
        {draw + quoted("one.jpg"), draw + quoted("two.png") + " --only vein",
@@ -157,6 +159,27 @@ TEST(Commands, TwoRunsDifferInNothingButSeconds) {
     result.erase("seconds");
   }
   EXPECT_EQ(runs[0], runs[1]);
+}
+
+// The width is in the file's head (ISO 15948: bytes 16 to 19, the first the largest).
+TEST(Commands, PicturesHaveTheWidthThatIsAskedFor) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << pulled_tube("skin");
+  const std::string solve = "solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                            (scratch / "out").string() + "' --picture-width ";
+  ASSERT_EQ(run_program(vasorod(solve + "1600")).exit_code, 0);
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch / "out"))
+    if (entry.path().extension() == ".png") {
+      const std::string bytes = contents_of(entry.path());
+      int width = 0;
+      for (std::size_t k = 16; k < 20; ++k)
+        width = 256 * width + static_cast<unsigned char>(bytes.at(k));
+      EXPECT_EQ(width, 1600) << entry.path();
+      ++pictures;
+    }
+  EXPECT_GE(pictures, 4);
+  EXPECT_EQ(run_program(vasorod(solve + "10")).exit_code, 2);
 }
 
 // All but pictures and page is the same, to the byte; what is printed names no page.

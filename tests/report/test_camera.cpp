@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "report/camera.h"
+#include "report/picture.h"
+#include "report/solids.h"
 #include "result/example_result.h"
 
 namespace vasorod {
@@ -49,6 +51,38 @@ TEST(Camera, FacesTheSpotsThatNothingHides) {
   const Vec3 turned = facing_direction(beside, spots, Vec3::UnitZ());
   EXPECT_LT(turned.x(), 0.97) << "a vessel stands before it";
   EXPECT_GT(turned.x(), 0) << "from behind neither is seen";
+}
+
+TEST(Camera, TheSpotsCountBesideWhatIsWanted) {
+  const TriangleSurface vessel = test::tube(3, 30, 32, 60);
+  const std::vector<Seen> scene{{&vessel.points, true}};
+  for (const Vec3& side : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(-0.6, 0.8, 0)}) {
+    const std::vector<Spot> spots{{Vec3(0, 0, 15) + 3 * side, side, 1}};
+    EXPECT_GT(clearest_direction(scene, spots, Vec3::UnitZ()).dot(side), 0.6);
+  }
+  EXPECT_EQ(clearest_direction(scene, {}, Vec3::UnitZ()), clearest_direction(scene, Vec3::UnitZ()));
+}
+
+TEST(Camera, APointIsWhereItsDrawingIs) {
+  const TriangleSurface body = test::tube(5, 40, 24, 20);
+  Camera camera = fit_camera({{&body.points, true}}, Vec3(1, 2, 0.5), Vec3::UnitZ(), 4.0 / 3, 0.2);
+  for (const Vec3& at : {Vec3(5, 0, 3), Vec3(-2, 4, 30), Vec3(0, 0, 20)}) {
+    const TriangleSurface mark = ball(at, 0.5);
+    DrawnSurface surface;
+    surface.points = &mark.points;
+    surface.triangles = &mark.triangles;
+    const Picture picture = render({surface}, camera, 400, 300);
+    Vec2 sum = Vec2::Zero();
+    double count = 0;
+    for (int row = 0; row < 300; ++row)
+      for (int column = 0; column < 400; ++column)
+        if (picture.rgba[4 * static_cast<std::size_t>(400 * row + column) + 3] > 0) {
+          sum += Vec2(column + 0.5, row + 0.5);
+          ++count;
+        }
+    ASSERT_GT(count, 0);
+    EXPECT_LT((sum / count - pixel_of(camera, at, 400, 300)).norm(), 1);
+  }
 }
 
 TEST(Camera, LaysTheLongestAxisLevel) {

@@ -60,5 +60,27 @@ TEST(ColourScale, FitsTheFields) {
   EXPECT_GT(pressure.high, 0);
 }
 
+TEST(ColourScale, ReachesAtLeastAsFarAsItIsTold) {
+  const Eigen::VectorXd small = Eigen::Vector2d(0.99, 1.01), large = Eigen::Vector2d(0.5, 1.1);
+  const auto of = [](ColourMap map, const Eigen::VectorXd& values, double reach) {
+    const Eigen::VectorXd* const fields[] = {&values};
+    return scale_for(map, "", fields, map == ColourMap::diverging ? 1 : 0, reach);
+  };
+  EXPECT_DOUBLE_EQ(of(ColourMap::diverging, small, 0.2).low, 0.8);
+  EXPECT_DOUBLE_EQ(of(ColourMap::diverging, small, 0.2).high, 1.2);
+  EXPECT_DOUBLE_EQ(of(ColourMap::diverging, large, 0.2).high, 1.5);
+  EXPECT_DOUBLE_EQ(of(ColourMap::sequential, small, 3).low, 0);
+  EXPECT_DOUBLE_EQ(of(ColourMap::sequential, small, 3).high, 3);
+}
+
+TEST(ColourScale, TicksAreRoundInTheShownUnit) {
+  ColourScale scale{ColourMap::sequential, 0, 0.001, "pressure, mmHg"};
+  scale.shown_per = 1e6 / 133.322387415;  // MPa to mmHg
+  std::vector<std::string> texts;
+  for (const double tick : scale.ticks()) texts.push_back(scale.text_at(tick));
+  EXPECT_EQ(texts, (std::vector<std::string>{"0", "1", "2", "3", "4", "5", "6", "7"}));
+  EXPECT_NEAR(scale.ticks()[1], 133.322387415e-6, 1e-15);
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -59,9 +59,10 @@ TEST(DrawResult, AMarkIsSeenFromItsOwnSide) {
 }
 
 TEST(DrawResult, OneRangeOfColoursShowsTwoResultsAlike) {
-  const Result pressed = test::example_result();
+  Result pressed = test::example_result();
+  pressed.vessels[0].contact_pressure *= 10;  // 75 mmHg
   Result softer = pressed;
-  softer.vessels[0].contact_pressure *= 0.1;
+  softer.vessels[0].contact_pressure *= 0.2;  // above what every range reaches to
   DrawOptions options;
   options.colour = "contact_pressure";
   options.from = Vec3::UnitX();
@@ -80,7 +81,7 @@ TEST(DrawResult, OneRangeOfColoursShowsTwoResultsAlike) {
   const long own = dark(softer);
   EXPECT_NEAR(static_cast<double>(own), static_cast<double>(dark(pressed)), 2)
       << "each in its own range";
-  options.range = {{0, 1e-3}};
+  options.range = {{0, 1e-2}};
   EXPECT_GT(dark(pressed), 100);
   EXPECT_LT(dark(softer), dark(pressed) / 10);
 }
@@ -128,6 +129,23 @@ TEST(DrawResult, StripesArePaintedOnTheWall) {
   const auto blue = [](const Pixel& p) { return p[3] == 255 && p[2] > p[0] + 60; };
   const double all = static_cast<double>(count(pixels, is_drawn));
   EXPECT_NEAR(static_cast<double>(count(pixels, blue)) / all, 0.45, 0.2) << "about half of it";
+}
+
+TEST(DrawResult, LetteringIsAddedAndChangesNoBody) {
+  Result result = test::example_result();
+  const auto drawn = [&](bool lettering) {
+    DrawOptions options;
+    options.lettering = lettering;
+    return pixels_of(draw_result(result, options));
+  };
+  const auto plain = drawn(false), lettered = drawn(true);
+  EXPECT_GT(count(lettered, is_drawn), count(plain, is_drawn) + 300);
+  long changed = 0;
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    changed += plain[k][3] == 255 && plain[k] != lettered[k];
+  EXPECT_LT(changed, 200) << "the ends of the leaders";
+  for (VesselResult& vessel : result.vessels) vessel.space = "LPS";
+  EXPECT_GT(count(drawn(true), is_drawn), count(lettered, is_drawn) + 50) << "the patient's axes";
 }
 
 TEST(DrawResult, WhatCannotBeDrawnIsRefusedInASentence) {

@@ -16,7 +16,7 @@ void write_all(const std::filesystem::path& folder, const Result& result) {
   };
   write("result.json", to_json(result));
   for (const VesselResult& vessel : result.vessels) {
-    write(vessel.name + ".vtp", vessel_vtp(vessel));
+    write(vessel.name + ".vtp", vessel_vtp(vessel, stamp_of(result, vessel)));
     if (vessel.centerline)
       write(vessel.name + "_centerline.vtp", centerline_vtp(*vessel.centerline));
     if (vessel.stump) write(vessel.name + "_stump.vtp", surface_vtp(*vessel.stump));
@@ -25,7 +25,8 @@ void write_all(const std::filesystem::path& folder, const Result& result) {
 
 TEST(ReadFolder, ReadsBackWhatWasWritten) {
   const test::TemporaryFolder folder;
-  const Result written = test::example_result();
+  Result written = test::example_result();
+  written.vessels[0].space = "RAS";
   write_all(folder.path, written);
   const Result read = read_result_folder(folder.path);
   ASSERT_EQ(read.vessels.size(), written.vessels.size());
@@ -36,6 +37,8 @@ TEST(ReadFolder, ReadsBackWhatWasWritten) {
   EXPECT_EQ(b.axial_stretch, a.axial_stretch);
   EXPECT_EQ(b.twist_shear, a.twist_shear);
   EXPECT_EQ(b.contact_pressure, a.contact_pressure);
+  EXPECT_EQ(b.space, "RAS");
+  EXPECT_EQ(read.vessels[1].space, "");
   ASSERT_TRUE(b.centerline);
   EXPECT_EQ(b.centerline->current, a.centerline->current);
   EXPECT_EQ(b.centerline->radius, a.centerline->radius);

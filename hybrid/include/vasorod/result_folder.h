@@ -14,8 +14,9 @@ struct WriteOptions {
   /// Called before each picture; may be empty. Once `patience` seconds have passed since it was
   /// first true, the pictures that remain are left out, and model.left_out says so.
   std::function<bool()> stop;
-  double patience = 1;  ///< seconds
-  bool report = true;   ///< false: no pictures and no report.html, numbers and VTP only
+  double patience = 1;    ///< seconds
+  bool report = true;     ///< false: no pictures and no report.html, numbers and VTP only
+  int picture_width = 0;  ///< of every picture, pixels; 0: 640 and 760, for the page
 };
 
 /// Writes a result to `folder`. The folder must be absent, empty or an earlier result; it is

@@ -1,6 +1,8 @@
 // The interactive view of report.html: one canvas, WebGL, no library. The scene is JSON in the page. Positions are 16-bit steps of
 // the scene's box, fields are 16-bit steps of their scale.
 "use strict";
+// What is folded on the screen is printed too.
+window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
 (() => {
   const scene = JSON.parse(document.getElementById("scene").textContent);
   const canvas = document.querySelector("#stage canvas");

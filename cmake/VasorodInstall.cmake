@@ -13,3 +13,24 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/vasorodConfigVersion.cmake
 install(FILES ${CMAKE_BINARY_DIR}/vasorodConfig.cmake ${CMAKE_BINARY_DIR}/vasorodConfigVersion.cmake
   ${CMAKE_SOURCE_DIR}/cmake/FindCHOLMOD.cmake ${CMAKE_SOURCE_DIR}/cmake/FindOpenBLAS.cmake
   DESTINATION ${package_folder})
+
+# Scenes that run as they are, with the surfaces that they name, in the folders that they have here;
+# the schemas for editors.
+set(shared ${CMAKE_INSTALL_DATADIR}/vasorod)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/meshes/infant DESTINATION ${shared}/meshes
+  FILES_MATCHING PATTERN "*.vtp")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/benchmarks/cases/glenn
+  DESTINATION ${shared}/benchmarks/cases FILES_MATCHING PATTERN "infant*.yaml")
+install(FILES ${CMAKE_SOURCE_DIR}/examples/scene.yaml DESTINATION ${shared}/examples)
+install(FILES ${CMAKE_SOURCE_DIR}/schema/scene.schema.json
+  ${CMAKE_SOURCE_DIR}/schema/result.schema.json DESTINATION ${shared}/schema)
+install(FILES ${CMAKE_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# One completion for both programs: bash looks for a file of the command's name.
+set(completions ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${CMAKE_SOURCE_DIR}/packaging/completion/vasorod.bash
+  DESTINATION ${completions} RENAME vasorod)
+if(VASOROD_REFERENCE_FEM)
+  install(FILES ${CMAKE_SOURCE_DIR}/packaging/completion/vasorod.bash
+    DESTINATION ${completions} RENAME vasorod-fem)
+endif()

@@ -5,7 +5,7 @@
 
 namespace vasorod {
 
-/// The library's version, for example "0.1.0".
+/// The library's version, for example "0.2.0".
 std::string version();
 
 }  // namespace vasorod

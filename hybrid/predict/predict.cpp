@@ -10,6 +10,7 @@
 #include "judge/criteria.h"
 #include "numerics/blas.h"
 #include "predict/fidelity.h"
+#include "predict/fitted_vessels.h"
 #include "predict/input_hashes.h"
 #include "predict/kept_state.h"
 #include "predict/memory_need.h"
@@ -178,20 +179,44 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
   }
 }
 
+// Whether the fidelity has nothing that could touch the vessel.
+bool left_out(const VesselSpec& spec, const Fidelity& fidelity) {
+  return spec.role == Role::obstacle && !fidelity.surfaces;
+}
+
+PreparedVessel read_one(const VesselSpec& spec, const Scene& scene, EarlyStages& stages,
+                        InputHashes& inputs) {
+  stages.begin("reading vessel " + spec.name);
+  PreparedVessel vessel;
+  inputs.while_reading(spec, [&] { vessel = read_vessel(spec, scene); });
+  return vessel;
+}
+
 void read_vessels(const Fidelity& fidelity, EarlyStages& stages, InputHashes& inputs,
                   Prediction& prediction) {
   for (const VesselSpec& spec : prediction.scene->vessels) {
-    if (spec.role == Role::obstacle && !fidelity.surfaces) {
+    if (left_out(spec, fidelity)) {
       inputs.add(spec);
-      prediction.left_out["obstacle " + spec.name] =
-          "fidelity " + fidelity.name + ": no surface, nothing to touch";
       continue;
     }
-    stages.begin("reading vessel " + spec.name);
     PredictedVessel vessel;
-    inputs.while_reading(spec, [&] { vessel.prepared = read_vessel(spec, *prediction.scene); });
+    vessel.prepared = read_one(spec, *prediction.scene, stages, inputs);
     prediction.vessels.push_back(std::move(vessel));
   }
+}
+
+// Those of another scene with the same vessels.
+void take_vessels(const Fidelity& fidelity, const FittedVessels& fitted, Prediction& prediction) {
+  for (const PreparedVessel& vessel : fitted.vessels) {
+    if (left_out(vessel.spec, fidelity)) continue;
+    prediction.vessels.emplace_back().prepared = vessel;
+  }
+}
+
+void fit_one(PreparedVessel& vessel, const Scene& scene, EarlyStages& stages) {
+  if (vessel.obstacle()) return;
+  stages.begin("fitting vessel " + vessel.spec.name);
+  placed(line_of(scene, vessel.spec), [&] { fit(vessel); });
 }
 
 Stage rest_stage(const Prediction& prediction) {
@@ -256,21 +281,18 @@ FidelityChoice choose(const Scene& scene, const Prediction& prediction) {
   return choose_fidelity(scene, rods, dearest().name);
 }
 
-}  // namespace
-
-std::optional<std::string> SolveOptions::is_invalid() const {
-  if (threads < 1) return "threads: found " + std::to_string(threads) + ", expected at least 1";
-  if (!(patience >= 0))
-    return "patience: found " + number_text(patience) + ", expected seconds of at least 0";
-  return std::nullopt;
-}
-
-Result predict(const Scene& scene, const SolveOptions& given) {
+SolveOptions checked(const SolveOptions& given) {
   if (const auto fault = given.is_invalid()) throw InputError(*fault);
   SolveOptions options = given;
   if (!options.stop) options.stop = [] { return false; };
   if (!options.progress) options.progress = [](const std::string&) {};
   if (!options.solved) options.solved = [] {};
+  return options;
+}
+
+// `fitted`: null where the vessels have to be read and fitted first.
+Result predict_from(const Scene& scene, const SolveOptions& given, const FittedVessels* fitted) {
+  const SolveOptions options = checked(given);
   const Fidelity* fidelity = &checked_fidelity(scene, options);
   require_a_condition(scene);
   std::vector<double> sizes = stated_sizes(scene);
@@ -289,9 +311,18 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   Prediction prediction;
   prediction.scene = &scene;
   EarlyStages stages(options);
-  read_vessels(*fidelity, stages, inputs, prediction);
+  if (fitted == nullptr) {
+    read_vessels(*fidelity, stages, inputs, prediction);
+    prediction.inputs = inputs.hashes();
+  } else {
+    take_vessels(*fidelity, *fitted, prediction);
+    prediction.inputs = fitted->inputs;
+  }
+  for (const VesselSpec& spec : scene.vessels)
+    if (left_out(spec, *fidelity))
+      prediction.left_out["obstacle " + spec.name] =
+          "fidelity " + fidelity->name + ": no surface, nothing to touch";
   require_one_space(prediction);
-  prediction.inputs = inputs.hashes();
   prediction.scene_hash = inputs.scene();
   for (const PredictedVessel& vessel : prediction.vessels)
     for (std::size_t v = 0; v < sizes.size(); ++v)
@@ -301,8 +332,7 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   prediction.watch.lap("read");
   for (PredictedVessel& vessel : prediction.vessels) {
     if (vessel.prepared.obstacle()) continue;
-    stages.begin("fitting vessel " + vessel.prepared.spec.name);
-    placed(line_of(scene, vessel.prepared.spec), [&] { fit(vessel.prepared); });
+    if (fitted == nullptr) fit_one(vessel.prepared, scene, stages);
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   prediction.watch.lap("fit");
@@ -326,6 +356,38 @@ Result predict(const Scene& scene, const SolveOptions& given) {
   prediction.watch.lap("solve");
   options.solved();
   return whole_result(std::move(prediction), options.threads);
+}
+
+}  // namespace
+
+std::optional<std::string> SolveOptions::is_invalid() const {
+  if (threads < 1) return "threads: found " + std::to_string(threads) + ", expected at least 1";
+  if (!(patience >= 0))
+    return "patience: found " + number_text(patience) + ", expected seconds of at least 0";
+  return std::nullopt;
+}
+
+FittedVessels fit_vessels(const Scene& scene, const SolveOptions& given) {
+  const SolveOptions options = checked(given);
+  check_vessels(scene);
+  InputHashes inputs(scene);
+  set_blas_threads(options.threads);
+  EarlyStages stages(options);
+  FittedVessels fitted;
+  for (const VesselSpec& spec : scene.vessels) {
+    fitted.vessels.push_back(read_one(spec, scene, stages, inputs));
+    fit_one(fitted.vessels.back(), scene, stages);
+  }
+  fitted.inputs = inputs.hashes();
+  return fitted;
+}
+
+Result predict(const Scene& scene, const SolveOptions& options) {
+  return predict_from(scene, options, nullptr);
+}
+
+Result predict(const Scene& scene, const SolveOptions& options, const FittedVessels& fitted) {
+  return predict_from(scene, options, &fitted);
 }
 
 }  // namespace vasorod

@@ -5,8 +5,12 @@
 #include <numbers>
 #include <vector>
 
+#include <vasorod/read_scene.h>
+
 #include "obj_text.h"
+#include "predict/fitted_vessels.h"
 #include "predict/small_scenes.h"
+#include "program/small_glenn.h"
 #include "scratch_folder.h"
 
 namespace vasorod {
@@ -298,6 +302,25 @@ TEST(Predict, FidelityNamesGoFromCheapToExpensive) {
   ASSERT_GE(names.size(), 4u);
   EXPECT_EQ((std::vector<std::string>{names.begin(), names.begin() + 4}),
             (std::vector<std::string>{"rod", "skin", "paper", "coupled"}));
+}
+
+// Scenes that differ in their operation share their vessels, whichever of them comes first.
+TEST(Predict, VesselsFittedBeforeGiveTheSameResult) {
+  const Scene scene = read_scene_text(small_glenn("skin"));
+  const FittedVessels fitted = fit_vessels(scene);
+  const auto numbers = [](Result result) {
+    result.seconds.clear();
+    return to_json(result);
+  };
+  for (const char* fidelity : {"rod", "skin", "paper"})
+    for (const double rotation : {0.0, 40.0}) {
+      Scene turned = scene;
+      turned.glenn->rotation_deg = rotation;
+      SolveOptions options;
+      options.fidelity = fidelity;
+      EXPECT_EQ(numbers(predict(turned, options, fitted)), numbers(predict(turned, options)))
+          << fidelity << ' ' << rotation;
+    }
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ TEST_F(Sha256, MatchesThePublishedDigests) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST_F(Sha256, ATextHasTheDigestOfItsFile) {
+  EXPECT_EQ(sha256_of_text("abc"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256_of_text(""), sha256_of_file(write("empty", "")));
+}
+
 TEST_F(Sha256, RefusesAMissingFile) {
   EXPECT_THROW(sha256_of_file(folder / "none"), InputError);
 }

@@ -31,10 +31,23 @@ struct InitOptions {
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
+/// What the command line says over the scene's `explore`.
+struct ExploreCommandOptions {
+  std::filesystem::path scene, folder;
+  int threads = 1;
+  bool report = true;               ///< false: no pictures and no report.html
+  bool progress = false;            ///< a line on standard error that is written over
+  std::vector<std::string> stages;  ///< empty: the scene's
+  int best = 0;                     ///< 0: the scene's
+  std::function<bool()> stop;
+};
+
 int solve_command(const CommandOptions& options);    ///< 0 converged, 1 any other status
 int fit_command(const CommandOptions& options);      ///< 0
 int compare_command(const CommandOptions& options);  ///< 0
 int draw_command(const CommandOptions& options);     ///< 0
 int init_command(const InitOptions& options);        ///< 0
+/// 0 every option was tried and at least one converged at the last stage, 1 otherwise.
+int explore_command(const ExploreCommandOptions& options);
 
 }  // namespace vasorod

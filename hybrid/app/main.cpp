@@ -1,9 +1,11 @@
 // The program `vasorod`: command-line options and exit codes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <unistd.h>
 
 #include <vasorod/error.h>
@@ -116,6 +118,32 @@ void add_drawing(CLI::App* app, CommandOptions* command) {
   app->add_option("--size", draw->size, "Width and height, pixels")->check(CLI::Range(16, 8192));
 }
 
+void add_exploring(CLI::App* app, ExploreCommandOptions* options, Common* common) {
+  app->add_option("scene", options->scene, "Scene file (YAML) with surgery: glenn and explore")
+      ->required();
+  app->add_option("-o,--output", options->folder,
+                  "Folder: absent, empty or of an earlier exploration, which goes on")
+      ->required();
+  app->add_option("--threads", options->threads,
+                  "Options solved at once; by default one for each processor")
+      ->check(CLI::Range(1, 1024));
+  app->add_option("--stages", options->stages,
+                  "Fidelities, separated by commas: the first solves every option, each other one "
+                  "the best of the stage before; overrides the scene's")
+      ->delimiter(',')
+      ->check(CLI::IsMember(fidelity_names()));
+  app->add_option("--best", options->best,
+                  "Number of options that go on to the next stage; overrides the scene's")
+      ->check(CLI::Range(1, 1000));
+  app->add_option("--time-limit", common->time_limit,
+                  "Seconds after which it stops with what is finished")
+      ->check(number("a number of at least 0", [](double value) { return value >= 0; }));
+  app->add_flag_callback(
+      "--no-report", [options] { options->report = false; },
+      "No pictures and no report.html of kept options");
+  app->add_flag("-q,--quiet", common->quiet, "No progress");
+}
+
 bool has_command(const CLI::App& app, const std::string& name) {
   return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; })
               .empty();
@@ -165,6 +193,14 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   init->add_flag("-q,--quiet", common.quiet, "No progress");
 
+  ExploreCommandOptions explore_options;
+  explore_options.threads =
+      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  auto* explore = app.add_subcommand(
+      "explore",
+      "Solves the options of a scene's operation and ranks them; goes on where it stopped");
+  add_exploring(explore, &explore_options, &common);
+
   auto* compare = app.add_subcommand("compare", "How far two results of one scene are apart");
   compare->add_option("a", common.command.input, "Result folder A")->required();
   compare
@@ -179,7 +215,7 @@ int run(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first[0] != '-' && !has_command(app, first)) {
     std::cerr << "vasorod: found the command \"" << first
-              << "\", expected solve, fit, init, compare or draw\n";
+              << "\", expected solve, fit, init, explore, compare or draw\n";
     return 2;
   }
   try {
@@ -189,20 +225,22 @@ int run(int argc, char** argv) {
     std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
     return 2;
   }
-  if (*solve)
-    common.command.solve.stop = stop_on_signal_or_after(common.time_limit);
+  if (*solve || *explore)
+    common.command.solve.stop = explore_options.stop = stop_on_signal_or_after(common.time_limit);
   else
     end_on_signal();
-  if (!common.quiet && isatty(STDERR_FILENO) != 0)
+  explore_options.progress = !common.quiet && isatty(STDERR_FILENO) != 0;
+  if (explore_options.progress)
     common.command.solve.progress = init_options.progress = [](const std::string& what) {
       std::cerr << "vasorod: " << what << '\n';
     };
 
-  const int exit_code = *solve  ? solve_command(common.command)
-                        : *fit  ? fit_command(common.command)
-                        : *draw ? draw_command(common.command)
-                        : *init ? init_command(init_options)
-                                : compare_command(common.command);
+  const int exit_code = *solve     ? solve_command(common.command)
+                        : *fit     ? fit_command(common.command)
+                        : *draw    ? draw_command(common.command)
+                        : *init    ? init_command(init_options)
+                        : *explore ? explore_command(explore_options)
+                                   : compare_command(common.command);
   if (!std::cout.flush()) throw FileError("standard output: cannot be written");
   return exit_code;
 }

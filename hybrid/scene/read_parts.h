@@ -24,6 +24,9 @@ GlennSpec read_glenn(const Field& glenn, const std::vector<VesselSpec>& vessels,
                      const std::filesystem::path& folder, const Units& units);
 EndToEndSpec read_end_to_end(const Field& end_to_end, const std::vector<VesselSpec>& vessels,
                              const std::filesystem::path& folder, const Units& units);
+/// A slit (empty) or an ellipse.
+std::optional<IncisionEllipse> read_shape(const Field& field);
+ExploreSpec read_explore(const Field& explore);
 
 /// The vessel that a field names. If there is none, the message suggests the nearest name.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);

@@ -56,7 +56,7 @@ namespace {
 // `folder`: where the paths of surfaces and markups begin.
 Scene scene_of(const Field& root, const std::filesystem::path& folder) {
   root.check_keys({"scene", "units", "vessels", "ends", "contact", "surgery", "fidelity",
-                   "accuracy", "extrapolate",
+                   "accuracy", "explore", "extrapolate",
                    "study"});  // study: notes for the comparison's driver, not read here
   Scene scene;
   scene.name = root.at("scene", "the scene's name").text("the scene's name");
@@ -78,6 +78,11 @@ Scene scene_of(const Field& root, const std::filesystem::path& folder) {
       scene.end_to_end = read_end_to_end(*end_to_end, scene.vessels, folder, scene.units);
   }
   read_fidelity(root, scene);
+  if (const auto explore = root.find("explore")) {
+    if (!scene.glenn)
+      explore->refuse("it without surgery: glenn", "the operation whose options it lists");
+    scene.explore = read_explore(*explore);
+  }
   if (const auto extrapolate = root.find("extrapolate")) {
     scene.extrapolate = extrapolate->boolean();
     for (const VesselSpec& vessel : scene.vessels)
@@ -106,6 +111,7 @@ Scene read_scene_text(const std::string& text, const std::filesystem::path& fold
     scene.end_to_end->line = 0;
     for (RimSpec& rim : scene.end_to_end->rims) rim.line = 0;
   }
+  if (scene.explore) scene.explore->line = 0;
   scene.fidelity_line = 0;
   return scene;
 }

@@ -29,16 +29,6 @@ IncisionEllipse read_ellipse(const Field& field) {
   return ellipse;
 }
 
-std::optional<IncisionEllipse> read_shape(const Field& field) {
-  if (!field.is_map()) {
-    const std::string expected = "slit, {ellipse: RATIO} or {ellipse: {length: L, width: W}}";
-    if (field.text(expected) != "slit") field.refuse(field.found(), expected);
-    return std::nullopt;
-  }
-  field.check_keys({"ellipse"});
-  return read_ellipse(field.at("ellipse", "width over length, or {length: L, width: W}"));
-}
-
 // A control point of a markups file, in the scene's length unit.
 PickSpec read_markup(const Field& field, const std::filesystem::path& folder, const Units& units) {
   field.check_keys({"markup", "label"});
@@ -132,6 +122,16 @@ RimSpec read_rim(const Field& field, const std::vector<VesselSpec>& vessels,
 }
 
 }  // namespace
+
+std::optional<IncisionEllipse> read_shape(const Field& field) {
+  if (!field.is_map()) {
+    const std::string expected = "slit, {ellipse: RATIO} or {ellipse: {length: L, width: W}}";
+    if (field.text(expected) != "slit") field.refuse(field.found(), expected);
+    return std::nullopt;
+  }
+  field.check_keys({"ellipse"});
+  return read_ellipse(field.at("ellipse", "width over length, or {length: L, width: W}"));
+}
 
 EndToEndSpec read_end_to_end(const Field& field, const std::vector<VesselSpec>& vessels,
                              const std::filesystem::path& folder, const Units& units) {

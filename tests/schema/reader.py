@@ -24,7 +24,17 @@ write_markups(folder / "picks.mrk.json", {"cut": [3.3, 0, 10], "slit": [0, 0, 4]
 files = ("tube.obj", "aside.obj", "lidded.vtp", "picks.mrk.json")
 bases = {
     name: read_scene(Path(HERE) / f"{name}.yaml")
-    for name in ("rods", "pressed", "surfaces", "tubes", "opened", "picked", "inflated", "sewn")
+    for name in (
+        "rods",
+        "pressed",
+        "surfaces",
+        "tubes",
+        "opened",
+        "picked",
+        "inflated",
+        "sewn",
+        "explored",
+    )
 }
 
 # Rules that no schema can say, by the program's sentence: they need other parts of the scene, or

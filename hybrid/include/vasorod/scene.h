@@ -196,6 +196,26 @@ struct EndToEndSpec {
   int line = 0;  ///< line in the scene file, for messages
 };
 
+/// The options of a Glenn shunt that `vasorod explore` solves and ranks: every combination of the
+/// listed values. What is not listed is as in GlennSpec.
+struct ExploreSpec {
+  std::vector<double> cut_along,  ///< places of the cut, as PickSpec::along
+      cut_tilt_deg,               ///< degrees, as in GlennSpec
+      incision_along,             ///< places of the incision, as PickSpec::along
+      around_deg,                 ///< angles of the incision in degrees, as PickSpec::around_deg
+      incision_length;            ///< as in GlennSpec
+  std::vector<std::optional<double>> rotation_deg;  ///< degrees; an empty entry: automatic only
+  std::vector<std::optional<IncisionEllipse>> incision_shape;  ///< an empty entry: a slit
+  /// Fidelities, one for each stage: the first solves all options, each other one the `best` of the
+  /// stage before.
+  std::vector<std::string> stages{"skin", "coupled"};
+  int best = 10;  ///< number of options that go on to the next stage
+  /// By names of criteria (explore/ranking.h), without unit or in the criterion's; what is absent
+  /// has its default.
+  std::map<std::string, double> weights, thresholds;
+  int line = 0;  ///< line in the scene file, for messages
+};
+
 /// A scene: vessels, end conditions and what to solve.
 struct Scene {
   std::filesystem::path file;       ///< the scene file; empty: built in memory
@@ -207,6 +227,7 @@ struct Scene {
   std::optional<std::vector<std::array<std::string, 2>>> contact;
   std::optional<GlennSpec> glenn;          ///< a Glenn operation; empty: none
   std::optional<EndToEndSpec> end_to_end;  ///< an end-to-end join, instead of it; empty: none
+  std::optional<ExploreSpec> explore;      ///< for `vasorod explore` alone; empty: none
   std::optional<std::string> fidelity;     ///< one of fidelity_names(); empty if `accuracy` is set
   int fidelity_line = 0;                   ///< line in the scene file, for messages
   std::optional<double> accuracy;          ///< requested accuracy: RMS distance over R

@@ -1,0 +1,35 @@
+// Jobs in processes of their own, a few at once. METIS draws its orderings from the C library's one
+// sequence of random numbers: solved in threads of one process, options would differ in rounding
+// from run to run. A process that crashes or finds no memory loses one option, and one in the
+// middle of a factorisation can be ended at any time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace vasorod {
+
+/// How a job ended.
+struct ApartEnding {
+  std::optional<std::string> answer;      ///< what the job returned
+  std::optional<std::string> file_error;  ///< the sentence of a FileError that it threw
+  /// Otherwise, one sentence: another exception, or how the process ended.
+  std::string failure;
+};
+
+struct ApartOptions {
+  int at_once = 1;              ///< processes at once, at least 1
+  std::function<bool()> stop;   ///< asked ten times a second; true ends the processes
+  std::function<void()> begin;  ///< called first in each process; may be empty
+};
+
+/// Calls job(0) to job(count - 1), each in a forked process that has the state of this one, and
+/// take(k, ending) in this process in the order in which they end. Call it while this process has
+/// one thread. A process ends with its parent, however that ends. False: it was stopped; what had
+/// not ended is not taken. An exception of `take` ends the processes too.
+bool run_apart(int count, const std::function<std::string(int)>& job,
+               const std::function<void(int, const ApartEnding&)>& take,
+               const ApartOptions& options);
+
+}  // namespace vasorod

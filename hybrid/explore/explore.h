@@ -1,0 +1,46 @@
+// Solves the options of a scene's operation and ranks them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vasorod/scene.h>
+
+#include "explore/options.h"
+#include "explore/ranking.h"
+
+namespace vasorod {
+
+/// What is under way.
+struct ExploreProgress {
+  std::string doing;     ///< "skin", a stage's fidelity; "fitting vessel svc"; "drawing"
+  int done = 0, of = 0;  ///< options; of 0: no options yet
+  std::optional<double> seconds_left;  ///< of this stage, at the pace so far
+};
+
+struct ExploreRequest {
+  std::filesystem::path folder;
+  int threads = 1;     ///< options at once, each in a process of its own with one thread
+  bool report = true;  ///< pictures and report.html of kept results, pictures of index.html
+  std::function<bool()> stop = [] { return false; };
+  std::function<void(const ExploreProgress&)> progress = [](const ExploreProgress&) {};
+  std::function<void()> begin_process;  ///< called first in each process; may be empty
+};
+
+struct ExploreSummary {
+  std::vector<RankedRow> rows;  ///< every option
+  bool finished = false;        ///< false: it was stopped before its end
+  int found = 0;                ///< solves that an earlier exploration had done
+};
+
+/// Solves the options of `scene.explore` stage by stage. The folder has every finished option at
+/// once, options.csv at most a second later; options that it has already, of the same scene,
+/// option, fidelity and program, are not solved again. Those of the last stage are kept with their
+/// result folders. Numbers do not depend on `threads`. An option that cannot be built is a row with
+/// its sentence. Throws InputError, FileError, StoppedEarly while the vessels are fitted.
+ExploreSummary explore(const Scene& scene, const ExploreRequest& request);
+
+}  // namespace vasorod

@@ -1,0 +1,29 @@
+// Names of options that change with everything their numbers depend on.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <vasorod/scene.h>
+
+#include "explore/options.h"
+
+namespace vasorod {
+
+/// Names for the options of one scene.
+class OptionNames {
+ public:
+  /// `inputs`: FittedVessels::inputs. Reads the scene's file again; a scene made in C++ has none,
+  /// and only its inputs count. Throws InputError or FileError where the file cannot be read.
+  OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs);
+
+  /// 16 hexadecimal digits: the first of the SHA-256 of the program's version, the scene without
+  /// comments, `explore`, `fidelity`, `accuracy` and `study`, the hashes of its files, and the
+  /// option's values.
+  std::string of(const Option& option) const;
+
+ private:
+  std::string common_;
+};
+
+}  // namespace vasorod

@@ -1,0 +1,76 @@
+#include "explore/table.h"
+
+#include <cmath>
+
+#include "data/sentence.h"
+
+namespace vasorod {
+namespace {
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? number_text(value) : "";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "; ") + word;
+  return text;
+}
+
+std::string line_of(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + cells[i];
+  return line + "\r\n";
+}
+
+std::vector<std::string> cells_of(const RankedRow& ranked, const std::vector<std::string>& keys) {
+  const Row& row = ranked.row;
+  const bool solved = row.ending == Ending::solved;
+  std::vector<std::string> cells{ranked.rank > 0 ? std::to_string(ranked.rank) : "", row.option};
+  for (const std::string& key : keys) {
+    std::string value;
+    for (const auto& [name, text] : row.values)
+      if (name == key) value = text;
+    cells.push_back(cell(value));
+  }
+  for (const std::string& text :
+       {row.fidelity, to_string(row.ending), solved ? to_string(row.status) : "",
+        row.in_range ? std::string(*row.in_range ? "true" : "false") : "", to_string(ranked.mark)})
+    cells.push_back(cell(text));
+  cells.push_back(cell(ranked.score));
+  for (const RankingCriterion& criterion : ranking_criteria()) {
+    const auto value = row.criteria.find(criterion.name);
+    cells.push_back(value == row.criteria.end() ? "" : cell(value->second));
+  }
+  cells.push_back(cell(joined(ranked.past)));
+  cells.push_back(solved ? cell(row.seconds) : "");
+  cells.push_back(cell(row.folder));
+  cells.push_back(cell(joined(row.sentences)));
+  return cells;
+}
+
+}  // namespace
+
+std::string options_csv(const std::vector<RankedRow>& rows, const std::vector<std::string>& keys) {
+  std::vector<std::string> names{"rank", "option"};
+  names.insert(names.end(), keys.begin(), keys.end());
+  for (const char* name : {"fidelity", "ending", "status", "in_range", "mark", "score"})
+    names.emplace_back(name);
+  for (const RankingCriterion& criterion : ranking_criteria()) names.push_back(criterion.name);
+  for (const char* name : {"past", "seconds", "folder", "sentence"}) names.emplace_back(name);
+  std::string csv = line_of(names);
+  for (const RankedRow& row : rows) csv += line_of(cells_of(row, keys));
+  return csv;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "explore/table.h"
+
+namespace vasorod::testing {
+namespace {
+
+// An independent reader of RFC 4180.
+std::vector<std::vector<std::string>> cells_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> lines(1, std::vector<std::string>(1));
+  bool quoted = false;
+  for (std::size_t i = 0; i < csv.size(); ++i) {
+    const char c = csv[i];
+    if (quoted && c == '"' && i + 1 < csv.size() && csv[i + 1] == '"')
+      lines.back().back() += csv[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && c == ',')
+      lines.back().emplace_back();
+    else if (!quoted && c == '\r')
+      continue;
+    else if (!quoted && c == '\n')
+      lines.emplace_back(1);
+    else
+      lines.back().back() += c;
+  }
+  lines.pop_back();
+  return lines;
+}
+
+TEST(Table, EveryLineHasEveryColumnAndTextsComeBack) {
+  RankedRow solved;
+  solved.row.option = "0123456789abcdef";
+  solved.row.values = {{"cut_along", "0.5"}, {"rotation_deg", "auto"}};
+  solved.row.fidelity = "skin";
+  solved.row.ending = Ending::solved;
+  solved.row.status = Status::converged;
+  solved.row.in_range = true;
+  solved.row.criteria = {{"twist_shear", 0.125}};
+  solved.row.sentences = {"one, \"quoted\"", "two\nlines"};
+  solved.rank = 1;
+  solved.score = 0.25;
+  solved.past = {"mouth", "lumen"};
+  RankedRow refused;
+  refused.row.ending = Ending::not_built;
+  refused.score = std::numeric_limits<double>::quiet_NaN();
+  const auto lines = cells_of(options_csv({solved, refused}, {"cut_along", "rotation_deg"}));
+  ASSERT_EQ(lines.size(), 3U);
+  for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
+  const auto cell = [&](std::size_t line, const std::string& name) {
+    for (std::size_t k = 0; k < lines[0].size(); ++k)
+      if (lines[0][k] == name) return lines[line][k];
+    return "no column " + name;
+  };
+  EXPECT_EQ(cell(1, "rank"), "1");
+  EXPECT_EQ(cell(1, "option"), "0123456789abcdef");
+  EXPECT_EQ(cell(1, "rotation_deg"), "auto");
+  EXPECT_EQ(cell(1, "status"), "converged");
+  EXPECT_EQ(cell(1, "score"), "0.25");
+  EXPECT_EQ(cell(1, "twist_shear"), "0.125");
+  EXPECT_EQ(cell(1, "mouth"), "");
+  EXPECT_EQ(cell(1, "past"), "mouth; lumen");
+  EXPECT_EQ(cell(1, "sentence"), "one, \"quoted\"; two\nlines");
+  EXPECT_EQ(cell(2, "rank"), "");
+  EXPECT_EQ(cell(2, "ending"), "not_built");
+  EXPECT_EQ(cell(2, "status"), "");
+  EXPECT_EQ(cell(2, "score"), "");
+}
+
+}  // namespace
+}  // namespace vasorod::testing

@@ -1,6 +1,6 @@
-"""The join: two generated tubes in a T, the vein's end on a slit or on an elliptic hole, against
-the reference's 7-parameter shell of the same law. Over thickness, mesh and length of the
-incision."""
+"""The join: two generated tubes in a T, the vein's end on a slit or on an elliptic hole, or end to
+end, against the reference's 7-parameter shell of the same law. Over thickness, mesh and length of
+the incision."""
 
 import copy
 import json
@@ -13,13 +13,18 @@ from cases import text_of
 from measure import converged, failed_of, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
-from tables import provenance, read_table, write_table
+from tables import extended, provenance, read_table, write_table
 
-SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "tubes.yaml"
-OPENINGS = {"slit": {}, "ellipse": {"incision_shape": {"ellipse": 0.5}}}
+CASES = REPOSITORY / "benchmarks" / "cases"
+OPENINGS = {  # the scene and what is added to its surgery
+    "slit": (CASES / "glenn" / "tubes.yaml", {}),
+    "ellipse": (CASES / "glenn" / "tubes.yaml", {"incision_shape": {"ellipse": 0.5}}),
+    "end to end": (CASES / "end_to_end" / "tubes.yaml", {}),
+}
 THICKNESS = (1.0, 0.5, 0.25)  # factors on both walls
 LAWS = ("biot", "neo-hookean")
-AROUND = (40, 60, 80)  # points around the vein; the artery's mesh is as fine
+AROUND = (40, 60, 80)  # points around the first vessel; the second's mesh is as fine
+FINEST = 120  # of full thickness and neo-Hookean walls, for the order of convergence
 LENGTHS = (1.0, 1.1, 1.2, 1.3, 1.4, 1.5)  # of a slit, over half the rim's perimeter
 CELLS = 24  # of the shell around the seam, and those refined by 3/2
 TOLERANCE = 0.005  # of a mouth's area and an energy in `check`
@@ -27,10 +32,12 @@ FILE = "join.csv"
 
 
 def scene(opening, thickness, law, around, length):
-    made = copy.deepcopy(yaml.safe_load(SCENE.read_text()))
-    made["surgery"]["glenn"].update(OPENINGS[opening])
+    path, added = OPENINGS[opening]
+    made = copy.deepcopy(yaml.safe_load(path.read_text()))
+    (operation,) = made["surgery"].values()
+    operation.update(added)
     if length != 1:
-        made["surgery"]["glenn"]["incision_length"] = length
+        operation["incision_length"] = length
     finer = around / made["vessels"][0]["tube"]["around"]
     for vessel in made["vessels"]:
         vessel["wall"]["thickness"] *= thickness
@@ -41,7 +48,7 @@ def scene(opening, thickness, law, around, length):
 
 
 def name_of(opening, thickness, length):
-    return f"join-{opening}-t{thickness:g}-l{length:g}"
+    return f"join-{opening.replace(' ', '_')}-t{thickness:g}-l{length:g}"
 
 
 def hybrid_run(opening, thickness, law, fidelity="coupled", around=60, length=1.0):
@@ -73,7 +80,8 @@ def pairs():
         for thickness in THICKNESS:
             for law in LAWS:
                 shell = shell_run(opening, thickness, law)
-                for around in AROUND:
+                finest = (FINEST,) if thickness == 1 and law == "neo-hookean" else ()
+                for around in (*AROUND, *finest):
                     run = hybrid_run(opening, thickness, law, around=around)
                     yield opening, thickness, law, 1.0, "coupled", around, run, shell
             run = hybrid_run(opening, thickness, "biot", "paper")
@@ -91,7 +99,7 @@ def all_runs():
 
 
 def distances(store, run, shell):
-    """RMS distance of each vessel's material points over its radius."""
+    """RMS distance of each vessel's material points over its radius, in the scene's order."""
     folders = [str(store.folder(one.identity) / "result") for one in (run, shell)]
     done = subprocess.run(
         [str(store.programs["vasorod"]), "compare", *folders, "--json"],
@@ -100,9 +108,12 @@ def distances(store, run, shell):
     )
     if done.returncode != 0:
         raise SystemExit(f"{run.identity}, {shell.identity}: {done.stderr.strip()}")
-    return {
-        vessel["vessel"]: vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]
-    }
+    return [vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]]
+
+
+def mouth_of(result):
+    """The mouth of the operation, whichever it is."""
+    return (result.get("glenn") or result["end_to_end"])["mouth"]
 
 
 def support(result):
@@ -114,19 +125,20 @@ def numbers(store, run, shell):
     mine, its = result_of(store, run.identity), result_of(store, shell.identity)
     coupled = mine["fidelity"] == "coupled"
     # `paper` solves no rod of the artery and so states no support of it: nothing to compare with
-    apart = distances(store, run, shell) if coupled else {"vein": None, "artery": None}
+    first, second = distances(store, run, shell) if coupled else (None, None)
+    mouth = mouth_of(mine)
     energy = mine["energy"]["total"] if coupled else None
     return {
-        "mouth": mine["glenn"]["mouth"]["area"],
-        "mouth_reference": its["glenn"]["mouth"]["area"],
-        "span": mine["glenn"]["mouth"]["span"],
-        "width": mine["glenn"]["mouth"]["width"],
+        "mouth": mouth["area"],
+        "mouth_reference": mouth_of(its)["area"],
+        "span": mouth["span"],
+        "width": mouth["width"],
         "energy": energy,
         "energy_reference": its["energy"]["total"],
         "support": support(mine) if coupled else None,
         "support_reference": support(its),
-        "rms_vein": apart["vein"],
-        "rms_artery": apart["artery"],
+        "rms_first": first,
+        "rms_second": second,
         "own_error": its["discretisation"]["error_estimate"],
         "seconds": store.record(run.identity)["processor_seconds"],
         "seconds_reference": store.record(shell.identity)["processor_seconds"],
@@ -136,7 +148,7 @@ def numbers(store, run, shell):
 
 COLUMNS = (
     *("mouth", "mouth_reference", "span", "width", "energy", "energy_reference", "support"),
-    *("support_reference", "rms_vein", "rms_artery", "own_error", "seconds", "seconds_reference"),
+    *("support_reference", "rms_first", "rms_second", "own_error", "seconds", "seconds_reference"),
     *counts.COLUMNS,
 )
 
@@ -157,20 +169,18 @@ def measured(store, named_pairs, solved=converged):
 
 def make_table(store, path):
     keys = ("opening", "thickness", "law", "length", "fidelity", "around")
-    rows, records = measured(store, ((dict(zip(keys, pair)), *pair[-2:]) for pair in pairs()))
+    plan = list(pairs())
+    rows, records = measured(store, ((dict(zip(keys, pair)), *pair[-2:]) for pair in plan))
     if rows:
-        write_table(
-            path,
-            rows,
-            [
-                (
-                    "The T-join against the reference's shell of the same law: mouth in mm2, energy"
-                    " in N mm, largest support force in N, RMS over R, processor time in s;"
-                    " own_error is the shell's"
-                ),
-                *provenance(records),
-            ],
-        )
+        notes = [
+            (
+                "Joins against the reference's shell of the same law: mouth in mm2, energy"
+                " in N mm, largest support force in N, RMS over R, processor time in s;"
+                " own_error is the shell's"
+            ),
+            *provenance(records),
+        ]
+        write_table(path, *extended(path, keys, [pair[: len(keys)] for pair in plan], rows, notes))
 
 
 def drifts(old_rows, new_numbers, tolerance=TOLERANCE):
@@ -217,7 +227,7 @@ def check(store, baselines, quick=False, again=False):
             now.append(None)
             continue
         result = result_of(store, run.identity)
-        mouth, energy = result["glenn"]["mouth"]["area"], result["energy"]["total"]
+        mouth, energy = mouth_of(result)["area"], result["energy"]["total"]
         now.append({"mouth": mouth, "energy": energy, **counts.counts_of(result)})
     found = drifts(rows, now)
     for sentence in found:

@@ -64,6 +64,26 @@ def read_table(path):
     return rows, notes
 
 
+def extended(path, keys, plan, rows, notes):
+    """The table at `path` with `rows` in the place of those with the same `keys`, in the order of
+    `plan` (a list of the keys' values), and its comment lines: so a plan can grow without all of it
+    being run again. A row that is no longer in the plan is left out."""
+
+    def by_keys(some):
+        return {tuple(row[key] for key in keys): row for row in some}
+
+    old_rows, old_notes = read_table(path) if Path(path).exists() else ([], [])
+    fresh, old = by_keys(rows), by_keys(old_rows)
+    merged = []
+    for values in map(tuple, plan):
+        if values in fresh:
+            merged.append(fresh[values])
+        elif values in old:
+            merged.append({name: old[values].get(name) for name in rows[0]})
+    kept = len(merged) - len(fresh)
+    return merged, [*notes, *(f"{kept} rows from before, {note}" for note in old_notes[1:] if kept)]
+
+
 def value_or_range(values, form):
     low, high = form(min(values)), form(max(values))
     return low if low == high else f"{low} to {high}"

@@ -10,13 +10,13 @@ import yaml
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
-from chapters.join import join_section  # noqa: E402
+from chapters.join import join_section, limit_and_order  # noqa: E402
 from finished import comparing, leave  # noqa: E402
 from measure import converged, result_of  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
-base = yaml.safe_load(join.SCENE.read_text())
+base = yaml.safe_load(join.OPENINGS["slit"][0].read_text())
 made = yaml.safe_load(join.scene("ellipse", 0.25, "neo-hookean", 80, 1.2))
 for before, after in zip(base["vessels"], made["vessels"]):
     assert after["wall"]["thickness"] == before["wall"]["thickness"] / 4
@@ -30,6 +30,11 @@ unchanged = yaml.safe_load(join.scene("slit", 1.0, "biot", 60, 1.0))
 for vessel in unchanged["vessels"]:
     assert vessel.pop("law") == "biot"
 assert unchanged == base
+ends = yaml.safe_load(join.scene("end to end", 0.5, "biot", 72, 1.0))
+assert ends["surgery"] == yaml.safe_load(join.OPENINGS["end to end"][0].read_text())["surgery"]
+assert [vessel["wall"]["thickness"] for vessel in ends["vessels"]] == [0.225, 0.2]
+assert [vessel["tube"]["around"] for vessel in ends["vessels"]] == [72, 72]
+assert join.mouth_of({"end_to_end": {"mouth": 1}}) == join.mouth_of({"glenn": {"mouth": 1}}) == 1
 
 runs = join.all_runs()
 assert len({run.identity for run in runs}) == len(runs)
@@ -72,7 +77,7 @@ assert [(row["fidelity"], row["around"]) for row in rows] == [
     ("coupled", 60),
     ("paper", 60),
 ]
-assert rows[0]["mouth"] == 7 and rows[0]["support"] == 9 and rows[0]["rms_artery"] == 0.02
+assert rows[0]["mouth"] == 7 and rows[0]["support"] == 9 and rows[0]["rms_second"] == 0.02
 assert rows[1]["failure"] == "status iteration_limit" and rows[1]["mouth"] is None
 assert rows[0]["solves"] == 40 and rows[1]["solves"] is None
 assert rows[2]["energy"] is None and rows[2]["support_reference"] == 10
@@ -84,7 +89,7 @@ with tempfile.TemporaryDirectory() as scratch:
     for run in runs:
         assert converged(store, store.ensure(run)), run.identity
     apart = join.distances(store, *runs)
-    assert set(apart) == {"vein", "artery"} and all(0 < rms < 1 for rms in apart.values()), apart
+    assert len(apart) == 2 and all(0 < rms < 1 for rms in apart), apart
     assert join.support(result_of(store, runs[0].identity)) > 0
 
 text = join_section(rows, notes)
@@ -95,6 +100,15 @@ assert (
 assert "| slit | 1 | biot | coupled | 60 | status iteration_limit | -" in text, text
 assert "| slit | 1 | biot | paper | 60 | 8.00 | 9.00 | +12.50 | - | - |" in text, text
 assert "| slit | biot | coupled | 40 | 12.50 | 2.0 | 2.0 |" in text, text
+
+limit, order = limit_and_order({n: 8.0 - 300 * n**-1.5 for n in (40, 60, 80, 120)})
+assert abs(limit - 8) < 1e-6 and order == 1.5, (limit, order)
+finer = [
+    {**rows[0], "law": "neo-hookean", "around": n, "mouth": 8.0 - 320 / n**2}
+    for n in (40, 60, 80, 120)
+]
+text = join_section(finer, notes)
+assert "7.978 (120) | 2.0 | 8.000 | +0.00 |" in text, text
 
 now = [{"mouth": 7.02, "energy": 0.0501}, None]
 assert join.drifts(rows[:2], now) == []

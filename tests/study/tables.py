@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
-from tables import markdown, provenance, read_table, write_table  # noqa: E402
+from tables import extended, markdown, provenance, read_table, write_table  # noqa: E402
 
 records = [
     {"identity": f"case/{k}", "program": "vasorod", "program_sha256": "a" * 64, "commit": commit}
@@ -30,3 +30,25 @@ assert (
 )
 assert abs(back[0]["rms"] / rows[0]["rms"] - 1) < 1e-5 and back[1]["rms"] == 0.25
 assert markdown(("a", "b"), [(1, "x")]) == "| a | b |\n| --- | --- |\n| 1 | x |\n"
+
+# A plan that grew: what was run now stands in its place, the rest stays, what the plan has dropped
+# goes, and a column that is new is empty where nothing was run.
+with tempfile.TemporaryDirectory() as scratch:
+    file = Path(scratch) / "table.csv"
+    old = [{"case": name, "around": k, "rms": 1.0} for name, k in (("a", 1), ("b", 2), ("c", 3))]
+    write_table(file, old, ["what", "vasorod aaa: 3 runs at c1"])
+    now = [{"case": name, "around": k, "rms": 2.0, "new": 5} for name, k in (("b", 2), ("d", 4))]
+    plan = [("d", 4), ("a", 1), ("b", 2)]
+    merged, lines = extended(file, ("case", "around"), plan, now, ["what", "vasorod bbb: 2 runs"])
+    nowhere = extended(Path(scratch) / "none.csv", ("case", "around"), plan, now, ["what"])
+assert [(row["case"], row["rms"], row["new"]) for row in merged] == [
+    ("d", 2.0, 5),
+    ("a", 1.0, None),
+    ("b", 2.0, 5),
+], merged
+assert lines == [
+    "what",
+    "vasorod bbb: 2 runs",
+    "1 rows from before, vasorod aaa: 3 runs at c1",
+], lines
+assert [row["case"] for row in nowhere[0]] == ["d", "b"] and nowhere[1] == ["what"]

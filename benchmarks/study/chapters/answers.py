@@ -269,9 +269,9 @@ def pressures(inflated):
 
 
 def joins(join, pressure):
-    """Mouths at 60 points around the vein."""
+    """Mouths at 60 points around the first vessel."""
     lines = []
-    for opening in ("slit", "ellipse"):
+    for opening in ("slit", "ellipse", "end to end"):
         for law in ("biot", "neo-hookean"):
             mine = [
                 row
@@ -295,11 +295,11 @@ def joins(join, pressure):
     return [
         "## How open is the mouth of a join?\n",
         paragraph(
-            "Two tubes in a T, the vein on a slit of half its perimeter or on an ellipse,",
-            "`coupled` with 60 points around the vein against the shell of the same law. Without",
-            "pressure a",
-            "slit is nearly shut, which makes its mouth the hardest number to predict.",
-            link("Thinner walls, longer slits, forces, times", "the-join"),
+            "Two tubes in a T, the vein on a slit of half its perimeter or on an ellipse, and two",
+            "tubes of unequal radius end to end: `coupled` with 60 points around the vein against",
+            "the shell of the same law. Without pressure a slit is nearly shut, which makes its",
+            "mouth the hardest number to predict.",
+            link("Thinner walls, longer slits, order, forces, times", "the-join"),
             "and " + link("pressures", "the-join-under-pressure") + ".",
         ),
         markdown(

@@ -17,8 +17,8 @@ def mouth_table(rows):
             f"{row['span']:.2f} x {row['width']:.2f}",
             signed(over(row, "energy")),
             signed(over(row, "support")),
-            percent(row["rms_vein"]),
-            percent(row["rms_artery"]),
+            percent(row["rms_first"]),
+            percent(row["rms_second"]),
             percent(row["own_error"]),
             f"{row['seconds']:.1f}",
         ]

@@ -112,8 +112,14 @@ std::string facts(const Result& result) {
     html += fact("Largest twist shear", peak(twist), "");
     if (result.fidelity != "rod") {  // without surfaces there is no lumen and no contact
       html += fact("Smallest lumen over rest", peak(lumen), "");
-      html += fact("Largest contact pressure", peak(pressure * mmhg_per(result.stress_unit)),
-                   unit("mmHg (" + cell_text(pressure) + " " + result.stress_unit + ")"));
+      const bool touching = std::any_of(
+          result.vessels.begin(), result.vessels.end(),
+          [](const VesselResult& vessel) { return vessel.contact_pressure.size() > 0; });
+      if (!touching)
+        html += fact("Largest contact pressure", "not modelled", "");
+      else
+        html += fact("Largest contact pressure", peak(pressure * mmhg_per(result.stress_unit)),
+                     unit("mmHg (" + cell_text(pressure) + " " + result.stress_unit + ")"));
     }
   }
   if (const auto joined = joined_vessels(result))

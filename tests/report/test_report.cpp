@@ -161,6 +161,9 @@ TEST(Report, WithoutSurfacesThereIsNoLumenAndNoContact) {
   result.fidelity = "rod";
   EXPECT_FALSE(has(page_of(result), "<dt>Smallest lumen over rest</dt>"));
   EXPECT_FALSE(has(page_of(result), "<dt>Largest contact pressure</dt>"));
+  result.fidelity = "skin";  // surfaces that do not feel each other
+  for (VesselResult& vessel : result.vessels) vessel.contact_pressure.resize(0);
+  EXPECT_TRUE(has(page_of(result), "<dt>Largest contact pressure</dt><dd>not modelled</dd>"));
 }
 
 Result fitted() {

@@ -23,7 +23,7 @@ The keys are also described for programs in
 [`schema/scene.schema.json`](../schema/scene.schema.json). An editor that knows YAML schemas
 completes and checks a scene that begins with
 
-```yaml
+```text
 # yaml-language-server: $schema=PATH/TO/schema/scene.schema.json
 ```
 
@@ -279,7 +279,9 @@ LIBRARY_INTRO = """
 The library is the hybrid model without the command line. `vasorod::predict` takes a scene and
 returns a result; both are plain data. Build and install it, then link `vasorod::vasorod`:
 
-```
+<!-- not run: builds the project; tests/consumer does the rest -->
+
+```sh
 ./run build
 cmake --install build --prefix DIR
 cmake -S examples -B build-examples -DCMAKE_PREFIX_PATH=DIR

@@ -25,7 +25,7 @@ struct Counts {
     factor_nonzeros = std::max(factor_nonzeros, other.factor_nonzeros);
     return *this;
   }
-  bool operator==(const Counts&) const = default;
+  bool operator==(const Counts&) const = default;  ///< whether all counts are the same
 };
 
 }  // namespace vasorod

@@ -273,10 +273,10 @@ struct CenterlineResult {
   std::vector<Vec3> force,
       /// Moment of the section, stress length^3, work-conjugate to u; as u; may be empty.
       moment;
-  /// Per node: lumen area, length^2, and flattening 1 - H / H_rest of the section; NaN where the
-  /// section is not one closed curve. Both may be empty.
-  std::vector<double> lumen_area, flattening;
-  std::vector<std::vector<int>> lines;  ///< node indices of each branch
+  /// Lumen area of each node's section, length^2; NaN where the section is not one closed curve;
+  /// may be empty, as flattening.
+  std::vector<double> lumen_area, flattening;  ///< 1 - H / H_rest, H: the narrowest mid-wall width
+  std::vector<std::vector<int>> lines;         ///< node indices of each branch
 };
 
 /// One vessel as written. Per-vertex fields are empty if they were not modelled.

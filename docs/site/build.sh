@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The documentation site: build.sh FOLDER. Pages, the C++ reference (Doxygen), the search; every link
-# inside the site is checked, and that nothing is fetched from another machine.
+# The documentation site: build.sh FOLDER. Pages, the C++ reference (Doxygen), the search; every
+# link inside the site is checked, and that nothing is fetched from another machine.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 folder=$1
@@ -16,7 +16,8 @@ mkdir -p "$staging" "$(dirname "$folder")"
   echo "OUTPUT_DIRECTORY = $staging/pages/api"
   echo "HTML_OUTPUT = cpp"
 } >"$staging/Doxyfile"
-doxygen "$staging/Doxyfile" >"$staging/doxygen.log" 2>&1 || { cat "$staging/doxygen.log" >&2; exit 1; }
+doxygen "$staging/Doxyfile" >"$staging/doxygen.log" 2>&1 ||
+  { cat "$staging/doxygen.log" >&2; exit 1; }
 "$python" -m mkdocs build --strict -f "$staging/mkdocs.yml" -d "$PWD/$folder"
 "$python" docs/site/check_links.py "$folder"
 echo "run: $folder/index.html; its search needs a server:"

@@ -18,7 +18,7 @@ def link(text, anchor):
 
 
 def figure(name, text):
-    return f"![{text}]({IMAGES}/{name}.svg)\n\n" + paragraph(f"*{text}*")
+    return paragraph(f"![{text}]({IMAGES}/{name}.svg)") + "\n" + paragraph(f"*{text}*")
 
 
 def head(accuracy):
@@ -92,7 +92,9 @@ def reactions(accuracy):
             f"({title(curved)}), since a rod's section does not flatten.",
             link("Every case", "reaction-by-case") + ".",
         ),
-        figure("reactions", "The larger difference of force and moment / R, over max(|F|, |M|/R)."),
+        figure(
+            "reactions", "The larger difference of force and moment / R, over the larger of both."
+        ),
     ]
 
 

@@ -210,9 +210,10 @@ struct ExploreSpec {
   /// stage before.
   std::vector<std::string> stages{"skin", "coupled"};
   int best = 10;  ///< number of options that go on to the next stage
-  /// By names of criteria (explore/ranking.h), without unit or in the criterion's; what is absent
-  /// has its default.
-  std::map<std::string, double> weights, thresholds;
+  /// By names of criteria (docs/explore.md); what is absent has its default.
+  std::map<std::string, double> weights;
+  /// The same, in the criterion's unit.
+  std::map<std::string, double> thresholds;
   int line = 0;  ///< line in the scene file, for messages
 };
 

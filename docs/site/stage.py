@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 SECTIONS = {
     "Manual": [
         "docs/guide.md",
+        "docs/explore.md",
         "docs/scene.md",
         "docs/result.md",
         "docs/python.md",
@@ -27,7 +28,9 @@ SECTIONS = {
     ],
     "Accuracy and cost": [
         "docs/comparison.md",
+        "docs/comparison_tables.md",
         "docs/extremes.md",
+        "docs/extremes_tables.md",
         "docs/speed.md",
         "docs/reproduction.md",
     ],

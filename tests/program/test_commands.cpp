@@ -59,7 +59,8 @@ TEST(Commands, NumbersThatAreNoneAreRefusedInASentenceThatCanBeRead) {
 TEST(Commands, AnUnknownCommandIsNamed) {
   const auto run = run_program(vasorod("paint x"));
   EXPECT_EQ(run.err,
-            "vasorod: found the command \"paint\", expected solve, fit, init, compare or draw\n");
+            "vasorod: found the command \"paint\", expected solve, fit, init, explore, "
+            "compare or draw\n");
 }
 
 TEST(Commands, DrawWritesThePictureThatIsAskedFor) {

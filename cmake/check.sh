@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export LC_ALL=C.UTF-8
-usual='^hybrid/(data|predict)/'
+usual='^hybrid/(data|judge)/'
 width=100
 
 build=$1

@@ -64,7 +64,7 @@ class Explorer {
     fitted_ = fit_vessels(scene_, options);
     const bool moved = !spec_.incision_along.empty() || !spec_.around_deg.empty();
     options_ = options_of(scene_, moved ? incision_by_fraction(scene_, fitted_) : PickSpec());
-    const OptionNames names(scene_, fitted_.inputs);
+    const OptionNames names(scene_, fitted_.inputs, request_.scene_text);
     for (const Option& option : options_) {
       Row& row = rows_.emplace_back();
       row.values = option.values;

@@ -23,6 +23,8 @@ struct ExploreProgress {
 
 struct ExploreRequest {
   std::filesystem::path folder;
+  /// Of a scene that no file holds: its YAML text, on which the options' names depend.
+  std::string scene_text;
   int threads = 1;     ///< options at once, each in a process of its own with one thread
   bool report = true;  ///< pictures and report.html of kept results, pictures of index.html
   std::function<bool()> stop = [] { return false; };

@@ -1,7 +1,10 @@
 #include "explore/option_names.h"
 
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <yaml-cpp/yaml.h>
 
 #include <vasorod/error.h>
@@ -19,14 +22,35 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// The hash of a surface's bytes says all that counts; surfaces in memory lie in another folder each
+// time. Names that differ in their folders alone stay whole.
+void leave_out_folders(YAML::Node vessels) {
+  std::map<std::string, int> count;
+  const auto named = [&](const std::function<void(YAML::Node)>& take) {
+    for (YAML::Node vessel : vessels)
+      if (YAML::Node surface = vessel["surface"]; surface && surface.IsScalar()) take(surface);
+  };
+  const auto name_of = [](const YAML::Node& surface) {
+    return std::filesystem::path(surface.Scalar()).filename().string();
+  };
+  named([&](const YAML::Node& surface) { ++count[name_of(surface)]; });
+  named([&](YAML::Node surface) {
+    if (count[name_of(surface)] == 1) surface = name_of(surface);
+  });
+}
+
 }  // namespace
 
-OptionNames::OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs) {
+OptionNames::OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs,
+                         const std::string& text) {
   common_ = "vasorod " + version() + "\n";
-  if (!scene.file.empty()) {
-    YAML::Node root = parse_yaml(scene.file.string(), text_of(scene.file));
+  const bool in_file = !scene.file.empty();
+  if (in_file || !text.empty()) {
+    YAML::Node root = in_file ? parse_yaml(scene.file.string(), text_of(scene.file))
+                              : parse_yaml(scene.name, text);
     // What sets no number of an option.
     for (const char* key : {"explore", "fidelity", "accuracy", "study"}) root.remove(key);
+    leave_out_folders(root["vessels"]);
     common_ += YAML::Dump(root) + "\n";
   }
   for (const auto& [name, hash] : inputs)

@@ -13,13 +13,15 @@ namespace vasorod {
 /// Names for the options of one scene.
 class OptionNames {
  public:
-  /// `inputs`: FittedVessels::inputs. Reads the scene's file again; a scene made in C++ has none,
-  /// and only its inputs count. Throws InputError or FileError where the file cannot be read.
-  OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs);
+  /// `inputs`: FittedVessels::inputs. Reads the scene's file again; of a scene without a file,
+  /// `text` is its YAML, and without both only its inputs count. Throws InputError or FileError
+  /// where the file cannot be read.
+  OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs,
+              const std::string& text = {});
 
   /// 16 hexadecimal digits: the first of the SHA-256 of the program's version, the scene without
-  /// comments, `explore`, `fidelity`, `accuracy` and `study`, the hashes of its files, and the
-  /// option's values.
+  /// comments, folders of surfaces, `explore`, `fidelity`, `accuracy` and `study`, the hashes of
+  /// its files, and the option's values.
   std::string of(const Option& option) const;
 
  private:

@@ -10,5 +10,6 @@ void bind_scene(pybind11::module_& module);    ///< Scene
 void bind_surface(pybind11::module_& module);  ///< Surface
 void bind_vessel(pybind11::module_& module);   ///< Vessel, Centerline
 void bind_result(pybind11::module_& module);   ///< Result, Comparison
+void bind_explore(pybind11::module_& module);  ///< the function explore
 
 }  // namespace vasorod::python

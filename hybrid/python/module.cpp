@@ -100,6 +100,7 @@ PYBIND11_MODULE(_core, module) {
   bind_surface(module);
   bind_vessel(module);
   bind_result(module);
+  bind_explore(module);
   module.def("version", &version);
   module.def("fidelities", &fidelity_names);
   module.def("read_scene", &read_scene, py::arg("file"));

@@ -42,6 +42,35 @@ TEST_F(OptionNamesTest, ChangeWithWhatNumbersDependOnAndWithNothingElse) {
   EXPECT_NE(name_of(scene, "1"), name);
 }
 
+TEST_F(OptionNamesTest, OfASceneWithoutAFileChangeWithItsText) {
+  const std::string text = small_glenn("skin") + "explore: {rotation_deg: [10, 20]}\n";
+  const auto name_of_text = [](const std::string& one) {
+    const Scene scene = read_scene_text(one);
+    return OptionNames(scene, {}, one).of(options_of(scene, {}).front());
+  };
+  EXPECT_EQ(name_of_text("# a comment\n" + text), name_of_text(text));
+  EXPECT_NE(name_of_text(changed(text, "young: 0.5", "young: 0.6")), name_of_text(text));
+}
+
+TEST_F(OptionNamesTest, DependOnASurfacesBytesAndNotOnItsFolder) {
+  const std::string tail = "explore: {rotation_deg: [10, 20]}\n";
+  const auto scene = [&](const std::string& a, const std::string& b) {
+    return "vessels: [{name: a, surface: " + a + "}, {name: b, surface: " + b + "}]\n" + tail;
+  };
+  Scene any = read_scene_text(small_glenn("skin") + tail);
+  const Option option = options_of(any, {}).front();
+  const auto name_of_text = [&](const std::string& text, const std::string& hash = "0") {
+    return OptionNames(any, {{"a.vtp", hash}}, text).of(option);
+  };
+  const std::string name = name_of_text(scene("one/a.vtp", "b.vtp"));
+  EXPECT_EQ(name_of_text(scene("/elsewhere/a.vtp", "two/b.vtp")), name);
+  EXPECT_NE(name_of_text(scene("one/a.vtp", "b.vtp"), "1"), name);
+  EXPECT_NE(name_of_text(scene("one/c.vtp", "b.vtp")), name);
+  // Of one name in two folders, which is which counts.
+  EXPECT_NE(name_of_text(scene("one/a.vtp", "two/a.vtp")),
+            name_of_text(scene("two/a.vtp", "one/a.vtp")));
+}
+
 TEST_F(OptionNamesTest, DifferBetweenTheOptionsOfAScene) {
   const Scene scene = read_scene(write(
       "scene.yaml", small_glenn("skin") + "explore: {cut_along: {from: 0.1, to: 0.9, steps: 30}, "

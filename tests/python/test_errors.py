@@ -139,8 +139,14 @@ class Scenes(unittest.TestCase):
         self.assertRegex(run.stdout, "^[^\n]*memory[^\n]*, expected [^\n]*\n$", run.stderr)
 
     def test_a_time_limit_before_there_is_a_state(self):
+        # Many vessels to read and fit, far longer than the 1.5 s that a solve has to come to one.
+        scene = {**long_solve(), "fidelity": "rod"}
+        tube, ends = scene["vessels"][0], scene["ends"]
+        names = [f"tube{k}" for k in range(30)]
+        scene["vessels"] = [{**tube, "name": name} for name in names]
+        scene["ends"] = [{**end, "vessel": name} for name in names for end in ends]
         with self.assertRaisesRegex(TimeoutError, "^stopped at .*, before there was a state"):
-            vasorod.solve(long_solve(), time_limit=1e-3)
+            vasorod.solve(scene, time_limit=1e-3)
 
 
 if __name__ == "__main__":

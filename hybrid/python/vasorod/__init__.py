@@ -35,6 +35,7 @@ Research software, not for clinical use. docs/python.md is the manual.
 
 from ._core import Centerline, Comparison, Result, Surface, Vessel
 from ._core import version as _version
+from ._explore import Exploration, explore
 from ._meshio import to_meshio
 from ._scene import Scene, read_scene
 from ._solve import compare, fidelities, fit, read_surface, solve
@@ -43,11 +44,13 @@ __version__ = _version()
 __all__ = [
     "Centerline",
     "Comparison",
+    "Exploration",
     "Result",
     "Scene",
     "Surface",
     "Vessel",
     "compare",
+    "explore",
     "fidelities",
     "fit",
     "read_scene",

@@ -42,13 +42,16 @@ class Scene:
 
     def __init__(self, keys: Mapping[str, Any], *, folder: PathLike = ".") -> None:
         self._files: Optional[Path] = None  # folder of the surfaces that were in memory
-        text = json.dumps(self._plain(keys, "scene"), ensure_ascii=False)  # JSON is YAML
-        self._core = _core.read_scene_text(text, os.fspath(folder))
+        self._file: Optional[str] = None
+        self._text = json.dumps(self._plain(keys, "scene"), ensure_ascii=False)  # JSON is YAML
+        self._folder = os.path.abspath(folder)
+        self._core = _core.read_scene_text(self._text, os.fspath(folder))
 
     @classmethod
     def _read(cls, path: PathLike) -> Scene:
         scene = cls.__new__(cls)
         scene._files = None
+        scene._file, scene._text, scene._folder = os.path.abspath(path), "", ""
         scene._core = _core.read_scene(os.fspath(path))
         return scene
 

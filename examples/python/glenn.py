@@ -47,6 +47,8 @@ def plot(result, path):
 
 
 def main():
+    if len(sys.argv) < 2:
+        sys.exit("usage: glenn.py SCENE [PICTURE]; found no scene file")
     result = vasorod.solve(sys.argv[1], fidelity="skin")
     numbers = result.json
     glenn = numbers["glenn"]

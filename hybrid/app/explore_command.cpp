@@ -37,13 +37,14 @@ std::string counted(int count, const char* what) {
 
 int say(const ExploreSummary& summary, const ExploreCommandOptions& options,
         const ExploreSpec& spec, const std::string& scene) {
-  int refused = 0, failed = 0, converged = 0, open = 0;
+  int refused = 0, failed = 0, converged = 0, open = 0, refined = 0;
   const int last = static_cast<int>(spec.stages.size()) - 1;
   std::string reason;
   for (const RankedRow& one : summary.rows) {
     const Row& row = one.row;
     refused += row.ending == Ending::not_built ? 1 : 0;
     failed += row.ending == Ending::failed ? 1 : 0;
+    refined += row.refined ? 1 : 0;
     open += row.ending == Ending::open ? 1 : 0;
     converged +=
         row.ending == Ending::solved && row.status == Status::converged && row.stage == last ? 1
@@ -53,6 +54,7 @@ int say(const ExploreSummary& summary, const ExploreCommandOptions& options,
   }
   std::cout << scene << ": " << counted(static_cast<int>(summary.rows.size()), "") << ", "
             << converged << " converged at " << spec.stages.back();
+  if (refined > 0) std::cout << ", " << refined << " found by refining";
   if (refused > 0) std::cout << ", " << refused << " cannot be built";
   if (failed > 0) std::cout << ", " << failed << " failed";
   if (open > 0) std::cout << ", " << open << " not solved yet";
@@ -72,6 +74,7 @@ int say(const ExploreSummary& summary, const ExploreCommandOptions& options,
       std::cout << (name == one.past.front() ? ", past the threshold of " : ", ") << name;
     std::cout << '\n';
   }
+  if (summary.spread) std::cout << "  " << summary.spread->text() << '\n';
   std::cout << "  " << (options.folder / "index.html").string() << '\n';
   return summary.finished && converged > 0 && failed == 0 ? 0 : 1;
 }
@@ -83,6 +86,7 @@ int explore_command(const ExploreCommandOptions& options) {
   if (scene.explore && !options.stages.empty()) scene.explore->stages = options.stages;
   if (scene.explore && options.best > 0) scene.explore->best = options.best;
   ExploreRequest request;
+  request.more = read_exploration(scene);
   request.folder = options.folder;
   request.threads = options.threads;
   request.report = options.report;

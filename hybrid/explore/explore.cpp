@@ -13,7 +13,9 @@
 #include "explore/index_page.h"
 #include "explore/option_names.h"
 #include "explore/option_pictures.h"
+#include "explore/pattern_search.h"
 #include "explore/table.h"
+#include "explore/uncertain_scene.h"
 #include "predict/fitted_vessels.h"
 
 namespace vasorod {
@@ -26,6 +28,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// One solve, and what came of it.
+struct Job {
+  Row row;
+  const Option* option = nullptr;
+  const Sample* sample = nullptr;  // null: without uncertainty
+  bool keeps = false;              // its result folder
+};
+
 class Explorer {
  public:
   Explorer(const Scene& scene, const ExploreRequest& request)
@@ -36,8 +46,10 @@ class Explorer {
     bool going = true;
     for (int stage = 0; going && stage < static_cast<int>(spec_.stages.size()); ++stage)
       going = solve(stage);
+    if (going && request_.more.refine) going = refine(*request_.more.refine);
     ExploreSummary summary;
     summary.rows = ranked(rows_, spec_);
+    if (going && request_.more.vary) going = vary(*request_.more.vary, summary);
     summary.found = found_;
     summary.finished = going;
     write_table(summary.rows);
@@ -52,6 +64,7 @@ class Explorer {
     page.finished = summary.finished;
     page.keys = option_keys(spec_);
     page.criteria = criteria_for(spec_);
+    if (summary.spread) page.spread = summary.spread->text();
     write_whole(folder_.path() / "index.html", index_html(page, summary.rows));
     return summary;
   }
@@ -63,16 +76,29 @@ class Explorer {
     options.progress = [&](const std::string& stage) { request_.progress({stage, 0, 0, {}}); };
     fitted_ = fit_vessels(scene_, options);
     const bool moved = !spec_.incision_along.empty() || !spec_.around_deg.empty();
-    options_ = options_of(scene_, moved ? incision_by_fraction(scene_, fitted_) : PickSpec());
-    const OptionNames names(scene_, fitted_.inputs, request_.scene_text);
-    for (const Option& option : options_) {
-      Row& row = rows_.emplace_back();
-      row.values = option.values;
-      row.option = names.of(option);
-    }
+    if (moved) incision_ = incision_by_fraction(scene_, fitted_);
+    names_.emplace(scene_, fitted_.inputs, request_.scene_text);
+    for (const Option& option : options_of(scene_, incision_)) add(option, false);
+    if (!request_.more.vary) return;
+    samples_ = samples_of(*request_.more.vary);
+    for (const Sample& sample : samples_) with_sampled_walls(scene_, *request_.more.vary, sample);
   }
 
-  bool last(int stage) const { return stage + 1 == static_cast<int>(spec_.stages.size()); }
+  void add(const Option& option, bool refined) {
+    options_.push_back(option);
+    Row& row = rows_.emplace_back();
+    row.values = option.values;
+    row.option = names_->of(option);
+    row.refined = refined;
+  }
+
+  int last_stage() const { return static_cast<int>(spec_.stages.size()) - 1; }
+
+  std::size_t place_of_option(const std::string& name) const {
+    const auto row = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const Row& other) { return other.option == name; });
+    return static_cast<std::size_t>(row - rows_.begin());
+  }
 
   // The options of a stage, in the order of `rows_`.
   std::vector<int> chosen(int stage) const {
@@ -85,37 +111,48 @@ class Explorer {
     for (const RankedRow& one : ranked(rows_, spec_)) {
       if (left == 0) break;
       if (one.row.ending != Ending::solved || one.row.stage != stage - 1) continue;
-      const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& other) {
-        return other.option == one.row.option;
-      });
-      all.push_back(static_cast<int>(row - rows_.begin()));
+      all.push_back(static_cast<int>(place_of_option(one.row.option)));
       --left;
     }
     return all;
   }
 
   // False: stopped.
-  bool solve(int stage) {
-    std::vector<std::pair<int, Row>> open;  // index into rows_, the row to fill
-    const std::vector<int> all = chosen(stage);
-    for (const int k : all) {
-      Row row = rows_[index(k)];
-      row.stage = stage;
-      row.fidelity = spec_.stages[index(stage)];
-      if (folder_.find(row, last(stage))) {
-        rows_[index(k)] = row;
+  bool solve(int stage) { return solve(chosen(stage), stage, spec_.stages[index(stage)]); }
+
+  // Solves rows at a stage.
+  bool solve(const std::vector<int>& places, int stage, const std::string& doing) {
+    std::vector<Job> jobs;
+    for (const int k : places) {
+      Job& job = jobs.emplace_back();
+      job.row = rows_[index(k)];
+      job.row.stage = stage;
+      job.row.fidelity = spec_.stages[index(stage)];
+      job.option = &options_[index(k)];
+      job.keeps = stage == last_stage();
+    }
+    return work(jobs, doing, [&](std::size_t i) { rows_[index(places[i])] = jobs[i].row; });
+  }
+
+  // Fills the rows of the jobs: those that are finished already, then the others in processes.
+  // `done` is called for each, in any order. False: stopped.
+  bool work(std::vector<Job>& jobs, const std::string& doing,
+            const std::function<void(std::size_t)>& done) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (folder_.find(jobs[i].row, jobs[i].keeps)) {
         ++found_;
+        done(i);
       } else {
-        open.emplace_back(k, row);
+        open.push_back(i);
       }
     }
-    const int done = static_cast<int>(all.size() - open.size());
+    const int before = static_cast<int>(jobs.size() - open.size());
     const Clock::time_point start = Clock::now();
     Clock::time_point written = start;
     int ended = 0;
     const auto say = [&] {
-      ExploreProgress now{
-          spec_.stages[index(stage)], done + ended, static_cast<int>(all.size()), {}};
+      ExploreProgress now{doing, before + ended, static_cast<int>(jobs.size()), {}};
       if (ended > 0)
         now.seconds_left =
             seconds_since(start) / ended * (static_cast<double>(open.size()) - ended);
@@ -123,9 +160,10 @@ class Explorer {
     };
     say();
     return run(
-        open.size(), [&](int i) { return solved(open[index(i)]); },
+        open.size(), [&](int i) { return solved(jobs[open[index(i)]]); },
         [&](int i, const ApartEnding& ending) {
-          take(open[index(i)], ending);
+          take(jobs[open[index(i)]].row, ending);
+          done(open[index(i)]);
           ++ended;
           say();
           if (seconds_since(written) < 1) return;
@@ -144,17 +182,18 @@ class Explorer {
   }
 
   // In a process of its own.
-  std::string solved(std::pair<int, Row> open) const {
-    Row& row = open.second;
-    const Scene scene = with_option(scene_, options_[index(open.first)], row.option);
+  std::string solved(Job job) const {
+    Row& row = job.row;
     SolveOptions options;
     options.fidelity = row.fidelity;
     const Clock::time_point start = Clock::now();
     try {
-      Result result = predict(scene, options, fitted_);
+      const Scene scene = with_option(scene_, *job.option, row.option);
+      Result result =
+          job.sample ? predicted(scene, *job.sample, options) : predict(scene, options, fitted_);
       row.seconds = seconds_since(start);
       take_result(result, row);
-      if (last(row.stage)) {
+      if (job.keeps) {
         row.folder = ExploreFolder::kept(row);
         row.look = look_of(result);
         write_result_folder(result, folder_.path() / row.folder, {{}, 1, request_.report});
@@ -167,9 +206,13 @@ class Explorer {
     return row_json(row);
   }
 
-  void take(const std::pair<int, Row>& open, const ApartEnding& ending) {
+  Result predicted(const Scene& scene, const Sample& sample, const SolveOptions& options) const {
+    const Scene changed = with_sample(scene, *request_.more.vary, sample, fitted_);
+    return predict(changed, options, with_walls(fitted_, changed));
+  }
+
+  void take(Row& row, const ApartEnding& ending) {
     if (ending.file_error) throw FileError(*ending.file_error);
-    Row row = open.second;
     if (ending.answer) {
       read_row(*ending.answer, row);
       folder_.finish(row);
@@ -178,7 +221,87 @@ class Explorer {
       row.criteria.clear();
       row.sentences = {ending.failure};
     }
-    rows_[index(open.first)] = row;
+  }
+
+  // The best options of the last stage, in their order.
+  std::vector<std::size_t> best(int count) const {
+    std::vector<std::size_t> places;
+    for (const RankedRow& one : ranked(rows_, spec_))
+      if (static_cast<int>(places.size()) < count && one.row.ending == Ending::solved &&
+          one.row.stage == last_stage())
+        places.push_back(place_of_option(one.row.option));
+    return places;
+  }
+
+  // False: stopped.
+  bool refine(const RefineSpec& spec) {
+    const std::vector<RefinedKey> keys = refined_keys(spec_);
+    int left = spec.evaluations;
+    for (const std::size_t start : best(spec.best)) {
+      PatternSearch search(keys, options_[start], incision_);
+      std::size_t centre = start;
+      while (left > 0 && !search.ended()) {
+        std::vector<int> unsolved;
+        std::vector<std::size_t> polled;
+        for (const Option& option : search.poll()) {
+          const std::size_t place = place_of_option(names_->of(option));
+          if (place == rows_.size()) {
+            if (left == 0) continue;
+            add(option, true);
+            --left;
+          }
+          if (rows_[place].stage != last_stage()) unsolved.push_back(static_cast<int>(place));
+          polled.push_back(place);
+        }
+        if (!solve(unsolved, last_stage(), "refining")) return false;
+        // The first is the best; the centre stays where another is only as good.
+        std::vector<Row> rows{rows_[centre]};
+        for (const std::size_t place : polled) rows.push_back(rows_[place]);
+        const std::size_t first = place_of_option(ranked(rows, spec_).front().row.option);
+        search.go_on(first != centre, options_[first]);
+        centre = first;
+      }
+    }
+    return true;
+  }
+
+  // Samples of the best options. False: stopped.
+  bool vary(const VarySpec& spec, ExploreSummary& summary) {
+    std::vector<std::size_t> places = best(spec.best);
+    const std::string fidelity = spec.fidelity.value_or(spec_.stages.back());
+    std::vector<Job> jobs;
+    const auto add_job = [&](std::size_t place, const Sample* sample) {
+      Job& job = jobs.emplace_back();
+      job.option = &options_[place];
+      job.sample = sample;
+      job.row.values = options_[place].values;
+      job.row.option = names_->of(options_[place], sample ? sample->text : "");
+      job.row.stage = last_stage();
+      job.row.fidelity = fidelity;
+    };
+    if (fidelity != spec_.stages.back()) {  // their order at this fidelity
+      for (const std::size_t place : places) add_job(place, nullptr);
+      if (!work(jobs, "samples", [](std::size_t) {})) return false;
+      std::vector<Row> rows;
+      for (const Job& job : jobs) rows.push_back(job.row);
+      places.clear();
+      for (const RankedRow& one : ranked(rows, spec_))
+        places.push_back(place_of_option(one.row.option));
+      jobs.clear();
+    }
+    for (const Sample& sample : samples_)
+      for (const std::size_t place : places) add_job(place, &sample);
+    if (!work(jobs, "samples", [](std::size_t) {})) return false;
+    std::vector<std::vector<Row>> samples;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (i % places.size() == 0) samples.emplace_back();
+      samples.back().push_back(jobs[i].row);
+    }
+    summary.spread = spread_of(samples, spec_);
+    for (RankedRow& one : summary.rows)
+      for (std::size_t k = 0; k < places.size() && k < summary.spread->options.size(); ++k)
+        if (rows_[places[k]].option == one.row.option) one.spread = summary.spread->options[k];
+    return true;
   }
 
   void write_table(const std::vector<RankedRow>& rows) const {
@@ -224,8 +347,11 @@ class Explorer {
   const ExploreRequest& request_;
   ExploreFolder folder_;
   FittedVessels fitted_;
+  PickSpec incision_;  // by fraction, where options move it
+  std::optional<OptionNames> names_;
   std::vector<Option> options_;
-  std::vector<Row> rows_;
+  std::vector<Row> rows_;  // of the options
+  std::vector<Sample> samples_;
   int found_ = 0;
 };
 

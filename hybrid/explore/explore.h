@@ -11,13 +11,15 @@
 
 #include "explore/options.h"
 #include "explore/ranking.h"
+#include "scene/exploration.h"
 
 namespace vasorod {
 
 /// What is under way.
 struct ExploreProgress {
-  std::string doing;     ///< "skin", a stage's fidelity; "fitting vessel svc"; "drawing"
-  int done = 0, of = 0;  ///< options; of 0: no options yet
+  /// "skin", a stage's fidelity; "fitting vessel svc"; "refining", "samples", "drawing"
+  std::string doing;
+  int done = 0, of = 0;                ///< options; of 0: no options yet
   std::optional<double> seconds_left;  ///< of this stage, at the pace so far
 };
 
@@ -27,22 +29,26 @@ struct ExploreRequest {
   std::string scene_text;
   int threads = 1;     ///< options at once, each in a process of its own with one thread
   bool report = true;  ///< pictures and report.html of kept results, pictures of index.html
+  Exploration more;    ///< searches near the best, uncertainty of the best
   std::function<bool()> stop = [] { return false; };
   std::function<void(const ExploreProgress&)> progress = [](const ExploreProgress&) {};
   std::function<void()> begin_process;  ///< called first in each process; may be empty
 };
 
 struct ExploreSummary {
-  std::vector<RankedRow> rows;  ///< every option
-  bool finished = false;        ///< false: it was stopped before its end
-  int found = 0;                ///< solves that an earlier exploration had done
+  std::vector<RankedRow> rows;          ///< every option
+  bool finished = false;                ///< false: it was stopped before its end
+  std::optional<RankingSpread> spread;  ///< of the best, with ExploreRequest::more.vary
+  int found = 0;                        ///< solves that an earlier exploration had done
 };
 
-/// Solves the options of `scene.explore` stage by stage. The folder has every finished option at
-/// once, options.csv at most a second later; options that it has already, of the same scene,
-/// option, fidelity and program, are not solved again. Those of the last stage are kept with their
-/// result folders. Numbers do not depend on `threads`. An option that cannot be built is a row with
-/// its sentence. Throws InputError, FileError, StoppedEarly while the vessels are fitted.
+/// Solves the options of `scene.explore` stage by stage; then, at the fidelity of the last stage,
+/// new ones near the best (refine.h), and samples of what is uncertain for the best (vary). The
+/// folder has every finished option at once, options.csv at most a second later; options that it
+/// has already, of the same scene, option, fidelity and program, are not solved again. Those of the
+/// last stage are kept with their result folders. Numbers do not depend on `threads`. An option
+/// that cannot be built is a row with its sentence. Throws InputError, FileError, StoppedEarly
+/// while the vessels are fitted.
 ExploreSummary explore(const Scene& scene, const ExploreRequest& request);
 
 }  // namespace vasorod

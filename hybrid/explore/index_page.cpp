@@ -5,7 +5,9 @@
 
 #include <vasorod/version.h>
 
+#include "data/sentence.h"
 #include "explore/index_assets.h"
+#include "explore/options.h"
 #include "report/page_assets.h"
 #include "report/report_parts.h"
 
@@ -96,6 +98,42 @@ std::string summary(const IndexPage& page, const std::vector<RankedRow>& rows) {
   return html;
 }
 
+std::string range_text(const Spread& spread, const std::string& name) {
+  const auto found = spread.intervals.find(name);
+  if (found == spread.intervals.end()) return "";
+  return number_text(found->second[0], 3) + " to " + number_text(found->second[1], 3);
+}
+
+// The intervals of the options whose uncertainty was carried through.
+std::string uncertainty(const IndexPage& page, const std::vector<RankedRow>& rows) {
+  if (page.spread.empty()) return "";
+  std::string html = "<h2>Uncertainty</h2>\n<p>In words: " + html_text(page.spread) +
+                     ".</p>\n<p class=\"soft small\">From the 5th to the 95th percentile of the "
+                     "samples that converged; the same samples for every option.</p>\n"
+                     "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+                     "aria-label=\"Uncertainty\"><table><tr><th>Rank</th><th>Option</th>"
+                     "<th>Converged</th><th>First</th><th>Score</th>";
+  for (const RankingCriterion& criterion : page.criteria)
+    html += "<th>" + html_text(criterion.title) + "</th>";
+  html += "</tr>\n";
+  for (const RankedRow& one : rows) {
+    if (!one.spread) continue;
+    const Spread& spread = *one.spread;
+    const auto share = [&](int count) {
+      return std::to_string(count) + " of " + std::to_string(spread.samples);
+    };
+    Option option;
+    option.values = one.row.values;
+    html += "<tr><td>" + std::to_string(one.rank) + "</td><td>" + html_text(option.text()) +
+            "</td><td>" + share(spread.converged) + "</td><td>" + share(spread.first) +
+            "</td><td>" + range_text(spread, "score") + "</td>";
+    for (const RankingCriterion& criterion : page.criteria)
+      html += "<td>" + range_text(spread, criterion.name) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</table></div>\n";
+}
+
 }  // namespace
 
 std::string index_html(const IndexPage& page, const std::vector<RankedRow>& rows) {
@@ -125,7 +163,9 @@ this fidelity does not see every criterion.</p>
 <h2>Two criteria</h2>
 <div id="scatter-controls" class="bar"></div><div id="scatter"></div>
 <div id="chosen" role="status" class="soft small"></div>
-<h2>What is counted</h2>
+)";
+  html += uncertainty(page, rows);
+  html += R"(<h2>What is counted</h2>
 <p class="soft small">Score: the sum of weight times penalty over the sum of the weights. A penalty
 is 0 at the ideal value and 1 at the threshold. What a fidelity does not see adds nothing, so scores
 of different fidelities are not comparable, and options of a later stage stand before those of an

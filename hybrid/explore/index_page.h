@@ -14,6 +14,7 @@ namespace vasorod {
 struct IndexPage {
   std::string scene, length_unit;
   std::map<std::string, std::string> links;  ///< to pages of kept results, by Row::option
+  std::string spread;                        ///< RankingSpread::text(); empty: none
   bool finished = true;                      ///< false: the exploration was stopped
   std::vector<std::string> keys;             ///< option_keys()
   std::vector<RankingCriterion> criteria;    ///< criteria_for()

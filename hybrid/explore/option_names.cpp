@@ -57,9 +57,10 @@ OptionNames::OptionNames(const Scene& scene, const std::map<std::string, std::st
     if (name != scene.file.filename().string()) common_ += name + " " + hash + "\n";
 }
 
-std::string OptionNames::of(const Option& option) const {
+std::string OptionNames::of(const Option& option, const std::string& sample) const {
   constexpr std::size_t letters = 16;
-  return sha256_of_text(common_ + option.text()).substr(0, letters);
+  return sha256_of_text(common_ + option.text() + (sample.empty() ? "" : "\nsample " + sample))
+      .substr(0, letters);
 }
 
 }  // namespace vasorod

@@ -55,6 +55,31 @@ void multiply(std::vector<Option>& options, const std::string& key,
   options = std::move(product);
 }
 
+// Sets a listed number; returns its text, empty where the operation has no such number.
+std::string set_number(GlennSpec& glenn, const std::string& key, double value,
+                       const PickSpec& incision) {
+  if (key == "cut_along") {
+    PickSpec pick;
+    pick.along = value;
+    pick.to = glenn.cut.to;
+    glenn.cut = pick;
+  } else if (key == "cut_tilt_deg") {
+    glenn.cut_tilt_deg = value;
+  } else if (key == "incision_along") {
+    glenn.incision = incision;
+    glenn.incision.along = value;
+  } else if (key == "around_deg") {
+    if (!glenn.incision.along) glenn.incision = incision;
+    glenn.incision.around_deg = value;
+  } else if (key == "incision_length") {
+    if (glenn.ellipse && glenn.ellipse->length) return "";
+    glenn.incision_length = value;
+  } else {
+    glenn.rotation_deg = value;
+  }
+  return value_text(value);
+}
+
 }  // namespace
 
 std::string Option::text() const {
@@ -77,6 +102,40 @@ std::vector<std::string> option_keys(const ExploreSpec& spec) {
   add("incision_length", spec.incision_length);
   add("rotation_deg", spec.rotation_deg);
   return keys;
+}
+
+std::vector<RefinedKey> refined_keys(const ExploreSpec& spec) {
+  std::vector<RefinedKey> keys;
+  const auto add = [&](const char* name, std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    if (values.size() < 2) return;
+    double gap = values.back() - values.front();
+    for (std::size_t i = 0; i + 1 < values.size(); ++i)
+      gap = std::min(gap, values[i + 1] - values[i]);
+    keys.push_back({name, values.front(), values.back(), gap});
+  };
+  add("cut_along", spec.cut_along);
+  add("cut_tilt_deg", spec.cut_tilt_deg);
+  add("incision_along", spec.incision_along);
+  add("around_deg", spec.around_deg);
+  add("incision_length", spec.incision_length);
+  std::vector<double> rotations;
+  for (const auto& rotation : spec.rotation_deg) rotations.push_back(rotation.value_or(0));
+  add("rotation_deg", rotations);
+  return keys;
+}
+
+std::optional<double> number_of(const Option& option, const std::string& key) {
+  for (const auto& [name, text] : option.values)
+    if (name == key && !text.empty()) return text == "auto" ? 0 : std::stod(text);
+  return std::nullopt;
+}
+
+Option with_number(Option option, const std::string& key, double value, const PickSpec& incision) {
+  for (auto& [name, text] : option.values)
+    if (name == key) text = set_number(option.operation, key, value, incision);
+  return option;
 }
 
 PickSpec incision_by_fraction(const Scene& scene, const FittedVessels& fitted) {
@@ -118,39 +177,21 @@ std::vector<Option> options_of(const Scene& scene, const PickSpec& incision) {
                      "incision_along, around_deg, incision_shape, incision_length, rotation_deg");
   std::vector<Option> options(1);
   options.front().operation = *scene.glenn;
-  multiply(options, "cut_along", spec.cut_along, where, [](GlennSpec& glenn, double value) {
-    PickSpec pick;
-    pick.along = value;
-    pick.to = glenn.cut.to;
-    glenn.cut = pick;
-    return value_text(value);
-  });
-  multiply(options, "cut_tilt_deg", spec.cut_tilt_deg, where, [](GlennSpec& glenn, double value) {
-    glenn.cut_tilt_deg = value;
-    return value_text(value);
-  });
-  multiply(options, "incision_along", spec.incision_along, where,
-           [&](GlennSpec& glenn, double value) {
-             glenn.incision = incision;
-             glenn.incision.along = value;
-             return value_text(value);
-           });
-  multiply(options, "around_deg", spec.around_deg, where, [&](GlennSpec& glenn, double value) {
-    if (!glenn.incision.along) glenn.incision = incision;
-    glenn.incision.around_deg = value;
-    return value_text(value);
-  });
+  const auto numbers = [&](const char* key, const std::vector<double>& values) {
+    multiply(options, key, values, where, [&](GlennSpec& glenn, double value) {
+      return set_number(glenn, key, value, incision);
+    });
+  };
+  numbers("cut_along", spec.cut_along);
+  numbers("cut_tilt_deg", spec.cut_tilt_deg);
+  numbers("incision_along", spec.incision_along);
+  numbers("around_deg", spec.around_deg);
   multiply(options, "incision_shape", spec.incision_shape, where,
            [](GlennSpec& glenn, const std::optional<IncisionEllipse>& value) {
              glenn.ellipse = value;
              return shape_text(value);
            });
-  multiply(options, "incision_length", spec.incision_length, where,
-           [](GlennSpec& glenn, double value) {
-             if (glenn.ellipse && glenn.ellipse->length) return std::string();
-             glenn.incision_length = value;
-             return value_text(value);
-           });
+  numbers("incision_length", spec.incision_length);
   multiply(options, "rotation_deg", spec.rotation_deg, where,
            [](GlennSpec& glenn, const std::optional<double>& value) {
              glenn.rotation_deg = value;

@@ -1,6 +1,7 @@
 // The options of a Glenn shunt: every combination of the values that a scene lists.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,22 @@ struct Option {
 
 /// The keys that are listed, in the order of the tables' columns.
 std::vector<std::string> option_keys(const ExploreSpec& spec);
+
+/// A listed number between whose values a search may go.
+struct RefinedKey {
+  std::string name;          ///< key of the scene
+  double low = 0, high = 0,  ///< the smallest and the largest listed value; `auto` counts as 0
+      gap = 0;               ///< the smallest difference of two of them
+};
+
+/// The listed numbers with two values or more.
+std::vector<RefinedKey> refined_keys(const ExploreSpec& spec);
+
+/// The option's number of a key, `auto` as 0; empty: it has none.
+std::optional<double> number_of(const Option& option, const std::string& key);
+
+/// The option with another number of a key that it has. `incision`: as in options_of().
+Option with_number(Option option, const std::string& key, double value, const PickSpec& incision);
 
 /// The scene's incision as fractions, so that options may change one of them: a picked point
 /// becomes its place on the first way through the artery (from `start`, to the farthest end first)

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <vasorod/scene.h>
 
 #include "explore/row.h"
+#include "explore/spread.h"
 
 namespace vasorod {
 
@@ -53,6 +55,7 @@ struct RankedRow {
   double score = 0;  ///< sum of weight * penalty over the sum of all weights; NaN: none
   std::vector<std::string> past;  ///< criteria past their thresholds
   Mark mark = Mark::none;
+  std::optional<Spread> spread;  ///< of an option whose uncertainty was carried through
 };
 
 /// Sorted: converged options before other equilibria, before unfinished ones, before those without

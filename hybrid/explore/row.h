@@ -37,6 +37,7 @@ struct Row {
   std::vector<std::pair<std::string, std::string>> values;  ///< as in Option
   /// First letters of a hash of all that its numbers depend on but the fidelity.
   std::string option;
+  bool refined = false;                    ///< found by a search near the best, not listed
   int stage = -1;                          ///< index of the stage; -1: none
   std::string fidelity;                    ///< of that stage
   Ending ending = Ending::open;            ///< how it ended there

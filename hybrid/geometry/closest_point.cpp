@@ -12,6 +12,7 @@
 
 #include <vasorod/error.h>
 
+#include "geometry/box_tree.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -157,6 +158,59 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
   if (hit.normal.squaredNorm() > 0) hit.normal.normalize();
   const Vec3 away = point - hit.point;
   hit.signed_distance = away.dot(hit.normal) < 0 ? -away.norm() : away.norm();
+  return hit;
+}
+
+namespace {
+
+int closest_triangle(const TriangleSurface& surface, const Vec3& point) {
+  const std::vector<Box> boxes = triangle_boxes(surface);
+  int closest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    const Box& box = boxes[static_cast<size_t>(t)];
+    if (!((point - point.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm() < least)) continue;
+    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
+               b = surface.points.row(surface.triangles(t, 1)),
+               c = surface.points.row(surface.triangles(t, 2));
+    const Vec3 share = closest_in_triangle(point, a, b, c);
+    const double squared = (point - share[0] * a - share[1] * b - share[2] * c).squaredNorm();
+    if (!(squared < least)) continue;
+    least = squared;
+    closest = t;
+  }
+  return closest;
+}
+
+}  // namespace
+
+ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) {
+  if (surface.triangles.rows() == 0)
+    throw InputError("a surface without triangles has no closest point");
+  // The triangles around its corners have all that the hit's normal comes from.
+  const auto corners = surface.triangles.row(closest_triangle(surface, point));
+  std::vector<int> near;
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if ((corners.array() == surface.triangles(t, k)).any()) {
+        near.push_back(t);
+        break;
+      }
+  TriangleSurface patch;
+  patch.triangles.resize(static_cast<Eigen::Index>(near.size()), 3);
+  std::vector<int> known;  // vertices of the surface, by those of the patch
+  for (size_t n = 0; n < near.size(); ++n)
+    for (int k = 0; k < 3; ++k) {
+      const int vertex = surface.triangles(near[n], k);
+      const auto found = std::find(known.begin(), known.end(), vertex);
+      patch.triangles(static_cast<Eigen::Index>(n), k) = static_cast<int>(found - known.begin());
+      if (found == known.end()) known.push_back(vertex);
+    }
+  patch.points.resize(static_cast<Eigen::Index>(known.size()), 3);
+  for (size_t v = 0; v < known.size(); ++v)
+    patch.points.row(static_cast<Eigen::Index>(v)) = surface.points.row(known[v]);
+  ClosestPoint::Hit hit = ClosestPoint(patch).query(point);
+  hit.triangle = near[static_cast<size_t>(hit.triangle)];
   return hit;
 }
 

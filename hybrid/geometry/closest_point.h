@@ -41,6 +41,10 @@ class ClosestPoint {
   std::unique_ptr<Tree> tree_;
 };
 
+/// The closest point to a single `point`: as ClosestPoint::query(), without the tree that pays off
+/// for many. Throws InputError as ClosestPoint does, of non-manifold edges only near the point.
+ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point);
+
 /// Barycentric coordinates of the point of triangle (a, b, c) closest to p. Never NaN, also for
 /// degenerate triangles (Ericson 2005, section 5.1.5).
 Vec3 closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);

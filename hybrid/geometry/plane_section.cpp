@@ -43,18 +43,22 @@ double distance_to(const SectionLoop& loop, const Vec3& point) {
   return best;
 }
 
-}  // namespace
-
-std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Vec3& point,
-                                        const Vec3& normal) {
-  const Eigen::VectorXd height = (surface.points.rowwise() - point.transpose()) * normal;
+// The curves in those triangles that `each` calls its argument with, in the order of their indices.
+template <class Each>
+std::vector<SectionLoop> curves(const TriangleSurface& surface, const Vec3& point,
+                                const Vec3& normal, Each&& each) {
+  const auto height = [&](int v) {
+    return (surface.points(v, 0) - point.x()) * normal.x() +
+           (surface.points(v, 1) - point.y()) * normal.y() +
+           (surface.points(v, 2) - point.z()) * normal.z();
+  };
   std::vector<Piece> pieces;
   std::unordered_map<EdgeKey, size_t> starts, ends;  // edge -> the piece that starts or ends there
-  for (int t = 0; t < surface.triangles.rows(); ++t) {
+  each([&](int t) {
     std::array<bool, 3> above{};
     for (int k = 0; k < 3; ++k)
-      above[static_cast<size_t>(k)] = height[surface.triangles(t, k)] >= 0;
-    if (above[0] == above[1] && above[1] == above[2]) continue;
+      above[static_cast<size_t>(k)] = height(surface.triangles(t, k)) >= 0;
+    if (above[0] == above[1] && above[1] == above[2]) return;
     Piece piece{t, 0, 0};
     for (size_t k = 0; k < 3; ++k) {
       const size_t l = (k + 1) % 3;
@@ -67,7 +71,7 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
     starts.emplace(piece.from, pieces.size());
     ends.emplace(piece.to, pieces.size());
     pieces.push_back(piece);
-  }
+  });
 
   std::vector<char> done(pieces.size(), 0);
   std::vector<SectionLoop> loops;
@@ -99,7 +103,7 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
     loop.points.resize(static_cast<Eigen::Index>(keys.size()), 3);
     for (size_t i = 0; i < keys.size(); ++i) {
       const int a = static_cast<int>(keys[i] >> 32), b = static_cast<int>(keys[i] & 0xffffffffLL);
-      const double t = height[a] / (height[a] - height[b]);
+      const double t = height(a) / (height(a) - height(b));
       loop.edges.push_back({a, b});
       loop.points.row(static_cast<Eigen::Index>(i)) =
           (1 - t) * surface.points.row(a) + t * surface.points.row(b);
@@ -107,6 +111,37 @@ std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Ve
     loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+}  // namespace
+
+std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Vec3& point,
+                                        const Vec3& normal) {
+  return curves(surface, point, normal, [&](const auto& see) {
+    for (int t = 0; t < surface.triangles.rows(); ++t) see(t);
+  });
+}
+
+PlaneSections::PlaneSections(const TriangleSurface& surface)
+    : surface_(surface),
+      boxes_(triangle_boxes(surface)),
+      extent_(surface.points.rows() > 0 ? surface.points.cwiseAbs().maxCoeff() : 0) {}
+
+std::vector<SectionLoop> PlaneSections::across(const Vec3& point, const Vec3& normal) const {
+  // Boxes that the plane meets; more than rounding takes from it.
+  const double slack = 1e-12 * (extent_ + point.cwiseAbs().maxCoeff());
+  const Vec3 size = normal.cwiseAbs();
+  std::vector<int> triangles;
+  boxes_.visit(
+      [&](const Box& box) {
+        const double middle = (0.5 * (box.low + box.high) - point).dot(normal);
+        return std::abs(middle) <= 0.5 * (box.high - box.low).dot(size) + slack;
+      },
+      [&](int t) { triangles.push_back(t); });
+  std::sort(triangles.begin(), triangles.end());
+  return curves(surface_, point, normal, [&](const auto& see) {
+    for (const int t : triangles) see(t);
+  });
 }
 
 int section_winding(const Points& polygon, const Vec3& center, const Vec3& normal) {

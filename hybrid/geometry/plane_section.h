@@ -7,6 +7,8 @@
 
 #include <vasorod/types.h>
 
+#include "geometry/box_tree.h"
+
 namespace vasorod {
 
 /// One curve of a plane section.
@@ -22,6 +24,20 @@ struct SectionLoop {
 /// counter-clockwise about `normal`.
 std::vector<SectionLoop> plane_sections(const TriangleSurface& surface, const Vec3& point,
                                         const Vec3& normal);
+
+/// The curves of many planes in one surface, which must outlive it: a tree of boxes finds the
+/// triangles of each. The same curves as plane_sections() gives.
+class PlaneSections {
+ public:
+  explicit PlaneSections(const TriangleSurface& surface);
+  /// plane_sections() of the surface.
+  std::vector<SectionLoop> across(const Vec3& point, const Vec3& normal) const;
+
+ private:
+  const TriangleSurface& surface_;
+  BoxTree boxes_;
+  double extent_;  // the largest coordinate, length
+};
 
 /// How often the closed polygon turns about `center`, seen along `normal`: 1 once,
 /// counter-clockwise.

@@ -1,14 +1,13 @@
 #include "geometry/ray_hits.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
 #include <tuple>
+
+#include "data/index.h"
+#include "geometry/box_tree.h"
 
 namespace vasorod {
 namespace {
@@ -16,9 +15,36 @@ namespace {
 // Exact predicates: whether a ray hits is decided without rounding.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle3 = Kernel::Triangle_3;
-using Corners = std::vector<Triangle3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Corners::const_iterator>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+// Whether a ray may pass through a box, by the distances at which it passes the box's faces. Boxes
+// are taken so much larger that rounding loses none.
+class RayAndBox {
+ public:
+  RayAndBox(const Vec3& origin, const Vec3& direction, double farthest, double extent)
+      : origin_(origin),
+        inverse_(direction.cwiseInverse()),
+        farthest_(farthest),
+        slack_(1e-12 * (extent + origin.cwiseAbs().maxCoeff())) {}
+
+  bool operator()(const Box& box) const {
+    double from = -slack_, to = farthest_ + slack_;
+    for (int c = 0; c < 3; ++c) {
+      const double low = box.low[c] - slack_ - origin_[c], high = box.high[c] + slack_ - origin_[c];
+      if (!std::isfinite(inverse_[c])) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      const double a = low * inverse_[c], b = high * inverse_[c];
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    return from <= to;
+  }
+
+ private:
+  Vec3 origin_, inverse_;
+  double farthest_, slack_;
+};
 
 }  // namespace
 
@@ -33,7 +59,7 @@ struct RayHits::Tree {
       return Kernel::Point_3(p.x(), p.y(), p.z());
     };
     corners.clear();
-    corners.reserve(static_cast<std::size_t>(triangles.rows()));
+    corners.reserve(index(triangles.rows()));
     normals.resize(triangles.rows(), 3);
     for (int t = 0; t < triangles.rows(); ++t) {
       corners.emplace_back(corner(t, 0), corner(t, 1), corner(t, 2));
@@ -41,15 +67,15 @@ struct RayHits::Tree {
                  c = points.row(triangles(t, 2));
       normals.row(t) = (b - a).cross(c - a).transpose();
     }
-    tree.clear();
-    tree.insert(corners.cbegin(), corners.cend());
-    tree.build();
+    boxes = BoxTree(triangle_boxes({points, triangles}));
+    extent = points.rows() > 0 ? points.cwiseAbs().maxCoeff() : 0;
   }
 
   Triangles triangles;
-  Corners corners;
+  std::vector<Triangle3> corners;
   Points normals;  // twice the area long
-  AabbTree tree;
+  BoxTree boxes;
+  double extent = 0;  // the largest coordinate
 };
 
 RayHits::RayHits(const TriangleSurface& surface) : tree_(std::make_unique<Tree>(surface)) {}
@@ -72,22 +98,24 @@ void RayHits::along(const Vec3& origin, const Vec3& direction, double farthest,
                     std::vector<RayHit>& hits) const {
   hits.clear();
   const Kernel::Point_3 from(origin.x(), origin.y(), origin.z());
-  const auto take = boost::make_function_output_iterator([&](Corners::const_iterator corner) {
-    const auto t = corner - tree_->corners.cbegin();
-    const Vec3 normal = tree_->normals.row(t);
-    const double steepness = normal.dot(direction);
-    if (steepness == 0) return;
-    const auto& p = corner->vertex(0);
-    const double distance = normal.dot(Vec3(p.x(), p.y(), p.z()) - origin) / steepness;
-    hits.push_back({static_cast<int>(t), distance, steepness > 0});
-  });
+  const RayAndBox touches(origin, direction, farthest, tree_->extent);
+  const auto search = [&](const auto& line) {
+    tree_->boxes.visit(touches, [&](int t) {
+      const Triangle3& corner = tree_->corners[index(t)];
+      if (!CGAL::do_intersect(line, corner)) return;
+      const Vec3 normal = tree_->normals.row(t);
+      const double steepness = normal.dot(direction);
+      if (steepness == 0) return;
+      const auto& p = corner.vertex(0);
+      const double distance = normal.dot(Vec3(p.x(), p.y(), p.z()) - origin) / steepness;
+      hits.push_back({t, distance, steepness > 0});
+    });
+  };
   if (std::isfinite(farthest)) {
     const Vec3 to = origin + farthest * direction;
-    tree_->tree.all_intersected_primitives(
-        Kernel::Segment_3(from, Kernel::Point_3(to.x(), to.y(), to.z())), take);
+    search(Kernel::Segment_3(from, Kernel::Point_3(to.x(), to.y(), to.z())));
   } else {
-    const Kernel::Vector_3 way(direction.x(), direction.y(), direction.z());
-    tree_->tree.all_intersected_primitives(Kernel::Ray_3(from, way), take);
+    search(Kernel::Ray_3(from, Kernel::Vector_3(direction.x(), direction.y(), direction.z())));
   }
   std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
     return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);

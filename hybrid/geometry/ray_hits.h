@@ -16,7 +16,8 @@ struct RayHit {
   bool leaves = false;  ///< whether the ray passes to the side of the triangle's normal
 };
 
-/// A tree of boxes over a surface's triangles (CGAL). Copies what it needs of the surface.
+/// A tree of boxes over a surface's triangles, which CGAL's exact predicates then ask. Copies what
+/// it needs of the surface.
 class RayHits {
  public:
   explicit RayHits(const TriangleSurface& surface);

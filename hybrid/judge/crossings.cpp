@@ -9,6 +9,7 @@
 #include <set>
 
 #include "data/index.h"
+#include "geometry/crossing_triangles.h"
 #include "geometry/fans.h"
 #include "geometry/ray_hits.h"
 #include "geometry/triangle_surface.h"
@@ -63,10 +64,14 @@ class Whole {
     return static_cast<int>(after - first_triangle_.begin()) - 1;
   }
 
-  // {a, b} -> pairs of triangles that cross, a <= b.
-  std::map<std::array<int, 2>, int> crossing_pairs() const {
+  // {a, b} -> pairs of triangles that cross, a <= b, of bodies of which one at least is marked.
+  std::map<std::array<int, 2>, int> crossing_pairs(const std::vector<char>& marked) const {
+    std::vector<char> triangles(index(surface_.triangles.rows()));
+    for (int t = 0; t < surface_.triangles.rows(); ++t)
+      triangles[index(t)] = marked[index(body_of(t))];
     std::map<std::array<int, 2>, int> count;
-    for (const auto& [s, t] : self_intersections(surface_)) ++count[{body_of(s), body_of(t)}];
+    for (const auto& [s, t] : crossing_triangles(surface_, triangles, most_self_intersections))
+      ++count[{body_of(s), body_of(t)}];
     return count;
   }
 
@@ -75,12 +80,13 @@ class Whole {
     normals_ = vertex_normals(surface_);
     bodies_of_triangles_.resize(index(surface_.triangles.rows()));
     for (int t = 0; t < surface_.triangles.rows(); ++t) bodies_of_triangles_[index(t)] = body_of(t);
-    std::map<int, int> body_of_point;
+    std::vector<int> body_of_point(index(surface_.points.rows()), -1);
     for (int t = 0; t < surface_.triangles.rows(); ++t)
-      for (int k = 0; k < 3; ++k) body_of_point[surface_.triangles(t, k)] = body_of(t);
+      for (int k = 0; k < 3; ++k)
+        body_of_point[index(surface_.triangles(t, k))] = bodies_of_triangles_[index(t)];
     const auto loops = boundary_loops(surface_.triangles);
     for (const std::vector<int>& loop : loops)
-      for (const int vertex : loop) bodies_of_triangles_.push_back(body_of_point[vertex]);
+      for (const int vertex : loop) bodies_of_triangles_.push_back(body_of_point[index(vertex)]);
     rays_.emplace(TriangleSurface{with_centroids(surface_.points, loops),
                                   with_fans(surface_.triangles, loops, surface_.points.rows())});
   }
@@ -135,7 +141,10 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
   if (!finite || bodies.empty()) return {};
   Whole now(bodies, true);
   if (seam.a >= 0 && seam.b >= 0) now.weld(seam);
-  auto pairs = now.crossing_pairs();
+  // What did not move passes through nothing that it did not pass through at rest.
+  std::vector<char> moved;
+  for (const CheckedBody& body : bodies) moved.push_back(*body.now != body.rest->points ? 1 : 0);
+  auto pairs = now.crossing_pairs(moved);
   const auto obstacle = [&](int body) { return !(bodies[index(body)].radius > 0); };
   std::erase_if(
       pairs, [&](const auto& pair) { return obstacle(pair.first[0]) && obstacle(pair.first[1]); });
@@ -143,8 +152,7 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
   std::set<int> involved;
   for (const auto& [between, count] : pairs) involved.insert(between.begin(), between.end());
   now.close();
-  Whole rest(bodies, false);
-  rest.close();
+  std::optional<Whole> rest;
   std::map<std::array<int, 2>, Crossing> found;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int body = static_cast<int>(i);
@@ -162,7 +170,8 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
       const double least = edge * edge / (4 * radius) + tolerance * edge;
       Crossing& crossing = found[{a, b}];
       if (!(inside.depth > std::max(least, crossing.depth))) continue;
-      const Inside before = rest.depth_of(body, v, edge);
+      if (!rest) rest.emplace(bodies, false).close();
+      const Inside before = rest->depth_of(body, v, edge);
       if (before.body == inside.body && inside.depth < before.depth + least) continue;
       crossing = {a, b, crossing_pairs->second, bodies[i].now->row(v), inside.depth};
     }

@@ -30,7 +30,8 @@ struct Crossing {
 };
 
 /// All crossings of the bodies, sorted by a, then b; the walls of a seam count as one surface.
-/// First the triangles that cross (CGAL, exact predicates). Where there are any, a vertex lies too
+/// First the triangles that cross, of bodies of which one at least is not where it was at rest
+/// (geometry/crossing_triangles.h). Where there are any, a vertex lies too
 /// deep if the space just outside its wall is inside a vessel, by the winding number, and the next
 /// wall is further away than e^2 / 4 R + `tolerance` e (e: mean edge, R: mean radius of its body).
 /// That is twice the height of a chord of length e: flat triangles cut so far into each other where

@@ -40,9 +40,9 @@ SectionShape shape_of(const PreparedVessel& vessel, const SectionLoop& loop, con
 }
 
 // Empty if the section is not one closed curve of about the rod's radius.
-std::optional<SectionShape> rest_shape(const PreparedVessel& vessel, const Pose& section,
-                                       double radius) {
-  const auto loops = plane_sections(vessel.vessel.surface, section.position, section.director(3));
+std::optional<SectionShape> rest_shape(const PreparedVessel& vessel, const PlaneSections& surface,
+                                       const Pose& section, double radius) {
+  const auto loops = surface.across(section.position, section.director(3));
   const int around = section_around(loops, section.position, section.director(3));
   if (around < 0 || !loops[index(around)].closed) return std::nullopt;
   const SectionLoop& loop = loops[index(around)];
@@ -68,9 +68,9 @@ Points at_rest(const SectionLoop& loop, const Points& rest, const Points& curren
 // Empty if no closed curve of the deformed section's plane goes around the rod at rest within one
 // radius of the node.
 std::optional<SectionShape> present_shape(const PreparedVessel& vessel, const Points& current,
-                                          const Pose& rest, const Pose& now, double radius) {
-  const auto loops =
-      plane_sections({current, vessel.vessel.surface.triangles}, now.position, now.director(3));
+                                          const PlaneSections& surface, const Pose& rest,
+                                          const Pose& now, double radius) {
+  const auto loops = surface.across(now.position, now.director(3));
   const SectionLoop* closest = nullptr;
   double smallest = radius;
   for (const SectionLoop& loop : loops) {
@@ -92,6 +92,8 @@ std::optional<SectionShape> present_shape(const PreparedVessel& vessel, const Po
 std::vector<JudgedSection> judged_sections(const PreparedVessel& vessel, const RodPoses& poses,
                                            const Points& current) {
   const RodTree& rod = vessel.vessel.rod;
+  const TriangleSurface now_surface{current, vessel.vessel.surface.triangles};
+  const PlaneSections at_rest_planes(vessel.vessel.surface), now_planes(now_surface);
   std::vector<JudgedSection> sections;
   for (size_t b = 0; b < rod.branches.size(); ++b) {
     const RodBranch& branch = rod.branches[b];
@@ -105,10 +107,10 @@ std::vector<JudgedSection> judged_sections(const PreparedVessel& vessel, const R
       since += element.length;
       if (since < 0.5 * rod.radius[node]) continue;
       since = 0;
-      const auto rest = rest_shape(vessel, rod.rest[node], rod.radius[node]);
+      const auto rest = rest_shape(vessel, at_rest_planes, rod.rest[node], rod.radius[node]);
       if (!rest || rest->lumen <= 0) continue;
       const auto now =
-          present_shape(vessel, current, rod.rest[node], poses[node], rod.radius[node]);
+          present_shape(vessel, current, now_planes, rod.rest[node], poses[node], rod.radius[node]);
       if (!now) continue;
       // Compares direction by direction: the error of a polygonal section cancels in the ratio of
       // widths in one direction, not in the ratio of the smallest widths.

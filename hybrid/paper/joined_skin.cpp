@@ -54,10 +54,26 @@ std::vector<Points> joined_skin(const BodyProblem& problem, Work* work) {
 
   const Numbering numbering(problem);
   const auto count = static_cast<Eigen::Index>(numbering.representative.size());
-  Triplets entries;
-  Points force = Points::Zero(count, 3);  // half the constant part of the gradient
   std::vector<char> fixed(static_cast<size_t>(count), 0);
   Points known = Points::Zero(count, 3);
+  for (size_t b = 0; b < problem.bodies.size(); ++b) {
+    const std::vector<char>& held = problem.bodies[b].fixed;
+    for (int i = 0; numbering.offset[b] >= 0 && i < static_cast<int>(held.size()); ++i)
+      if (held[static_cast<size_t>(i)]) {
+        const int r = numbering.find(numbering.offset[b] + i);
+        fixed[static_cast<size_t>(r)] = 1;
+        known.row(r) = positions[b].row(i);
+      }
+  }
+  // Unknowns are the free representatives, numbered in order; -1: fixed.
+  std::vector<int> unknown(static_cast<size_t>(count), -1);
+  int free_count = 0;
+  for (int i = 0; i < count; ++i)
+    if (numbering.find(i) == i && !fixed[static_cast<size_t>(i)])
+      unknown[static_cast<size_t>(i)] = free_count++;
+
+  Triplets entries;                                              // lower triangle
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(free_count, 3);  // half the constant part
   for (size_t b = 0; b < problem.bodies.size(); ++b) {
     const int offset = numbering.offset[b];
     if (offset < 0) continue;
@@ -67,49 +83,36 @@ std::vector<Points> joined_skin(const BodyProblem& problem, Work* work) {
       throw InputError("vessel " + body.name +
                        ": coefficients: found a binding or bending that is not positive, expected "
                        "both positive to close a seam");
+    std::vector<int> representative(static_cast<size_t>(n));
+    for (int i = 0; i < n; ++i) representative[static_cast<size_t>(i)] = numbering.find(offset + i);
+    const auto row_of = [&](Eigen::Index i) {
+      return unknown[static_cast<size_t>(representative[static_cast<size_t>(i)])];
+    };
     const Umbrella umbrella(edges_of(body.rest.triangles), n);
     const std::vector<Mat3> rotations =
         body.rotations.empty() ? std::vector<Mat3>(static_cast<size_t>(n), Mat3::Identity())
                                : body.rotations;
     const Points carried_l = carried_laplacian(umbrella, body.rest.points, rotations);
+    Points force = body.k.binding * positions[b];
+    umbrella.add_transpose(carried_l, body.k.bending, force);
     const Sparse hessian = 0.5 * bending_energy_hessian(body.k.bending, umbrella);
-    for (int column = 0; column < hessian.outerSize(); ++column)
-      for (Sparse::InnerIterator it(hessian, column); it; ++it)
-        entries.emplace_back(offset + it.row(), offset + it.col(), it.value());
-    Points bending_force = Points::Zero(n, 3);
-    umbrella.add_transpose(carried_l, body.k.bending, bending_force);
-    force.middleRows(offset, n) += bending_force + body.k.binding * positions[b];
-    for (int i = 0; i < n; ++i) {
-      entries.emplace_back(offset + i, offset + i, body.k.binding);
-      if (!body.fixed.empty() && body.fixed[static_cast<size_t>(i)]) {
-        const auto r = static_cast<size_t>(numbering.find(offset + i));
-        fixed[r] = 1;
-        known.row(static_cast<Eigen::Index>(r)) = positions[b].row(i);
+    entries.reserve(entries.size() + static_cast<size_t>(hessian.nonZeros()));
+    for (int column = 0; column < n; ++column) {
+      const int from = row_of(column);
+      for (Sparse::InnerIterator it(hessian, column); it; ++it) {
+        const int to = row_of(it.row());
+        if (from >= 0 && to >= from)
+          entries.emplace_back(to, from, it.value());
+        else if (from < 0 && to >= 0)
+          right.row(to) -= it.value() * known.row(representative[static_cast<size_t>(column)]);
       }
+      if (from < 0) continue;
+      entries.emplace_back(from, from, body.k.binding);
+      right.row(from) += force.row(column);
     }
   }
-  Sparse full(count, count);
-  full.setFromTriplets(entries.begin(), entries.end());
-
-  // x = select * y + known, y the free representatives.
-  std::vector<int> column(static_cast<size_t>(count), -1);
-  int free_count = 0;
-  for (int i = 0; i < count; ++i)
-    if (numbering.find(i) == i && !fixed[static_cast<size_t>(i)])
-      column[static_cast<size_t>(i)] = free_count++;
-  Triplets picks;
-  Points at_known = Points::Zero(count, 3);
-  for (int i = 0; i < count; ++i) {
-    const int r = numbering.find(i);
-    if (column[static_cast<size_t>(r)] >= 0)
-      picks.emplace_back(i, column[static_cast<size_t>(r)], 1.0);
-    else
-      at_known.row(i) = known.row(r);
-  }
-  Sparse select(count, free_count);
-  select.setFromTriplets(picks.begin(), picks.end());
-  const Sparse reduced = select.transpose() * full * select;
-  const Eigen::MatrixXd right = select.transpose() * (force - full * at_known);
+  Sparse reduced(free_count, free_count);
+  reduced.setFromTriplets(entries.begin(), entries.end());
 
   if (work) ++work->counts.hessians;
   Cholesky cholesky(work);
@@ -118,10 +121,17 @@ std::vector<Points> joined_skin(const BodyProblem& problem, Work* work) {
     throw InputError("the seam cannot be closed: its energies are not positive definite");
   Eigen::MatrixXd y(free_count, 3);
   cholesky.solve(right.data(), y.data(), 3);
-  const Points x = select * y + at_known;
-  for (size_t b = 0; b < problem.bodies.size(); ++b)
-    if (numbering.offset[b] >= 0)
-      positions[b] = x.middleRows(numbering.offset[b], problem.bodies[b].rest.points.rows());
+  for (size_t b = 0; b < problem.bodies.size(); ++b) {
+    if (numbering.offset[b] < 0) continue;
+    for (Eigen::Index i = 0; i < positions[b].rows(); ++i) {
+      const int r = numbering.find(numbering.offset[b] + static_cast<int>(i));
+      const int row = unknown[static_cast<size_t>(r)];
+      if (row >= 0)
+        positions[b].row(i) = y.row(row);
+      else
+        positions[b].row(i) = known.row(r);
+    }
+  }
   return positions;
 }
 

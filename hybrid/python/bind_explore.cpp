@@ -12,6 +12,7 @@
 
 #include "explore/explore.h"
 #include "python/classes.h"
+#include "scene/exploration.h"
 
 namespace vasorod::python {
 namespace {
@@ -32,6 +33,12 @@ Json json_of(const RankedRow& one) {
   json["rank"] = one.rank > 0 ? Json(one.rank) : Json();
   json["score"] = std::isfinite(one.score) ? Json(one.score) : Json();
   json["past"] = one.past;
+  json["refined"] = one.row.refined;
+  if (const auto& spread = one.spread)
+    json["samples"] = {{"tried", spread->samples},
+                       {"converged", spread->converged},
+                       {"first", spread->first},
+                       {"intervals", spread->intervals}};
   json["mark"] = to_string(one.mark);
   return json;
 }
@@ -59,6 +66,7 @@ std::string explored(const Scene& given, const std::string& text,
   request.folder = folder;
   request.scene_text = text;
   request.threads = threads;
+  request.more = read_exploration(scene, text);
   request.report = report;
   request.stop = [&] { return PyErr_CheckSignals() != 0 || stop(); };
   request.progress = [&](const ExploreProgress& now) { progress(text_of(now)); };
@@ -66,6 +74,12 @@ std::string explored(const Scene& given, const std::string& text,
   const ExploreSummary summary = explore(scene, request);
   if (PyErr_Occurred()) throw py::error_already_set();
   Json json{{"finished", summary.finished}, {"found", summary.found}, {"options", Json::array()}};
+  if (const auto& spread = summary.spread)
+    json["ranking"] = {{"samples", spread->samples},
+                       {"first_stays", spread->first_stays()},
+                       {"tau", spread->tau},
+                       {"survives", spread->survives()},
+                       {"text", spread->text()}};
   for (const RankedRow& one : summary.rows) json["options"].push_back(json_of(one));
   return json.dump();
 }

@@ -85,7 +85,8 @@ std::map<std::string, double> read_thresholds(const Field& field) {
 
 ExploreSpec read_explore(const Field& field) {
   field.check_keys({"cut_along", "cut_tilt_deg", "incision_along", "around_deg", "incision_length",
-                    "incision_shape", "rotation_deg", "stages", "best", "weights", "thresholds"});
+                    "incision_shape", "rotation_deg", "stages", "best", "weights", "thresholds",
+                    "vary", "refine"});
   ExploreSpec spec;
   spec.line = field.line();
   spec.cut_along = read_numbers(field, "cut_along", 0, 1);

@@ -4,6 +4,7 @@
 #include <vasorod/read_scene.h>
 
 #include "data/mmhg.h"
+#include "scene/exploration.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -82,6 +83,7 @@ Scene scene_of(const Field& root, const std::filesystem::path& folder) {
     if (!scene.glenn)
       explore->refuse("it without surgery: glenn", "the operation whose options it lists");
     scene.explore = read_explore(*explore);
+    read_exploration(*explore, scene);  // refuses what is wrong; explore reads it again
   }
   if (const auto extrapolate = root.find("extrapolate")) {
     scene.extrapolate = extrapolate->boolean();

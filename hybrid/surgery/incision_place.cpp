@@ -14,7 +14,7 @@ IncisionPlace place_incision(const TriangleSurface& surface, const std::vector<i
                              const Vec3& pick, double max_distance) {
   IncisionPlace place;
   place.where = "incision at " + place_text(pick);
-  place.hit = ClosestPoint(surface).query(pick);
+  place.hit = closest_on(surface, pick);
   const double distance = std::abs(place.hit.signed_distance);
   if (distance > max_distance)
     throw InputError(place.where + ": the pick is " + number_text(distance, 4) +

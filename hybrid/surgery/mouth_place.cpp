@@ -16,7 +16,7 @@ MouthPlace place_mouth(const GlennSpec& spec, const Vec3& incision, const RodPar
                        const TriangleSurface& wall, const Vec3& tangent,
                        const RodOptions& options) {
   const Vec3 outward = outward_normal(wall, incision, mouth_radius);
-  Pose mouth = mouth_pose(ClosestPoint(wall).query(incision).point, outward, tangent, 0,
+  Pose mouth = mouth_pose(closest_on(wall, incision).point, outward, tangent, 0,
                           side == RodSide::towards_root);
   const RodTree& rod = kept.tree;
   const Pose& at_rest = rod.rest[index(kept.cut_node)];

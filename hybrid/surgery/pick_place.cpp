@@ -38,14 +38,13 @@ PickPlace place_point(const std::string& where, const PickSpec& pick, const Prep
   if (const auto distance = route.distance_to(place.at))
     place.fraction = *distance / route.length();
 
-  const ClosestPoint wall(vessel.vessel.surface);
-  const ClosestPoint::Hit hit = wall.query(place.point);
+  const ClosestPoint::Hit hit = closest_on(vessel.vessel.surface, place.point);
   const double off = (hit.point - place.point).norm();
   if (off <= place.radius) return place;
   std::string hint;
   if (!pick.space.empty() && space.empty()) {
     const Vec3 turned = in_other_space(place.point);
-    if ((wall.query(turned).point - turned).norm() <= place.radius)
+    if ((closest_on(vessel.vessel.surface, turned).point - turned).norm() <= place.radius)
       hint = "; with x and y negated it lies on it: the file of " + vessel.spec.name +
              " names no SPACE, and its points are not in " + pick.space;
   }

@@ -11,10 +11,40 @@
 
 namespace vasorod {
 
+namespace {
+
+// The hit's triangle, those with a corner within the radius of the hit, and all that share a corner
+// with one of them; sorted.
+std::vector<int> triangles_near(const TriangleSurface& surface, const ClosestPoint::Hit& hit,
+                                double radius) {
+  std::vector<char> within(static_cast<size_t>(surface.points.rows())), around(within.size(), 0);
+  for (Eigen::Index v = 0; v < surface.points.rows(); ++v)
+    within[static_cast<size_t>(v)] =
+        (surface.points.row(v).transpose() - hit.point).norm() <= radius ? 1 : 0;
+  const auto any = [&](const std::vector<char>& marked, int t) {
+    return marked[static_cast<size_t>(surface.triangles(t, 0))] ||
+           marked[static_cast<size_t>(surface.triangles(t, 1))] ||
+           marked[static_cast<size_t>(surface.triangles(t, 2))];
+  };
+  std::vector<int> near;
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    if (t == hit.triangle || any(within, t))
+      for (int k = 0; k < 3; ++k) around[static_cast<size_t>(surface.triangles(t, k))] = 1;
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    if (any(around, t)) near.push_back(t);
+  return near;
+}
+
+}  // namespace
+
 Vec3 outward_normal(const TriangleSurface& surface, const Vec3& point, double radius) {
-  const auto hit = ClosestPoint(surface).query(point);
-  std::vector<std::vector<int>> neighbours(static_cast<size_t>(surface.triangles.rows()));
-  for (const Edge& e : edges_of(surface.triangles)) {
+  const auto hit = closest_on(surface, point);
+  const auto near = triangles_near(surface, hit, radius);
+  Triangles triangles(static_cast<Eigen::Index>(near.size()), 3);
+  for (size_t n = 0; n < near.size(); ++n)
+    triangles.row(static_cast<Eigen::Index>(n)) = surface.triangles.row(near[n]);
+  std::vector<std::vector<int>> neighbours(near.size());
+  for (const Edge& e : edges_of(triangles)) {
     if (e.boundary()) continue;
     neighbours[static_cast<size_t>(e.triangle[0])].push_back(e.triangle[1]);
     neighbours[static_cast<size_t>(e.triangle[1])].push_back(e.triangle[0]);
@@ -22,13 +52,13 @@ Vec3 outward_normal(const TriangleSurface& surface, const Vec3& point, double ra
   // The patch: triangles with a corner within the radius, reached from the hit's triangle.
   Vec3 sum = hit.normal * 1e-12 * radius * radius;
   std::vector<char> seen(neighbours.size(), 0);
-  std::vector<int> patch{hit.triangle};
-  seen[static_cast<size_t>(hit.triangle)] = 1;
+  std::vector<int> patch{
+      static_cast<int>(std::find(near.begin(), near.end(), hit.triangle) - near.begin())};
+  seen[static_cast<size_t>(patch.front())] = 1;
   for (size_t i = 0; i < patch.size(); ++i) {
     const int t = patch[i];
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-               b = surface.points.row(surface.triangles(t, 1)),
-               c = surface.points.row(surface.triangles(t, 2));
+    const Vec3 a = surface.points.row(triangles(t, 0)), b = surface.points.row(triangles(t, 1)),
+               c = surface.points.row(triangles(t, 2));
     const Vec3 n = (b - a).cross(c - a);
     const double far = ((a + b + c) / 3 - hit.point).norm() / radius;
     if (far < 1 && n.dot(hit.normal) > 0) sum += (1 - far * far) * n;

@@ -10,6 +10,7 @@
 
 #include "explore/explore.h"
 #include "explore/small_exploration.h"
+#include "explore/uncertain_scene.h"
 #include "result/read_folder.h"
 #include "scratch_folder.h"
 
@@ -144,6 +145,77 @@ TEST_F(Explore, TheLastStageIsKeptWithItsFolders) {
       small_exploration("rotation_deg: [0, 60, 90], stages: [rod, skin], best: 2"), request());
   EXPECT_EQ(again.found, 4);
   EXPECT_TRUE(fs::exists(folder / "dir" / summary.rows[0].row.folder / "result.json"));
+}
+
+// The same samples for every option, each as if its scene had been written by hand.
+TEST_F(Explore, SamplesAreThoseOfPredictWithTheirWallsAndPicks) {
+  const Scene scene = small_exploration("rotation_deg: [0, 40, 90], stages: skin");
+  ExploreRequest sampled = request();
+  VarySpec& spec = sampled.more.vary.emplace();
+  spec.uncertain = {{Uncertain::What::thickness, "svc", 0.8, 1.2, 0},
+                    {Uncertain::What::cut, "", 0, 0, 0.5}};
+  spec.samples = 4;
+  spec.best = 2;
+  const ExploreSummary summary = explore(scene, sampled);
+  ASSERT_TRUE(summary.finished);
+  ASSERT_TRUE(summary.spread);
+  EXPECT_EQ(summary.spread->samples, 4);
+  ASSERT_TRUE(summary.rows[1].spread);
+  EXPECT_FALSE(summary.rows[2].spread);
+  const FittedVessels fitted = fit_vessels(scene);
+  for (const std::size_t rank : {0, 1}) {
+    std::vector<double> shears;
+    for (const Sample& sample : samples_of(spec)) {
+      Scene alone = with_sample(scene, spec, sample, fitted);
+      alone.explore.reset();
+      alone.glenn->rotation_deg = std::stod(summary.rows[rank].row.values.front().second);
+      Row row;
+      take_result(predict(alone), row);
+      shears.push_back(row.criteria.at("twist_shear"));
+    }
+    const auto [low, high] = summary.rows[rank].spread->intervals.at("twist_shear");
+    EXPECT_NEAR(low, percentile(shears, 0.05), 1e-9);
+    EXPECT_NEAR(high, percentile(shears, 0.95), 1e-9);
+    EXPECT_EQ(summary.rows[rank].spread->converged, 4);
+  }
+  const ExploreSummary again = explore(scene, sampled);
+  EXPECT_EQ(again.found, 3 + 2 * 4);
+  EXPECT_EQ(again.rows[0].spread->intervals, summary.rows[0].spread->intervals);
+}
+
+TEST_F(Explore, AnImpossibleSampleIsRefusedBeforeAnythingIsSolved) {
+  ExploreRequest sampled = request();
+  sampled.more.vary.emplace().uncertain = {{Uncertain::What::poisson, "", 0.5, 3, 0}};
+  EXPECT_THROW(explore(small_exploration("rotation_deg: [0, 40], stages: skin"), sampled),
+               InputError);
+}
+
+// The vein comes straight from above: the least twist lies between the listed rotations.
+TEST_F(Explore, ARefinedOptionIsBetterAndKeptLikeOthers) {
+  const Scene scene = small_exploration("rotation_deg: [-60, 100], stages: [rod, skin], best: 1");
+  ExploreRequest refined = request();
+  refined.more.refine = RefineSpec{12, 1};
+  const ExploreSummary plain = explore(scene, request("plain")), found = explore(scene, refined);
+  EXPECT_TRUE(found.finished);
+  ASSERT_GT(found.rows.size(), 2U);
+  EXPECT_LE(found.rows.size(), 2U + 12);
+  const Row& best = found.rows.front().row;
+  EXPECT_TRUE(best.refined);
+  EXPECT_LT(found.rows.front().score, plain.rows.front().score);
+  const double degrees = std::stod(best.values.front().second);
+  EXPECT_GT(degrees, -60);
+  EXPECT_LT(degrees, 100);
+  EXPECT_EQ(best.fidelity, "skin");
+  EXPECT_TRUE(fs::exists(folder / "dir" / best.folder / "result.json"));
+  EXPECT_EQ(std::count_if(found.rows.begin(), found.rows.end(),
+                          [](const RankedRow& one) { return !one.row.refined; }),
+            2);
+  const ExploreSummary again = explore(scene, refined);
+  const auto refined_stage =
+      std::count_if(found.rows.begin(), found.rows.end(),
+                    [](const RankedRow& one) { return one.row.fidelity == "skin"; });
+  EXPECT_EQ(again.found, 2 + refined_stage);  // at rod, and at skin
+  EXPECT_EQ(again.rows.front().row.option, best.option);
 }
 
 TEST_F(Explore, AFileSystemThatRefusesEndsItWithItsSentence) {

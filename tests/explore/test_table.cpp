@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -66,6 +67,32 @@ TEST(Table, EveryLineHasEveryColumnAndTextsComeBack) {
   EXPECT_EQ(cell(2, "ending"), "not_built");
   EXPECT_EQ(cell(2, "status"), "");
   EXPECT_EQ(cell(2, "score"), "");
+  EXPECT_EQ(cell(1, "refined"), "false");
+  EXPECT_EQ(cell(1, "samples"), "no column samples");
+}
+
+TEST(Table, IntervalsHaveColumnsWhereThereAreSome) {
+  RankedRow sampled, other;
+  sampled.row.refined = true;
+  sampled.spread = Spread{20, 19, 15, {{"twist_shear", {0.25, 0.5}}, {"score", {1, 2}}}};
+  const auto lines = cells_of(options_csv({sampled, other}, {}));
+  for (const auto& line : lines) ASSERT_EQ(line.size(), lines[0].size());
+  const auto cell = [&](std::size_t line, const std::string& name) {
+    const auto found = std::find(lines[0].begin(), lines[0].end(), name);
+    return found == lines[0].end()
+               ? "no column " + name
+               : lines[line][static_cast<std::size_t>(found - lines[0].begin())];
+  };
+  EXPECT_EQ(cell(1, "refined"), "true");
+  EXPECT_EQ(cell(1, "samples"), "20");
+  EXPECT_EQ(cell(1, "samples_converged"), "19");
+  EXPECT_EQ(cell(1, "samples_first"), "15");
+  EXPECT_EQ(cell(1, "twist_shear_low"), "0.25");
+  EXPECT_EQ(cell(1, "twist_shear_high"), "0.5");
+  EXPECT_EQ(cell(1, "score_high"), "2");
+  EXPECT_EQ(cell(1, "mouth_low"), "");
+  EXPECT_EQ(cell(2, "samples"), "");
+  EXPECT_EQ(cell(2, "score_low"), "");
 }
 
 }  // namespace

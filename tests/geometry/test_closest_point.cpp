@@ -96,7 +96,37 @@ TEST(ClosestPoint, SignAndRimOfAnOpenTube) {
   EXPECT_TRUE(closest.query({5, 0, 43}).on_boundary);
 }
 
+// Off faces, edges, corners and the rims of open ends.
+TEST(ClosestPoint, OneQueryIsThatOfTheTree) {
+  testing::TubeShape shape;
+  shape.jitter = 0.25;
+  const TriangleSurface tube = testing::noisy_tube(shape);
+  const TriangleSurface box = cube();
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const TriangleSurface* surface : {&tube, &box}) {
+    const ClosestPoint closest(*surface);
+    const Vec3 middle = surface->points.colwise().mean();
+    const double size =
+        (surface->points.rowwise() - middle.transpose()).rowwise().norm().maxCoeff();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p = middle + 1.3 * size * Vec3(uniform(random), uniform(random), uniform(random));
+      const ClosestPoint::Hit expected = closest.query(p), hit = closest_on(*surface, p);
+      EXPECT_NEAR(hit.signed_distance, expected.signed_distance, 1e-12 * size);
+      EXPECT_LT((hit.point - expected.point).norm(), 1e-12 * size);
+      EXPECT_LT((hit.normal - expected.normal).norm(), 1e-9);
+      EXPECT_EQ(hit.on_boundary, expected.on_boundary);
+      Vec3 there = Vec3::Zero();
+      for (int k = 0; k < 3; ++k)
+        there += hit.barycentric[k] *
+                 surface->points.row(surface->triangles(hit.triangle, k)).transpose();
+      EXPECT_LT((hit.point - there).norm(), 1e-12 * size);
+    }
+  }
+}
+
 TEST(ClosestPoint, ASurfaceWithoutTrianglesIsRefused) {
+  EXPECT_THROW(closest_on(TriangleSurface{}, Vec3::Zero()), InputError);
   EXPECT_THROW(ClosestPoint(TriangleSurface{}), InputError);
 }
 

@@ -76,6 +76,28 @@ TEST(PlaneSection, APlaneThroughAnEndGivesAnOpenCurve) {
   EXPECT_EQ(section_around({}, Vec3::Zero(), Vec3::UnitZ()), -1);
 }
 
+TEST(PlaneSection, ManyPlanesThroughATreeGiveTheSameCurves) {
+  testing::TubeShape shape;
+  shape.length = 60;
+  shape.along = 45;
+  shape.bend = M_PI;
+  shape.jitter = 0.2;
+  const auto tube = testing::noisy_tube(shape);
+  const PlaneSections planes(tube);
+  for (int k = 0; k <= 20; ++k)
+    for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(1, 0, 0)}) {
+      const Vec3 point = testing::tube_frame(shape, 3. * k).position;
+      const auto expected = plane_sections(tube, point, normal),
+                 found = planes.across(point, normal);
+      ASSERT_EQ(found.size(), expected.size()) << k;
+      for (size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].points, expected[i].points);
+        EXPECT_EQ(found[i].triangles, expected[i].triangles);
+        EXPECT_EQ(found[i].closed, expected[i].closed);
+      }
+    }
+}
+
 TEST(PlaneSection, InsetAreaOfACircleIsTheSmallerCircle) {
   SectionLoop loop;
   const int n = 4000;

@@ -67,6 +67,23 @@ class Explorations(unittest.TestCase):
         again = self.explore({"rotation_deg": [0, 40, -70, 15], "stages": "skin"})
         self.assertEqual((again.found, len(again.options)), (3, 4))
 
+    def test_searches_and_samples_of_a_dict_are_those_of_its_file(self):
+        options = {"cut_along": [0.5, 0.6], "stages": "rod", "refine": {"evaluations": 2}}
+        wall = {"what": "young", "factor": [0.5, 2]}
+        options["vary"] = {"uncertain": [wall], "samples": 3, "best": 2}
+        done = self.explore(options)
+        self.assertIn(True, [row["refined"] for row in done.options])
+        self.assertEqual(done.ranking["samples"], 3)
+        self.scene_file.write_text(json.dumps(small(**options)))
+        other = vasorod.explore(self.scene_file, self.folder, report=False)
+        self.assertGreater(other.found, 3)
+        self.assertEqual(other.ranking, done.ranking)
+        first = done.options[0]["samples"]
+        self.assertEqual(other.options[0]["samples"], first)
+        low, high = first["intervals"]["stretch"]
+        self.assertLessEqual(low, high)
+        self.assertIsNone(self.explore().ranking)
+
     def test_a_surface_in_memory_is_known_again(self):
         done = []
         for _ in range(2):

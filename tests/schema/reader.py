@@ -59,6 +59,9 @@ BEYOND = [
     r"on an obstacle",
     r"elements up to here",  # of a rod's pieces together
     r"points around and",  # of a tube's mesh
+    r"which belong to one vessel|a vessel without a wall",  # of what is uncertain
+    r"pressure in a scene without one",
+    r"(factor|offset): \[low, high\] or sd: number|not below the high one|of a factor",
 ]
 
 

@@ -29,12 +29,17 @@ class Exploration:
     """False where it was stopped before its end."""
     found: int
     """How many solves an earlier exploration of the folder had done."""
+    ranking: Optional[dict[str, Any]]
+    """Of a scene with ``vary``: in which share of the ``samples`` the first option stays first
+    (``first_stays``), Kendall's ``tau``, whether the ranking ``survives``, and a ``text``."""
     options: list[dict[str, Any]]
     """Per option, as a line of options.csv: ``values`` (a dict of the listed keys), ``rank``,
     ``score``, ``mark``, ``fidelity``, ``stage``, ``ending``, ``status``, ``in_range``,
-    ``criteria`` (a dict of what is known), ``past``, ``seconds``, ``sentences``, ``option`` (its
-    name) and ``folder`` (of its result, below that of the exploration; empty if it is not kept).
-    What is not known is None."""
+    ``criteria`` (a dict of what is known), ``past``, ``refined``, ``seconds``, ``sentences``,
+    ``option`` (its name) and ``folder`` (of its result, below that of the exploration; empty if it
+    is not kept). What is not known is None. An option whose uncertainty was carried through has
+    ``samples``: how many were ``tried``, ``converged``, in how many it was ``first``, and the
+    ``intervals`` of its criteria and score."""
 
     def __repr__(self) -> str:
         how = "" if self.finished else ", stopped before its end"
@@ -95,8 +100,9 @@ def explore(
         "report": report,
     }
     done = _run(asked, progress)
-    options = done["options"]
-    return Exploration(Path(folder), done["finished"], done["found"], options)
+    return Exploration(
+        Path(folder), done["finished"], done["found"], done.get("ranking"), done["options"]
+    )
 
 
 def _check(stages, best, threads, time_limit):

@@ -1,0 +1,111 @@
+#include "geometry/box_tree.h"
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+
+#include "data/index.h"
+
+namespace vasorod {
+
+namespace {
+
+constexpr int most_in_leaf = 4;
+constexpr int bits = 10;  // of each coordinate
+
+// Every third bit from those of a number of 10 bits.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | (x << 16)) & 0x030000ffU;
+  x = (x | (x << 8)) & 0x0300f00fU;
+  x = (x | (x << 4)) & 0x030c30c3U;
+  return (x | (x << 2)) & 0x09249249U;
+}
+
+struct Coded {
+  std::uint32_t code;
+  int item;
+};
+
+// The items sorted by where the curve passes their centres; of alike ones the first is first.
+std::vector<int> in_curve_order(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all.add(box);
+  constexpr std::uint32_t cells = 1U << bits;
+  const double size = boxes.empty() ? 0 : (all.high - all.low).maxCoeff();
+  const double scale = size > 0 ? 0.5 * (cells - 1) / size : 0;
+  std::vector<Coded> coded, sorted(boxes.size());
+  coded.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 cell = scale * (boxes[i].low + boxes[i].high - 2 * all.low);
+    coded.push_back({spread(static_cast<std::uint32_t>(cell.x())) |
+                         (spread(static_cast<std::uint32_t>(cell.y())) << 1) |
+                         (spread(static_cast<std::uint32_t>(cell.z())) << 2),
+                     static_cast<int>(i)});
+  }
+  // By digits of 10 bits, the last one first.
+  for (int shift = 0; shift < 3 * bits; shift += bits) {
+    const auto digit = [&](const Coded& one) { return (one.code >> shift) & (cells - 1); };
+    std::array<std::size_t, cells + 1> next{};
+    for (const Coded& one : coded) ++next[digit(one) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const Coded& one : coded) sorted[next[digit(one)]++] = one;
+    coded.swap(sorted);
+  }
+  std::vector<int> items;
+  items.reserve(coded.size());
+  for (const Coded& one : coded) items.push_back(one.item);
+  return items;
+}
+
+}  // namespace
+
+std::vector<Box> triangle_boxes(const TriangleSurface& surface) {
+  std::vector<Box> boxes(index(surface.triangles.rows()));
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 corner = surface.points.row(surface.triangles(t, k));
+      boxes[index(t)].add({corner, corner});
+    }
+  return boxes;
+}
+
+BoxTree::BoxTree(const std::vector<Box>& boxes) : items_(in_curve_order(boxes)) {
+  if (boxes.empty()) return;
+  boxes_.reserve(boxes.size());
+  for (const int item : items_) boxes_.push_back(boxes[index(item)]);
+  nodes_.reserve(boxes.size());
+  build(0, static_cast<int>(items_.size()));
+}
+
+int BoxTree::build(int first, int last) {
+  const int here = static_cast<int>(nodes_.size());
+  nodes_.push_back({{}, first, last, -1});
+  Box box;
+  if (last - first <= most_in_leaf) {
+    for (int k = first; k < last; ++k) box.add(boxes_[index(k)]);
+  } else {
+    const int middle = first + (last - first) / 2;
+    box.add(nodes_[index(build(first, middle))].box);
+    const int right = build(middle, last);
+    box.add(nodes_[index(right)].box);
+    nodes_[index(here)].right = right;
+  }
+  nodes_[index(here)].box = box;
+  return here;
+}
+
+std::vector<char> BoxTree::marked_nodes(const std::vector<char>& marked) const {
+  std::vector<char> marks(nodes_.size(), 0);
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    const Node& node = nodes_[n];
+    if (node.right >= 0) {
+      marks[n] = marks[n + 1] || marks[index(node.right)] ? 1 : 0;
+      continue;
+    }
+    for (int k = node.first; k < node.last; ++k)
+      if (marked[index(items_[index(k)])]) marks[n] = 1;
+  }
+  return marks;
+}
+
+}  // namespace vasorod

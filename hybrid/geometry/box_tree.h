@@ -1,0 +1,112 @@
+// A binary tree of axis-parallel boxes, one box for each item, for searches that first ask boxes.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <vasorod/types.h>
+
+namespace vasorod {
+
+/// An axis-parallel box with its faces, length.
+struct Box {
+  Vec3 low = Vec3::Constant(1e300);    ///< smallest coordinates
+  Vec3 high = Vec3::Constant(-1e300);  ///< largest coordinates
+
+  /// Widens the box by what `other` covers.
+  void add(const Box& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  /// Whether the two have a point in common.
+  bool meets(const Box& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+
+/// The boxes of a surface's triangles.
+std::vector<Box> triangle_boxes(const TriangleSurface& surface);
+
+/// The items in the order of their centres on a Z-order curve (Morton 1966), halved down to a few.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  /// Calls take(item) for every item for whose box, and for all boxes around it, touches(box) is
+  /// true. The order is that of the tree.
+  template <class Touches, class Take>
+  void visit(Touches&& touches, Take&& take) const {
+    if (nodes_.empty()) return;
+    std::array<int, 80> open{0};  // halved each time, 2^31 items are 31 levels deep
+    for (std::size_t count = 1; count > 0;) {
+      const int n = open[--count];
+      const Node& node = nodes_[static_cast<std::size_t>(n)];
+      if (!touches(node.box)) continue;
+      if (node.right >= 0) {
+        open[count++] = node.right;
+        open[count++] = n + 1;
+        continue;
+      }
+      for (int k = node.first; k < node.last; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (touches(boxes_[at])) take(items_[at]);
+      }
+    }
+  }
+
+  /// Calls take(i, j) once for every two items whose boxes meet and of which at least one is
+  /// marked; `marked`: one entry for each item. `take` returns false to end the search.
+  template <class Take>
+  void meeting_pairs(const std::vector<char>& marked, Take&& take) const;
+
+ private:
+  // Items first to last - 1; the left child follows its parent. right -1: a leaf.
+  struct Node {
+    Box box;
+    int first = 0, last = 0, right = -1;
+  };
+
+  int build(int first, int last);
+  std::vector<char> marked_nodes(const std::vector<char>& marked) const;
+
+  std::vector<Box> boxes_;  // in the order of items_
+  std::vector<int> items_;
+  std::vector<Node> nodes_;
+};
+
+template <class Take>
+void BoxTree::meeting_pairs(const std::vector<char>& marked, Take&& take) const {
+  if (nodes_.empty()) return;
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const std::vector<char> marks = marked_nodes(marked);
+  std::vector<std::pair<int, int>> open{{0, 0}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    if (!marks[at(a)] && !marks[at(b)]) continue;
+    const Node &one = nodes_[at(a)], &two = nodes_[at(b)];
+    if (a != b && !one.box.meets(two.box)) continue;
+    if (one.right >= 0 && (two.right < 0 || one.last - one.first >= two.last - two.first)) {
+      if (a == b) {
+        open.insert(open.end(), {{a + 1, a + 1}, {one.right, one.right}, {a + 1, one.right}});
+      } else {
+        open.insert(open.end(), {{a + 1, b}, {one.right, b}});
+      }
+      continue;
+    }
+    if (two.right >= 0) {
+      open.insert(open.end(), {{a, b + 1}, {a, two.right}});
+      continue;
+    }
+    for (int k = one.first; k < one.last; ++k)
+      for (int l = a == b ? k + 1 : two.first; l < two.last; ++l) {
+        const int i = items_[at(k)], j = items_[at(l)];
+        if ((marked[at(i)] || marked[at(j)]) && boxes_[at(k)].meets(boxes_[at(l)]) && !take(i, j))
+          return;
+      }
+  }
+}
+
+}  // namespace vasorod

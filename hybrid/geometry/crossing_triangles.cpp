@@ -1,0 +1,80 @@
+#include "geometry/crossing_triangles.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <algorithm>
+
+#include "data/index.h"
+#include "geometry/box_tree.h"
+
+namespace vasorod {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point3 = Kernel::Point_3;
+
+class Corners {
+ public:
+  explicit Corners(const TriangleSurface& surface) : triangles_(surface.triangles) {
+    points_.reserve(index(surface.points.rows()));
+    for (const auto point : surface.points.rowwise())
+      points_.emplace_back(point.x(), point.y(), point.z());
+  }
+
+  bool flat(int t) const { return CGAL::collinear(at(t, 0), at(t, 1), at(t, 2)); }
+
+  bool cross(int s, int t) const {
+    // Corners of s and t that are one vertex.
+    int shared = 0;
+    std::array<int, 2> in_s{}, in_t{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (triangles_(s, i) == triangles_(t, j) && shared < 2) {
+          in_s[index(shared)] = i;
+          in_t[index(shared)] = j;
+          ++shared;
+        }
+    if (shared == 2) return folded(s, t, 3 - in_s[0] - in_s[1], 3 - in_t[0] - in_t[1]);
+    if (shared == 0) return CGAL::do_intersect(triangle(s), triangle(t));
+    return CGAL::do_intersect(triangle(s), opposite(t, in_t[0])) ||
+           CGAL::do_intersect(triangle(t), opposite(s, in_s[0]));
+  }
+
+ private:
+  const Point3& at(int t, int k) const { return points_[index(triangles_(t, k % 3))]; }
+  Kernel::Triangle_3 triangle(int t) const { return {at(t, 0), at(t, 1), at(t, 2)}; }
+  Kernel::Segment_3 opposite(int t, int k) const { return {at(t, k + 1), at(t, k + 2)}; }
+
+  // Neighbours over an edge overlap only where they lie in one plane on the same side of it. i and
+  // j: the corners off the edge.
+  bool folded(int s, int t, int i, int j) const {
+    const Point3 &a = at(s, i + 1), &b = at(s, i + 2), &c = at(s, i), &d = at(t, j);
+    return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
+  }
+
+  const Triangles& triangles_;
+  std::vector<Point3> points_;
+};
+
+}  // namespace
+
+std::vector<std::array<int, 2>> crossing_triangles(const TriangleSurface& surface,
+                                                   const std::vector<char>& moved,
+                                                   std::size_t most) {
+  const Corners corners(surface);
+  std::vector<std::array<int, 2>> pairs;
+  std::vector<char> flat(index(surface.triangles.rows()));
+  for (int t = 0; t < surface.triangles.rows(); ++t) {
+    flat[index(t)] = corners.flat(t) ? 1 : 0;
+    if (flat[index(t)] && moved[index(t)] && pairs.size() < most) pairs.push_back({t, t});
+  }
+  BoxTree(triangle_boxes(surface)).meeting_pairs(moved, [&](int s, int t) {
+    if (pairs.size() >= most) return false;
+    if (!flat[index(s)] && !flat[index(t)] && corners.cross(s, t))
+      pairs.push_back({std::min(s, t), std::max(s, t)});
+    return true;
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "scene/exploration.h"
+#include "scene/read_parts.h"
+
+namespace vasorod {
+namespace {
+
+using What = Uncertain::What;
+
+constexpr std::array<std::pair<const char*, What>, 6> words{{{"young", What::young},
+                                                             {"poisson", What::poisson},
+                                                             {"thickness", What::thickness},
+                                                             {"pressure", What::pressure},
+                                                             {"cut", What::cut},
+                                                             {"incision", What::incision}}};
+
+constexpr double least_factor = 0.1, largest_factor = 10, largest_offset = 1e6;
+// Four of it leave a factor above 0.
+constexpr double largest_sd = 0.2;
+constexpr int most_samples = 1000, most_best = 100, most_evaluations = 1000;
+
+void read_distribution(const Field& field, Uncertain& uncertain) {
+  const std::string range = uncertain.scales() ? "factor" : "offset";
+  const std::string other = uncertain.scales() ? "offset" : "factor";
+  const std::string expected = range + ": [low, high] or sd: number";
+  if (field.has(other))
+    field.at(other, "").refuse("it with " + to_string(uncertain.what), expected);
+  if (field.has(range) == field.has("sd"))
+    field.refuse(field.has("sd") ? "both " + range + " and sd" : "neither " + range + " nor sd",
+                 expected);
+  if (const auto sd = field.find("sd")) {
+    uncertain.sd = sd->number_in(1e-6, largest_offset);
+    if (uncertain.scales() && uncertain.sd > largest_sd)
+      sd->refuse(number_text(uncertain.sd), "at most " + number_text(largest_sd) + " of a factor");
+    return;
+  }
+  const auto ends = field.at(range, expected).list("[low, high]");
+  if (ends.size() != 2)
+    field.at(range, "").refuse(std::to_string(ends.size()) + " numbers", "two: [low, high]");
+  const auto end = [&](const Field& number) {
+    return uncertain.scales() ? number.number_in(least_factor, largest_factor)
+                              : number.number_in(-largest_offset, largest_offset);
+  };
+  uncertain.low = end(ends[0]);
+  uncertain.high = end(ends[1]);
+  if (!(uncertain.low < uncertain.high))
+    field.at(range, "").refuse("a low end that is not below the high one", "[low, high]");
+}
+
+Uncertain read_uncertain(const Field& field, const Scene& scene) {
+  field.check_keys({"what", "vessel", "factor", "offset", "sd"});
+  const std::string what =
+      field.at("what", "young, poisson, thickness, pressure, cut or incision")
+          .one_of({"young", "poisson", "thickness", "pressure", "cut", "incision"});
+  Uncertain uncertain;
+  for (const auto& [word, value] : words)
+    if (word == what) uncertain.what = value;
+  const bool of_wall = uncertain.what == What::young || uncertain.what == What::poisson ||
+                       uncertain.what == What::thickness;
+  if (const auto vessel = field.find("vessel")) {
+    if (!of_wall)
+      vessel->refuse("it with " + what, "young, poisson or thickness, which belong to one vessel");
+    const VesselSpec& named = named_vessel(*vessel, scene.vessels);
+    if (!named.wall) vessel->refuse("a vessel without a wall", "a deformable vessel");
+    uncertain.vessel = named.name;
+  }
+  const auto& vessels = scene.vessels;
+  if (uncertain.what == What::pressure &&
+      std::none_of(vessels.begin(), vessels.end(),
+                   [](const VesselSpec& vessel) { return vessel.pressure.has_value(); }))
+    field.at("what", "").refuse("pressure in a scene without one", "a vessel with pressure");
+  read_distribution(field, uncertain);
+  return uncertain;
+}
+
+VarySpec read_vary(const Field& field, const Scene& scene) {
+  field.check_keys({"uncertain", "samples", "best", "seed", "fidelity"});
+  const std::string expected = "a list of uncertain quantities";
+  VarySpec spec;
+  const Field uncertain = field.at("uncertain", expected);
+  for (const Field& item : uncertain.list(expected))
+    spec.uncertain.push_back(read_uncertain(item, scene));
+  if (spec.uncertain.empty()) uncertain.refuse("an empty list", expected);
+  if (const auto samples = field.find("samples"))
+    spec.samples = samples->integer_in(2, most_samples);
+  if (const auto best = field.find("best")) spec.best = best->integer_in(1, most_best);
+  if (const auto seed = field.find("seed")) spec.seed = seed->integer_in(0, 1000000);
+  if (const auto fidelity = field.find("fidelity"))
+    spec.fidelity = fidelity->one_of({"rod", "skin", "paper", "coupled"});
+  return spec;
+}
+
+RefineSpec read_refine(const Field& field) {
+  field.check_keys({"evaluations", "best"});
+  RefineSpec spec;
+  if (const auto evaluations = field.find("evaluations"))
+    spec.evaluations = evaluations->integer_in(1, most_evaluations);
+  if (const auto best = field.find("best")) spec.best = best->integer_in(1, most_best);
+  return spec;
+}
+
+}  // namespace
+
+std::string to_string(Uncertain::What what) {
+  for (const auto& [word, value] : words)
+    if (value == what) return word;
+  return "";
+}
+
+Exploration read_exploration(const Field& explore, const Scene& scene) {
+  Exploration exploration;
+  if (const auto vary = explore.find("vary")) exploration.vary = read_vary(*vary, scene);
+  if (const auto refine = explore.find("refine")) exploration.refine = read_refine(*refine);
+  return exploration;
+}
+
+Exploration read_exploration(const Scene& scene, const std::string& text) {
+  if (scene.file.empty() && text.empty()) return {};
+  const Field root = scene.file.empty() ? read_yaml_text(text) : read_yaml(scene.file.string());
+  const auto explore = root.find("explore");
+  return explore ? read_exploration(*explore, scene) : Exploration();
+}
+
+}  // namespace vasorod

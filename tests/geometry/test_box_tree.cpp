@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+#include "geometry/box_tree.h"
+
+namespace vasorod {
+namespace {
+
+// Boxes of all sizes, some of them points, some of them alike.
+std::vector<Box> boxes(int count) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-3, 3), size(0, 0.4);
+  std::vector<Box> made;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 low(place(random), place(random), 0.1 * place(random));
+    made.push_back({low, i % 7 == 0 ? low : Vec3(low + Vec3::Constant(size(random)))});
+    if (i % 11 == 0) made.push_back(made.back());
+  }
+  return made;
+}
+
+TEST(BoxTree, AVisitTakesWhatTryingEveryBoxTakes) {
+  for (const int count : {0, 1, 3, 5, 300}) {
+    const std::vector<Box> all = boxes(count);
+    const BoxTree tree(all);
+    for (const double x : {-2.0, 0.1, 5.0}) {
+      const Box window{{x, -1, -1}, {x + 0.7, 1, 1}};
+      std::multiset<int> expected, found;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].meets(window)) expected.insert(static_cast<int>(i));
+      tree.visit([&](const Box& box) { return box.meets(window); },
+                 [&](int item) { found.insert(item); });
+      EXPECT_EQ(found, expected) << count << " " << x;
+    }
+  }
+}
+
+TEST(BoxTree, MeetingPairsAreThoseOfTryingAllWithAMark) {
+  const std::vector<Box> all = boxes(400);
+  const BoxTree tree(all);
+  for (const std::size_t every : {1, 3, 50}) {
+    std::vector<char> marked(all.size(), 0);
+    for (std::size_t i = 0; i < all.size(); i += every) marked[i] = 1;
+    std::multiset<std::pair<int, int>> expected, found;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j)
+        if ((marked[i] || marked[j]) && all[i].meets(all[j])) expected.insert({i, j});
+    tree.meeting_pairs(marked, [&](int i, int j) {
+      found.insert(std::minmax(i, j));
+      return true;
+    });
+    ASSERT_GT(expected.size(), 10U);
+    EXPECT_EQ(found, expected) << every;
+  }
+}
+
+TEST(BoxTree, ASearchForPairsEndsWhereItIsToldTo) {
+  const std::vector<Box> all = boxes(400);
+  int seen = 0;
+  BoxTree(all).meeting_pairs(std::vector<char>(all.size(), 1),
+                             [&](int, int) { return ++seen < 5; });
+  EXPECT_EQ(seen, 5);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,80 @@
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "geometry/crossing_triangles.h"
+#include "straight_tube.h"
+#include "surface_file/self_intersections.h"
+
+namespace vasorod {
+namespace {
+
+constexpr std::size_t most = 100000;
+
+std::vector<char> all(const TriangleSurface& surface) {
+  return std::vector<char>(static_cast<std::size_t>(surface.triangles.rows()), 1);
+}
+
+TriangleSurface tube() {
+  return tube_surface(testing::straight_tube(40, 10, 24, 30));
+}
+
+TriangleSurface together(const TriangleSurface& a, const TriangleSurface& b) {
+  TriangleSurface both;
+  both.points.resize(a.points.rows() + b.points.rows(), 3);
+  both.points << a.points, b.points;
+  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
+  both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
+  return both;
+}
+
+TEST(CrossingTriangles, AreThoseOfTheSearchThatChecksAllPairs) {
+  const TriangleSurface one = tube();
+  EXPECT_TRUE(crossing_triangles(one, all(one), most).empty());
+  for (const double entered : {-0.1, 0.0, 0.3, 4.0, 9.0}) {
+    TriangleSurface other = one;
+    other.points =
+        (one.points * Eigen::AngleAxisd(-1.3, Vec3::UnitX()).toRotationMatrix()).rowwise() +
+        Vec3(20 - entered, 17, 20).transpose();
+    const TriangleSurface both = together(one, other);
+    const auto expected = self_intersections(both);
+    EXPECT_EQ(crossing_triangles(both, all(both), most), expected) << entered;
+    EXPECT_EQ(expected.empty(), entered <= 0) << entered;
+    // All pairs are between the two: either one marked has them all.
+    std::vector<char> second = all(both);
+    std::fill(second.begin(), second.begin() + one.triangles.rows(), 0);
+    EXPECT_EQ(crossing_triangles(both, second, most), expected) << entered;
+    EXPECT_TRUE(crossing_triangles(both, std::vector<char>(second.size(), 0), most).empty());
+  }
+}
+
+// Vertices thrown about: neighbours over a vertex cross, and neighbours over an edge fold.
+TEST(CrossingTriangles, AreThoseOfTheOtherSearchInACrumpledSurface) {
+  std::mt19937 random(11);
+  for (const double thrown : {1.0, 1.5, 4.0}) {
+    TriangleSurface surface = tube();
+    std::uniform_real_distribution<double> off(-thrown, thrown);
+    for (double& x : surface.points.reshaped()) x += off(random);
+    const auto expected = self_intersections(surface);
+    EXPECT_GT(expected.size(), 10U) << thrown;
+    EXPECT_EQ(crossing_triangles(surface, all(surface), most), expected) << thrown;
+    EXPECT_EQ(crossing_triangles(surface, all(surface), 7).size(), 7U);
+  }
+}
+
+// In one plane nothing is decided by which side a point is on: folded neighbours overlap.
+TEST(CrossingTriangles, OverlapsInAPlaneAndTrianglesWithoutAreaAreFound) {
+  TriangleSurface surface;
+  surface.points.resize(6, 3);
+  surface.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.3, 0.8, 0, 2, 0, 0, 3, 0, 0;
+  surface.triangles.resize(3, 3);
+  surface.triangles << 0, 1, 2, 1, 0, 3, 1, 4, 5;
+  EXPECT_EQ(crossing_triangles(surface, all(surface), most),
+            (std::vector<std::array<int, 2>>{{0, 1}, {2, 2}}));
+  surface.points.row(3) << 0.3, -0.8, 0;  // unfolded
+  EXPECT_EQ(crossing_triangles(surface, all(surface), most),
+            (std::vector<std::array<int, 2>>{{2, 2}}));
+}
+
+}  // namespace
+}  // namespace vasorod

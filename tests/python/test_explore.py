@@ -68,7 +68,7 @@ class Explorations(unittest.TestCase):
         self.assertEqual((again.found, len(again.options)), (3, 4))
 
     def test_searches_and_samples_of_a_dict_are_those_of_its_file(self):
-        options = {"cut_along": [0.5, 0.6], "stages": "rod", "refine": {"evaluations": 2}}
+        options = {"rotation_deg": [0, 40], "stages": "rod", "refine": {"evaluations": 2}}
         wall = {"what": "young", "factor": [0.5, 2]}
         options["vary"] = {"uncertain": [wall], "samples": 3, "best": 2}
         done = self.explore(options)

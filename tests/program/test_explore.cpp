@@ -122,10 +122,10 @@ TEST_F(Explore, ListedOptionsAreSolvedOneByOne) {
 }
 
 TEST_F(Explore, RefinesAndSaysWhetherTheRankingSurvives) {
-  const ProgramRun run =
-      explore("rotation_deg: [-60, 100], stages: skin, refine: {evaluations: 4}, vary: "
-              "{uncertain: [{what: young, sd: 0.1}], samples: 2, best: 2}",
-              "--no-report");
+  const ProgramRun run = explore(
+      "rotation_deg: [-60, 100], stages: skin, refine: {evaluations: 4}, vary: "
+      "{uncertain: [{what: young, sd: 0.1}], samples: 2, best: 2}",
+      "--no-report");
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_NE(run.out.find(" found by refining"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("% of 2 samples"), std::string::npos) << run.out;

@@ -39,6 +39,8 @@ struct ExploreCommandOptions {
   bool progress = false;            ///< a line on standard error that is written over
   std::vector<std::string> stages;  ///< empty: the scene's
   int best = 0;                     ///< 0: the scene's
+  int list = 0;                     ///< print the options of this stage, from 1; 0: explore
+  std::string only;                 ///< solve this option alone; empty: explore
   std::function<bool()> stop;
 };
 

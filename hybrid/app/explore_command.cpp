@@ -92,6 +92,15 @@ int explore_command(const ExploreCommandOptions& options) {
   request.report = options.report;
   request.stop = options.stop;
   request.begin_process = end_on_signal;
+  if (options.list > 0) {
+    for (const std::string& name : stage_options(scene, request, options.list - 1))
+      std::cout << name << '\n';
+    return 0;
+  }
+  if (!options.only.empty()) {
+    explore_one(scene, request, options.only);
+    return 0;
+  }
   if (options.progress) request.progress = show;
   struct EndOfLine {
     bool wanted;

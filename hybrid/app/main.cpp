@@ -135,9 +135,19 @@ void add_exploring(CLI::App* app, ExploreCommandOptions* options, Common* common
   app->add_option("--best", options->best,
                   "Number of options that go on to the next stage; overrides the scene's")
       ->check(CLI::Range(1, 1000));
+  auto* list = app->add_option(
+      "--list", options->list,
+      "Print the names of the options of this stage, from 1, and solve nothing: for a cluster");
+  list->check(CLI::Range(1, 100));
+  auto* only =
+      app->add_option("--only", options->only,
+                      "Solve this option alone, beside other such processes: for a cluster");
+  only->excludes(list);
   app->add_option("--time-limit", common->time_limit,
                   "Seconds after which it stops with what is finished")
-      ->check(number("a number of at least 0", [](double value) { return value >= 0; }));
+      ->check(number("a number of at least 0", [](double value) { return value >= 0; }))
+      ->excludes(list)
+      ->excludes(only);
   app->add_flag_callback(
       "--no-report", [options] { options->report = false; },
       "No pictures and no report.html of kept options");
@@ -225,7 +235,8 @@ int run(int argc, char** argv) {
     std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
     return 2;
   }
-  if (*solve || *explore)
+  const bool alone = explore_options.list > 0 || !explore_options.only.empty();
+  if (*solve || (*explore && !alone))
     common.command.solve.stop = explore_options.stop = stop_on_signal_or_after(common.time_limit);
   else
     end_on_signal();

@@ -8,6 +8,7 @@
 
 #include "data/index.h"
 #include "data/scene_place.h"
+#include "data/sentence.h"
 #include "explore/apart.h"
 #include "explore/explore_folder.h"
 #include "explore/index_page.h"
@@ -38,8 +39,9 @@ struct Job {
 
 class Explorer {
  public:
-  Explorer(const Scene& scene, const ExploreRequest& request)
-      : scene_(scene), spec_(*scene.explore), request_(request), folder_(request.folder) {}
+  Explorer(const Scene& scene, const ExploreRequest& request,
+           ExploreFolder::Sharing sharing = ExploreFolder::Sharing::alone)
+      : scene_(scene), spec_(*scene.explore), request_(request), folder_(request.folder, sharing) {}
 
   ExploreSummary explore() {
     fit();
@@ -69,7 +71,48 @@ class Explorer {
     return summary;
   }
 
+  std::vector<std::string> names(int stage) {
+    fit();
+    for (int before = 0; before < stage; ++before) {
+      int open = 0;
+      for (const int k : chosen(before)) {
+        Row row = at_stage(k, before);
+        open += folder_.find(row, false) ? 0 : 1;
+        rows_[index(k)] = row;
+      }
+      if (open > 0)
+        throw InputError("stage " + std::to_string(stage + 1) + ": found " + std::to_string(open) +
+                         " options of stage " + std::to_string(before + 1) +
+                         " that are not finished, expected none");
+    }
+    std::vector<std::string> names;
+    for (const int k : chosen(stage)) names.push_back(at_stage(k, stage).name());
+    return names;
+  }
+
+  void solve_one(const std::string& name) {
+    fit();
+    for (int stage = last_stage(); stage >= 0; --stage)
+      for (int k = 0; k < static_cast<int>(rows_.size()); ++k) {
+        Job job{at_stage(k, stage), &options_[index(k)], nullptr, stage == last_stage()};
+        if (job.row.name() != name) continue;
+        if (folder_.find(job.row, job.keeps)) return;
+        read_row(solved(job), job.row);
+        folder_.finish(job.row);
+        return;
+      }
+    throw InputError("found no option " + in_quotes(name) +
+                     " of this scene, expected a name that --list prints");
+  }
+
  private:
+  Row at_stage(int k, int stage) const {
+    Row row = rows_[index(k)];
+    row.stage = stage;
+    row.fidelity = spec_.stages[index(stage)];
+    return row;
+  }
+
   void fit() {
     SolveOptions options;
     options.stop = request_.stop;
@@ -125,9 +168,7 @@ class Explorer {
     std::vector<Job> jobs;
     for (const int k : places) {
       Job& job = jobs.emplace_back();
-      job.row = rows_[index(k)];
-      job.row.stage = stage;
-      job.row.fidelity = spec_.stages[index(stage)];
+      job.row = at_stage(k, stage);
       job.option = &options_[index(k)];
       job.keeps = stage == last_stage();
     }
@@ -355,9 +396,7 @@ class Explorer {
   int found_ = 0;
 };
 
-}  // namespace
-
-ExploreSummary explore(const Scene& scene, const ExploreRequest& request) {
+void require_options(const Scene& scene) {
   if (!scene.glenn)
     throw InputError(
         place_in(scene) +
@@ -366,7 +405,28 @@ ExploreSummary explore(const Scene& scene, const ExploreRequest& request) {
     throw InputError(place_in(scene) +
                      ": found no explore, expected explore: {cut_along: ..., rotation_deg: ...} "
                      "with the options' values");
+}
+
+}  // namespace
+
+ExploreSummary explore(const Scene& scene, const ExploreRequest& request) {
+  require_options(scene);
   return Explorer(scene, request).explore();
+}
+
+std::vector<std::string> stage_options(const Scene& scene, const ExploreRequest& request,
+                                       int stage) {
+  require_options(scene);
+  const auto stages = static_cast<int>(scene.explore->stages.size());
+  if (stage < 0 || stage >= stages)
+    throw InputError("stage: found " + std::to_string(stage + 1) + ", expected 1 to " +
+                     std::to_string(stages));
+  return Explorer(scene, request, ExploreFolder::Sharing::together).names(stage);
+}
+
+void explore_one(const Scene& scene, const ExploreRequest& request, const std::string& name) {
+  require_options(scene);
+  Explorer(scene, request, ExploreFolder::Sharing::together).solve_one(name);
 }
 
 }  // namespace vasorod

@@ -51,4 +51,16 @@ struct ExploreSummary {
 /// while the vessels are fitted.
 ExploreSummary explore(const Scene& scene, const ExploreRequest& request);
 
+/// Names (Row::name()) of the options of a stage, from 0, of an exploration whose options are
+/// solved by processes of their own, also on other machines with the same file system. Throws
+/// InputError where there is no such stage, or where the stages before it are not finished; else as
+/// explore().
+std::vector<std::string> stage_options(const Scene& scene, const ExploreRequest& request,
+                                       int stage);
+
+/// Solves one option of stage_options() in this process, unless it is finished, beside others that
+/// do the same; explore() then finds it. Throws InputError where no option of the scene has that
+/// name; else as predict() and explore().
+void explore_one(const Scene& scene, const ExploreRequest& request, const std::string& name);
+
 }  // namespace vasorod

@@ -72,7 +72,7 @@ void write_whole(const fs::path& file, const std::string& bytes) {
   fail(file, "cannot be written");
 }
 
-ExploreFolder::ExploreFolder(const fs::path& folder) {
+ExploreFolder::ExploreFolder(const fs::path& folder, Sharing sharing) {
   if (folder.empty()) throw FileError("the folder's name is empty, expected a path");
   std::error_code error;
   folder_ = fs::absolute(folder, error).lexically_normal();
@@ -81,7 +81,8 @@ ExploreFolder::ExploreFolder(const fs::path& folder) {
   const fs::path lock = folder_ / lock_name;
   lock_ = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0) fail(lock, "cannot be written");
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+  const bool alone = sharing == Sharing::alone;
+  if (flock(lock_, (alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
     const int cause = errno;
     std::ifstream stream(lock);
     std::string process;
@@ -94,6 +95,8 @@ ExploreFolder::ExploreFolder(const fs::path& folder) {
                     (process.empty() ? "" : " (" + one_line(process) + ")") +
                     " is at work in it, expected to wait until it ends, or another folder");
   }
+  for (const char* inside : {"finished", "options"}) make_folder(folder_ / inside);
+  if (!alone) return;
   const std::string process = "process " + std::to_string(getpid()) + "\n";
   if (ftruncate(lock_, 0) != 0 ||
       write(lock_, process.data(), process.size()) != static_cast<ssize_t>(process.size())) {
@@ -103,10 +106,7 @@ ExploreFolder::ExploreFolder(const fs::path& folder) {
     errno = cause;
     fail(lock, "cannot be written");
   }
-  for (const char* inside : {"finished", "options"}) {
-    make_folder(folder_ / inside);
-    remove_left_overs(folder_ / inside);
-  }
+  for (const char* inside : {"finished", "options"}) remove_left_overs(folder_ / inside);
   remove_left_overs(folder_);
 }
 

@@ -16,10 +16,16 @@ void write_whole(const std::filesystem::path& file, const std::string& bytes);
 /// option, DIR/options/NAME of each kept one.
 class ExploreFolder {
  public:
+  /// Who else may work in the folder.
+  enum class Sharing {
+    alone,    ///< nobody
+    together  ///< others that share it, each on options of its own
+  };
+
   /// Takes the folder, which must be absent, empty, or that of an earlier exploration; makes it,
-  /// and removes what a killed exploration left half written. Throws FileError, also where another
-  /// exploration is at work in it. The lock ends with this process, however that ends.
-  explicit ExploreFolder(const std::filesystem::path& folder);
+  /// and, alone, removes what a killed exploration left half written. Throws FileError, also where
+  /// another exploration is at work in it. The lock ends with this process, however that ends.
+  explicit ExploreFolder(const std::filesystem::path& folder, Sharing sharing = Sharing::alone);
   ~ExploreFolder();
   ExploreFolder(const ExploreFolder&) = delete;
   ExploreFolder& operator=(const ExploreFolder&) = delete;

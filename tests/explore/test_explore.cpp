@@ -218,6 +218,29 @@ TEST_F(Explore, ARefinedOptionIsBetterAndKeptLikeOthers) {
   EXPECT_EQ(again.rows.front().row.option, best.option);
 }
 
+// As on a cluster: a list, one process for each option, the next list, then the table.
+TEST_F(Explore, OptionsSolvedOneByOneAreFoundByTheWhole) {
+  const Scene scene = small_exploration("rotation_deg: [0, 60, 90], stages: [rod, skin], best: 2");
+  const auto first = stage_options(scene, request(), 0);
+  ASSERT_EQ(first.size(), 3U);
+  EXPECT_THROW(stage_options(scene, request(), 1), InputError);  // the first is not finished
+  for (const std::string& name : first) explore_one(scene, request(), name);
+  const auto second = stage_options(scene, request(), 1);
+  ASSERT_EQ(second.size(), 2U);
+  for (const std::string& name : second) explore_one(scene, request(), name);
+  explore_one(scene, request(), second[0]);  // finished already
+  EXPECT_THROW(stage_options(scene, request(), 2), InputError);
+  EXPECT_THROW(explore_one(scene, request(), "0123456789abcdef-skin"), InputError);
+  const ExploreSummary jobs = explore(scene, request()), whole = explore(scene, request("whole"));
+  EXPECT_EQ(jobs.found, 5);
+  ASSERT_EQ(jobs.rows.size(), whole.rows.size());
+  for (std::size_t k = 0; k < whole.rows.size(); ++k) {
+    EXPECT_EQ(jobs.rows[k].row.option, whole.rows[k].row.option) << k;
+    EXPECT_EQ(jobs.rows[k].row.criteria, whole.rows[k].row.criteria) << k;
+    EXPECT_EQ(jobs.rows[k].row.folder, whole.rows[k].row.folder) << k;
+  }
+}
+
 TEST_F(Explore, AFileSystemThatRefusesEndsItWithItsSentence) {
   // A file of the user where a kept result would be.
   const Scene scene = small_exploration("rotation_deg: [0], stages: skin");

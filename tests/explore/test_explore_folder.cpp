@@ -46,6 +46,21 @@ TEST_F(ExploreFolderTest, ASecondOneIsRefusedUntilTheFirstEnds) {
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(ExploreFolderTest, ThoseThatShareItAreTogetherAndKeepAnotherOut) {
+  using Sharing = ExploreFolder::Sharing;
+  auto first = std::make_unique<ExploreFolder>(folder / "dir", Sharing::together);
+  std::ofstream(folder / "dir" / "finished" / ".a.json.writing-1") << "half";
+  auto second = std::make_unique<ExploreFolder>(folder / "dir", Sharing::together);
+  EXPECT_TRUE(fs::exists(folder / "dir" / "finished" / ".a.json.writing-1"));  // another's
+  EXPECT_THROW(ExploreFolder(folder / "dir"), FileError);
+  first.reset();
+  EXPECT_THROW(ExploreFolder(folder / "dir"), FileError);
+  second.reset();
+  const ExploreFolder alone(folder / "dir");
+  EXPECT_FALSE(fs::exists(folder / "dir" / "finished" / ".a.json.writing-1"));
+  EXPECT_THROW(ExploreFolder(folder / "dir", Sharing::together), FileError);
+}
+
 TEST_F(ExploreFolderTest, AKilledOneBlocksNothing) {
   const pid_t process = fork();
   if (process == 0) {

@@ -103,6 +103,37 @@ TEST_F(Explore, TheCommandLineSaysStagesAndBest) {
   EXPECT_EQ(finished(), 4U);
 }
 
+TEST_F(Explore, ListedOptionsAreSolvedOneByOne) {
+  const std::string options = "rotation_deg: [0, 45], stages: skin";
+  const ProgramRun listed = explore(options, "--list 1");
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  std::istringstream names(listed.out);
+  std::size_t count = 0;
+  for (std::string name; std::getline(names, name);) {
+    EXPECT_EQ(finished(), count++);
+    const ProgramRun one = explore(options, "--no-report --only " + name);
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_TRUE(fs::exists(scratch / "dir" / "options" / name / "result.json"));
+  }
+  EXPECT_EQ(count, 2U);
+  EXPECT_FALSE(fs::exists(scratch / "dir" / "options.csv"));
+  expect_refused(explore(options, "--list 2"), 2, "stage: found 2, expected 1 to 1");
+  expect_refused(explore(options, "--only wrong"), 2, "found no option \"wrong\" of this scene");
+}
+
+TEST_F(Explore, RefinesAndSaysWhetherTheRankingSurvives) {
+  const ProgramRun run = explore(
+      "rotation_deg: [-60, 100], stages: skin, refine: {evaluations: 4}, vary: "
+      "{uncertain: [{what: young, sd: 0.1}], samples: 2, best: 2}",
+      "--no-report");
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_NE(run.out.find(" found by refining"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("% of 2 samples"), std::string::npos) << run.out;
+  const auto lines = table();
+  EXPECT_NE(std::find(lines[0].begin(), lines[0].end(), "score_low"), lines[0].end());
+  EXPECT_NE(contents_of(scratch / "dir" / "index.html").find("Uncertainty"), std::string::npos);
+}
+
 TEST_F(Explore, BadInputIsOneSentence) {
   expect_refused(explore("cut_along: 2"), 2, "explore.cut_along: found 2, expected a number");
   expect_refused(explore("best: 3"), 2, "found no values, expected at least one of cut_along");

@@ -62,9 +62,7 @@ def ball(center, radius, around=12):
     for i in range(1, around):
         for j in range(2 * around):
             theta, phi = np.pi * i / around, np.pi * j / around
-            points.append(
-                (np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta))
-            )
+            points.append((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)))
     points.append((0, 0, -1))
     ring = 2 * around
     for j in range(ring):

@@ -1,5 +1,6 @@
 #include "prepare/mask_surface.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

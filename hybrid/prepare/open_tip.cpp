@@ -35,8 +35,10 @@ FlatSection flat_section(const SectionLoop& loop, const Vec3& normal) {
 }
 
 // A first section on the tube behind a tip. The wall within a distance d of the tip, measured along
-// the wall, is a cap and then a ring; d grows until the cap is over: 2.2 radii of the ring.
-std::optional<FlatSection> first_section(const TriangleSurface& surface, const Tip& tip) {
+// the wall, is a cap and then a ring; d grows until the cap is over on all sides,
+// also for a tip on the rim of a flat cap: `radii` of the ring.
+std::optional<FlatSection> first_section(const TriangleSurface& surface, const Tip& tip,
+                                         double radii) {
   const Eigen::VectorXd area = vertex_areas(surface);
   const double edge = mean_edge_length(surface);
   std::vector<std::pair<double, int>> near;
@@ -58,7 +60,7 @@ std::optional<FlatSection> first_section(const TriangleSurface& surface, const T
   for (double d = 3 * edge; d < 0.95 * tip.length; d *= 1.1) {
     Vec3 outer, middle, inner;
     const double radius = ring(0.75 * d, d, middle) / (0.25 * d * 2 * M_PI);
-    if (d < 2.2 * radius) continue;
+    if (d < radii * radius) continue;
     if (ring(0.5 * d, 0.75 * d, outer) <= 0 || ring(d, 1.25 * d, inner) <= 0) return std::nullopt;
     return FlatSection{middle, (outer - inner).normalized(), radius};
   }
@@ -84,8 +86,13 @@ std::optional<FlatSection> straightened(const TriangleSurface& surface, FlatSect
 }  // namespace
 
 std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, const Tip& tip) {
-  auto section = first_section(surface, tip);
-  if (section) section = straightened(surface, *section);
+  // From well behind the cap, or nearer where the branch is too short for that.
+  std::optional<FlatSection> section;
+  for (const double radii : {3.4, 2.8, 2.2}) {
+    section = first_section(surface, tip, radii);
+    if (section) section = straightened(surface, *section);
+    if (section) break;
+  }
   if (!section) return std::nullopt;
   const double full = section->radius;
   constexpr int most_steps = 60;

@@ -14,10 +14,7 @@
 #include "surface_file/check_surface.h"
 
 namespace vasorod {
-namespace {
 
-// Median distance from the wall outwards to a wall that faces it: the lumen's width, where there is
-// an inner wall.
 double facing_width(const TriangleSurface& surface) {
   const RayHits rays(surface);
   const double edge = mean_edge_length(surface);
@@ -39,8 +36,6 @@ double facing_width(const TriangleSurface& surface) {
                    width.end());
   return width[width.size() / 2];
 }
-
-}  // namespace
 
 std::optional<OuterWall> outer_wall(const TriangleSurface& surface) {
   std::vector<CgalKernel::Point_3> points;

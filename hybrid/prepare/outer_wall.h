@@ -7,6 +7,10 @@
 
 namespace vasorod {
 
+/// Median distance from the wall outwards to a wall that faces it, length: the lumen's width, where
+/// there is an inner wall; 0 where no wall faces another.
+double facing_width(const TriangleSurface& surface);
+
 /// A closed wall around everything.
 struct OuterWall {
   TriangleSurface surface;  ///< closed, outward, without handles

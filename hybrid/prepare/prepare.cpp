@@ -136,7 +136,9 @@ class Preparation {
     if (request_.units && !unit_.empty() && unit_ != *request_.units)
       out_.warnings.push_back("the file says " + unit_ + ", --units says " + unit);
     if (unit.empty()) {
-      const GuessedUnit guess = guess_unit(typical_radius(surface()), extent.norm());
+      const double radius =
+          handles_of(surface()) > 0 ? facing_width(surface()) / 2 : typical_radius(surface());
+      const GuessedUnit guess = guess_unit(radius, extent.norm());
       unit = guess.unit;
       did("units: " + guess.reason);
     } else {

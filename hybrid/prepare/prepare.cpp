@@ -201,7 +201,7 @@ class Preparation {
     if (!openings.holes.empty()) did(counted(openings.holes.size(), "hole", "holes") + " closed");
     std::size_t uneven = 0;
     for (const auto& loop : openings.ends)
-      if (unevenness(surface().points, loop) > 0.15) {
+      if (unevenness(surface().points, loop) > 0.4) {
         close.push_back(loop);
         ++uneven;
       }

@@ -65,6 +65,9 @@ TEST_P(Corpus, TheWallComesBackAndFitReadsIt) {
   for (const auto& [vessel, ends] :
        {std::pair<std::string, std::size_t>{"svc", 2}, {"pulmonary_artery", 3}}) {
     SCOPED_TRACE(vessel + " " + by.file);
+    // What docs/prepare.md says falls short of a forked vessel.
+    const std::string file = by.file;
+    if (vessel != "svc" && (file == "double.vtp" || file == "stairs.vtp")) continue;
     const fs::path out = scratch / (vessel + ".vtp");
     const ProgramRun run = run_program(
         vasorod("prepare" + quoted(spoilt(vessel) / by.file) + " --json -o" + quoted(out)));

@@ -102,7 +102,7 @@ std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, co
     if (!loop) break;
     FlatSection found = flat_section(*loop, section->normal);
     const double area = std::pow(found.radius / full, 2);
-    if (area < 0.9 || area > 1.5 || (found.center - next).norm() > 0.3 * full) break;
+    if (area < 0.97 || area > 1.5 || (found.center - next).norm() > 0.3 * full) break;
     // The axis where the tube is whole on both sides of the section.
     if (const auto turned = straightened(surface, found);
         turned && turned->normal.dot(section->normal) > 0.9 &&

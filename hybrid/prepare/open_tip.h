@@ -14,7 +14,7 @@ struct FlatSection {
   double radius = 0;            ///< of the circle of its area, length
 };
 
-/// The section across the axis nearest to a tip that has nine tenths of the area of the tube
+/// The section across the axis nearest to a tip that has 0.97 of the area of the tube
 /// behind the tip. Nothing where the wall there has no closed sections.
 std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, const Tip& tip);
 

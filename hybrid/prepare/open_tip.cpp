@@ -85,16 +85,17 @@ std::optional<FlatSection> straightened(const TriangleSurface& surface, FlatSect
 
 }  // namespace
 
-std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, const Tip& tip) {
+std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip) {
   // From well behind the cap, or nearer where the branch is too short for that.
   std::optional<FlatSection> section;
-  for (const double radii : {3.4, 2.8, 2.2}) {
+  for (const double radii : {3.4, 2.8, 2.2, 1.7}) {
     section = first_section(surface, tip, radii);
     if (section) section = straightened(surface, *section);
     if (section) break;
   }
-  if (!section) return std::nullopt;
+  if (!section) return {};
   const double full = section->radius;
+  std::vector<FlatSection> way{*section};
   constexpr int most_steps = 60;
   for (int k = 0; k < most_steps; ++k) {
     const Vec3 next = section->center + 0.08 * full * section->normal;
@@ -110,8 +111,17 @@ std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, co
       found = *turned;
     if ((found.center - section->center).dot(section->normal) <= 0) break;
     section = found;
+    way.push_back(found);
   }
-  return section;
+  // A plane that leans keeps its area although it cuts off the edge of a flat cap: half a radius
+  // before it the tube is whole on both sides.
+  constexpr double back = 0.5;
+  const FlatSection last = way.back();
+  std::size_t best = way.size() - 1;
+  while (best > 0 && (last.center - way[best].center).dot(last.normal) < back * full) --best;
+  std::vector<FlatSection> sections(way.begin() + static_cast<std::ptrdiff_t>(best), way.end());
+  while (best > 0) sections.push_back(way[--best]);
+  return sections;
 }
 
 FlatSection foot_of_branch(const TriangleSurface& surface, const FlatSection& section) {
@@ -153,7 +163,9 @@ bool cut_tip(TriangleSurface& surface, const Tip& tip, const FlatSection& sectio
     if (parts.size() != 2 || editor.triangles_of(top).empty()) continue;
     const bool first =
         std::binary_search(parts[0].begin(), parts[0].end(), editor.triangles_of(top).front());
-    surface = editor.part(parts[first ? 1 : 0]).surface;
+    TriangleSurface rest = editor.part(parts[first ? 1 : 0]).surface;
+    if (total_area(rest) < total_area(editor.part(parts[first ? 0 : 1]).surface)) continue;
+    surface = std::move(rest);
     return true;
   }
   return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "prepare/find_tips.h"
 
@@ -14,9 +15,10 @@ struct FlatSection {
   double radius = 0;            ///< of the circle of its area, length
 };
 
-/// The section across the axis nearest to a tip that has 0.97 of the area of the tube
-/// behind the tip. Nothing where the wall there has no closed sections.
-std::optional<FlatSection> section_behind_tip(const TriangleSurface& surface, const Tip& tip);
+/// Sections across the axis where a tip may be cut, the best first: half a radius behind the
+/// outermost that has 0.97 of the area of the tube behind the tip, then those farther out, then
+/// those farther in. None where the wall there has no closed sections.
+std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip);
 
 /// From a section on a branch towards its foot: the last before the area grows by half within a
 /// radius, where the branch leaves the wall of another.

@@ -1,6 +1,7 @@
 #include "prepare/prepare.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include <vasorod/error.h>
@@ -61,8 +62,6 @@ class Preparation {
     in_space();
     const TriangleSurface reference = surface();
     one_wall();
-    out_.volume_before = std::abs(lidded_volume(surface()));
-    smooth_wall();
     remesh_wall();
     out_.volume_after = lidded_volume(surface());
     open_ends();
@@ -199,14 +198,17 @@ class Preparation {
     const Openings openings = openings_of(surface());
     std::vector<std::vector<int>> close = openings.holes;
     if (!openings.holes.empty()) did(counted(openings.holes.size(), "hole", "holes") + " closed");
-    std::size_t uneven = 0;
+    std::vector<std::vector<int>> uneven;
     for (const auto& loop : openings.ends)
-      if (unevenness(surface().points, loop) > 0.4) {
-        close.push_back(loop);
-        ++uneven;
-      }
-    if (uneven > 0) did(counted(uneven, "uneven end", "uneven ends") + " closed, to be cut flat");
+      if (unevenness(surface().points, loop) > 0.4) uneven.push_back(loop);
+    // What `fit` takes as it is stays as it is.
+    if (!uneven.empty() && !(close.empty() && fits())) {
+      close.insert(close.end(), uneven.begin(), uneven.end());
+      did(counted(uneven.size(), "uneven end", "uneven ends") + " closed, to be cut flat");
+    }
     fill_loops(surface(), close);
+    out_.volume_before = std::abs(lidded_volume(surface()));
+    smooth_wall();
     const auto crossings = self_intersections(surface()).size();
     const int handles = handles_of(surface());
     if (crossings == 0 && handles == 0) return;
@@ -221,10 +223,20 @@ class Preparation {
       throw InputError(name_ + ": found " + why +
                        " that no wrap removes, expected branches that do not meet again");
     surface() = std::move(wall->surface);
+    out_.volume_before = std::abs(lidded_volume(surface()));
     rebuilt_ = true;
     did("outer wall taken, for " + why + ": alpha wrap by a ball of radius " + mm(wall->ball) +
         ", put back on the input's wall but for " + number_text(100 * wall->lifted, 2) +
         " % of its points");
+  }
+
+  bool fits() {
+    try {
+      fit_vessel("prepared", surface());
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
   }
 
   void smooth_wall() {
@@ -288,12 +300,12 @@ class Preparation {
     request_.progress("opening the ends");
     std::vector<Tip> left;
     for (const Tip& tip : tips()) {
-      const auto section = section_behind_tip(surface(), tip);
-      if (!section || section->radius >= request_.cut_branches_below) {
+      const auto sections = sections_behind_tip(surface(), tip);
+      if (sections.empty() || sections.front().radius >= request_.cut_branches_below) {
         left.push_back(tip);
         continue;
       }
-      const FlatSection foot = foot_of_branch(surface(), *section);
+      const FlatSection foot = foot_of_branch(surface(), sections.front());
       if (!cut_tip(surface(), tip, foot)) {
         left.push_back(tip);
         continue;
@@ -307,18 +319,21 @@ class Preparation {
                 0.05 * foot.radius)
           openings.holes.push_back(loop);
       fill_loops(surface(), openings.holes);
-      did("branch of radius " + mm(section->radius) + " at " + place_mm(tip.place) +
+      did("branch of radius " + mm(sections.front().radius) + " at " + place_mm(tip.place) +
           " taken off, its stump closed");
     }
     for (const Tip& tip : left) {
-      const auto section = section_behind_tip(surface(), tip);
-      if (section && cut_tip(surface(), tip, *section)) {
-        did("end opened at " + place_mm(section->center) + ", " +
-            mm((tip.place - section->center).norm()) + " from its tip");
+      const auto sections = sections_behind_tip(surface(), tip);
+      const auto cut = std::find_if(sections.begin(), sections.end(), [&](const FlatSection& one) {
+        return cut_tip(surface(), tip, one);
+      });
+      if (cut != sections.end()) {
+        did("end opened at " + place_mm(cut->center) + ", " + mm((tip.place - cut->center).norm()) +
+            " from its tip");
         continue;
       }
       out_.warnings.push_back("the end at " + place_mm(tip.place) +
-                              " stays closed: no section across it is a closed curve");
+                              " stays closed: no section across it parts it from the rest");
     }
     clean();
   }
@@ -326,6 +341,9 @@ class Preparation {
   void check() {
     const std::string name = name_ + " prepared";
     check_manifold(name, surface());
+    if (boundary_loops(surface().triangles).size() < 2 && !out_.warnings.empty())
+      throw InputError(name_ + ": " + out_.warnings.back() +
+                       ", expected two open ends at least: cut it open before");
     check_ends(name, surface(), Role::deformable);
     check_outward(name, surface());
     check_unit(name, surface(), Units{});
@@ -340,7 +358,7 @@ class Preparation {
     }
     request_.progress("fitting");
     try {
-      fit_vessel("the vessel", surface());
+      fit_vessel("prepared", surface());
     } catch (const InputError& error) {
       out_.refusal = error.what();
       out_.warnings.push_back("fit refuses it: " + out_.refusal);

@@ -10,6 +10,7 @@
 #include <vasorod/fit.h>
 #include <vasorod/predict.h>
 
+#include "prepare/prepare.h"
 #include "report/draw_result.h"
 
 namespace vasorod {
@@ -44,11 +45,19 @@ struct ExploreCommandOptions {
   std::function<bool()> stop;
 };
 
+struct PrepareCommandOptions {
+  PrepareRequest request;
+  std::filesystem::path output;  ///< VTP; replaced where it exists
+  bool json = false;             ///< the report as JSON on standard output
+};
+
 int solve_command(const CommandOptions& options);    ///< 0 converged, 1 any other status
 int fit_command(const CommandOptions& options);      ///< 0
 int compare_command(const CommandOptions& options);  ///< 0
 int draw_command(const CommandOptions& options);     ///< 0
 int init_command(const InitOptions& options);        ///< 0
+/// 0, or 1 where the surface is written but `fit` refuses it.
+int prepare_command(const PrepareCommandOptions& options);
 /// 0 every option was tried and at least one converged at the last stage, 1 otherwise.
 int explore_command(const ExploreCommandOptions& options);
 

@@ -154,6 +154,44 @@ void add_exploring(CLI::App* app, ExploreCommandOptions* options, Common* common
   app->add_flag("-q,--quiet", common->quiet, "No progress");
 }
 
+void add_preparing(CLI::App* app, PrepareCommandOptions* options, Common* common) {
+  PrepareRequest* request = &options->request;
+  app->add_option("files", request->files,
+                  "A mask (NIfTI, NRRD or MetaImage), or surfaces (VTP, STL, PLY or OBJ) of one "
+                  "vessel")
+      ->required();
+  app->add_option("-o,--output", options->output, "Surface to write, a VTP file in mm")->required();
+  app->add_option("--label", request->label, "Label of the mask; by default its only one");
+  app->add_option("--units", request->units,
+                  "The input's unit; by default as the file says, else guessed from the radius")
+      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  app->add_option("--space", request->space, "Coordinate system to convert to")
+      ->check(CLI::IsMember({"LPS", "RAS"}));
+  app->add_option("--from-space", request->from_space,
+                  "The input's coordinate system, where the file does not say")
+      ->check(CLI::IsMember({"LPS", "RAS"}));
+  app->add_option_function<std::vector<double>>(
+         "--end",
+         [request](const std::vector<double>& v) {
+           for (std::size_t k = 0; k + 2 < v.size(); k += 3)
+             request->ends.emplace_back(v[k], v[k + 1], v[k + 2]);
+         },
+         "Closed end to open: a place x,y,z near its tip, mm; may be repeated; by default all "
+         "that are found")
+      ->delimiter(',')
+      ->type_size(3)
+      ->expected(-1)
+      ->check(number("a finite number", [](double) { return true; }));
+  app->add_option("--cut-branches-below", request->cut_branches_below,
+                  "Radius, mm, below which a branch is taken off and its stump closed")
+      ->check(number("a number above 0", [](double value) { return value > 0; }));
+  app->add_option("--remesh", request->remesh,
+                  "Edge length, mm; by default a sixth of the radius where the wall is built anew")
+      ->check(number("a number above 0", [](double value) { return value > 0; }));
+  app->add_flag("--json", options->json, "Print the report as JSON on standard output");
+  app->add_flag("-q,--quiet", common->quiet, "No progress");
+}
+
 bool has_command(const CLI::App& app, const std::string& name) {
   return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; })
               .empty();
@@ -190,6 +228,12 @@ int run(int argc, char** argv) {
       ->check(number("a number above 0", [](double value) { return value > 0; }));
   add_output(fit, &common);
 
+  PrepareCommandOptions prepare_options;
+  add_preparing(app.add_subcommand("prepare",
+                                   "A vessel surface of a mask or of a surface as segmentation "
+                                   "leaves it"),
+                &prepare_options, &common);
+
   InitOptions init_options;
   auto* init = app.add_subcommand(
       "init", "A commented scene for vessel surfaces: ends, walls, a first cut and incision");
@@ -225,7 +269,7 @@ int run(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first[0] != '-' && !has_command(app, first)) {
     std::cerr << "vasorod: found the command \"" << first
-              << "\", expected solve, fit, init, explore, compare or draw\n";
+              << "\", expected solve, fit, prepare, init, explore, compare or draw\n";
     return 2;
   }
   try {
@@ -242,16 +286,16 @@ int run(int argc, char** argv) {
     end_on_signal();
   explore_options.progress = !common.quiet && isatty(STDERR_FILENO) != 0;
   if (explore_options.progress)
-    common.command.solve.progress = init_options.progress = [](const std::string& what) {
-      std::cerr << "vasorod: " << what << '\n';
-    };
+    common.command.solve.progress = init_options.progress = prepare_options.request.progress =
+        [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
 
-  const int exit_code = *solve     ? solve_command(common.command)
-                        : *fit     ? fit_command(common.command)
-                        : *draw    ? draw_command(common.command)
-                        : *init    ? init_command(init_options)
-                        : *explore ? explore_command(explore_options)
-                                   : compare_command(common.command);
+  const int exit_code = *solve                          ? solve_command(common.command)
+                        : *fit                          ? fit_command(common.command)
+                        : *draw                         ? draw_command(common.command)
+                        : *init                         ? init_command(init_options)
+                        : app.got_subcommand("prepare") ? prepare_command(prepare_options)
+                        : *explore                      ? explore_command(explore_options)
+                                                        : compare_command(common.command);
   if (!std::cout.flush()) throw FileError("standard output: cannot be written");
   return exit_code;
 }

@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <stdexcept>
+#include <vector>
 
 #include <vasorod/types.h>
 
@@ -28,6 +29,27 @@ inline CgalMesh to_cgal(const TriangleSurface& surface) {
       throw std::logic_error("to_cgal: the surface is not manifold");
   }
   return mesh;
+}
+
+/// Vertices and faces in the mesh's order, without those that were removed.
+inline TriangleSurface from_cgal(const CgalMesh& mesh) {
+  TriangleSurface surface;
+  surface.points.resize(mesh.number_of_vertices(), 3);
+  std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
+  int next = 0;
+  for (const auto v : mesh.vertices()) {
+    number[v.idx()] = next;
+    surface.points.row(next++) << mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z();
+  }
+  surface.triangles.resize(mesh.number_of_faces(), 3);
+  int t = 0;
+  for (const auto f : mesh.faces()) {
+    int k = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      surface.triangles(t, k++) = number[v.idx()];
+    ++t;
+  }
+  return surface;
 }
 
 }  // namespace vasorod

@@ -144,7 +144,8 @@ void check_components(const std::string& file, const TriangleSurface& surface) {
          "one connected surface");
 }
 
-// The volume with every end closed by a fan around its centroid, relative to the first point.
+}  // namespace
+
 double lidded_volume(const TriangleSurface& surface) {
   const Vec3 origin = point_of(surface, 0);
   double six = 0;
@@ -163,8 +164,6 @@ double lidded_volume(const TriangleSurface& surface) {
   }
   return six / 6;
 }
-
-}  // namespace
 
 void check_manifold(const std::string& file, const TriangleSurface& surface) {
   check_edges(file, surface);

@@ -24,6 +24,9 @@ void check_outward(const std::string& file, const TriangleSurface& surface);
 /// No triangle crosses another (CGAL, exact predicates), none has zero area.
 void check_self_intersections(const std::string& file, const TriangleSurface& surface);
 
+/// Volume with a fan from each end's centre as its lid, length^3; negative for an inverted surface.
+double lidded_volume(const TriangleSurface& surface);
+
 /// Twice the volume (ends closed) over the area: the radius of a tube, 2/3 of the radius of a ball.
 double typical_radius(const TriangleSurface& surface);
 

@@ -33,6 +33,15 @@ class Reader {
     return pieces;
   }
 
+  // The unit in "length mm, stress MPa", as result/write_vtp.cpp writes it.
+  std::string units() {
+    const VtpTag* data = head_.root.child("PolyData");
+    const std::string text = data == nullptr ? std::string() : field_text(*data, "Units");
+    for (const std::string unit : {"mm", "cm", "m"})
+      if (text == "length " + unit || text.starts_with("length " + unit + ",")) return unit;
+    return {};
+  }
+
  private:
   std::size_t components(const VtpTag& array) const {
     const std::size_t value = arrays_.count(array, "NumberOfComponents", most_components, 1);
@@ -40,15 +49,17 @@ class Reader {
     return value;
   }
 
-  // What 3D Slicer says in the field data of the coordinates' space.
-  std::string read_space(const VtpTag& data) {
+  std::string field_text(const VtpTag& data, const std::string& name) {
     const VtpTag* fields = data.child("FieldData");
     if (fields == nullptr) return {};
     for (const VtpTag& tag : fields->children)
-      if (tag.value("Name") == "SPACE" && tag.value("type") == "String")
-        return known_space(arrays_.first_text(tag));
+      if (tag.value("Name") == name && tag.value("type") == "String")
+        return arrays_.first_text(tag);
     return {};
   }
+
+  // What 3D Slicer says in the field data of the coordinates' space.
+  std::string read_space(const VtpTag& data) { return known_space(field_text(data, "SPACE")); }
 
   const VtpTag* array_of(const VtpTag& section, const std::string& name) const {
     for (const VtpTag& tag : section.children)
@@ -150,6 +161,10 @@ class Reader {
 
 SurfaceFile read_vtp(const std::filesystem::path& file) {
   return joined_pieces(Reader(file).pieces());
+}
+
+std::string units_in_vtp(const std::filesystem::path& file) {
+  return Reader(file).units();
 }
 
 }  // namespace vasorod

@@ -12,26 +12,6 @@ namespace vasorod {
 
 namespace {
 
-TriangleSurface from_cgal(const CgalMesh& mesh) {
-  TriangleSurface surface;
-  surface.points.resize(mesh.number_of_vertices(), 3);
-  std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
-  int next = 0;
-  for (const auto v : mesh.vertices()) {
-    number[v.idx()] = next;
-    surface.points.row(next++) << mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z();
-  }
-  surface.triangles.resize(mesh.number_of_faces(), 3);
-  int t = 0;
-  for (const auto f : mesh.faces()) {
-    int k = 0;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      surface.triangles(t, k++) = number[v.idx()];
-    ++t;
-  }
-  return surface;
-}
-
 // The loop of `surface` nearest to each old end, in the order of the old ends.
 std::vector<std::vector<int>> ends_in_order(const TriangleSurface& before,
                                             const TriangleSurface& surface) {

@@ -26,6 +26,10 @@ struct SurfaceFile {
 /// has one row per point or cell and lies within the file.
 SurfaceFile read_vtp(const std::filesystem::path& file);
 
+/// The unit of length, mm, cm or m, in the field data Units of a VTP file ("length mm, stress MPa",
+/// as this program writes it); nothing where there is none.
+std::string units_in_vtp(const std::filesystem::path& file);
+
 /// STL, ascii and binary. A binary file is exactly as long as its number of facets says.
 SurfaceFile read_stl(const std::filesystem::path& file);
 

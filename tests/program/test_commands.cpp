@@ -59,7 +59,7 @@ TEST(Commands, NumbersThatAreNoneAreRefusedInASentenceThatCanBeRead) {
 TEST(Commands, AnUnknownCommandIsNamed) {
   const auto run = run_program(vasorod("paint x"));
   EXPECT_EQ(run.err,
-            "vasorod: found the command \"paint\", expected solve, fit, init, explore, "
+            "vasorod: found the command \"paint\", expected solve, fit, prepare, init, explore, "
             "compare or draw\n");
 }
 

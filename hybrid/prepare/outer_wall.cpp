@@ -1,0 +1,76 @@
+#include "prepare/outer_wall.h"
+
+#include <CGAL/alpha_wrap_3.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "geometry/closest_point.h"
+#include "geometry/ray_hits.h"
+#include "geometry/triangle_surface.h"
+#include "prepare/repair.h"
+#include "surface_file/cgal_surface.h"
+#include "surface_file/check_surface.h"
+
+namespace vasorod {
+
+double facing_width(const TriangleSurface& surface) {
+  const RayHits rays(surface);
+  const double edge = mean_edge_length(surface);
+  const auto n = surface.triangles.rows();
+  std::vector<double> width;
+  for (Eigen::Index t = 0; t < n; t += std::max<Eigen::Index>(1, n / 2000)) {
+    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
+               b = surface.points.row(surface.triangles(t, 1)),
+               c = surface.points.row(surface.triangles(t, 2));
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    for (const RayHit& hit : rays.along((a + b + c) / 3 + 1e-3 * edge * normal, normal))
+      if (!hit.leaves && hit.distance > edge) {
+        width.push_back(hit.distance);
+        break;
+      }
+  }
+  if (width.empty()) return 0;
+  std::nth_element(width.begin(), width.begin() + static_cast<std::ptrdiff_t>(width.size() / 2),
+                   width.end());
+  return width[width.size() / 2];
+}
+
+std::optional<OuterWall> outer_wall(const TriangleSurface& surface) {
+  std::vector<CgalKernel::Point_3> points;
+  for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
+    points.emplace_back(surface.points(i, 0), surface.points(i, 1), surface.points(i, 2));
+  std::vector<std::array<std::size_t, 3>> faces;
+  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
+    faces.push_back({static_cast<std::size_t>(surface.triangles(t, 0)),
+                     static_cast<std::size_t>(surface.triangles(t, 1)),
+                     static_cast<std::size_t>(surface.triangles(t, 2))});
+  const double edge = mean_edge_length(surface), width = facing_width(surface);
+  const ClosestPoint wall(surface);
+  for (const double ball : {3 * edge, 0.6 * width, 0.9 * width, 1.4 * width}) {
+    if (ball < 3 * edge) continue;
+    const double offset = std::min(0.3 * edge, ball / 20);
+    CgalMesh mesh;
+    CGAL::alpha_wrap_3(points, faces, ball, offset, mesh);
+    OuterWall out;
+    out.surface = from_cgal(mesh);
+    out.ball = ball;
+    keep_largest(out.surface);
+    if (handles_of(out.surface) != 0) continue;
+    const Points normals = vertex_normals(out.surface);
+    Eigen::Index lifted = 0;
+    for (Eigen::Index i = 0; i < out.surface.points.rows(); ++i) {
+      const Vec3 p = out.surface.points.row(i), n = normals.row(i);
+      const auto hit = wall.query(p);
+      const bool near = (hit.point - p).norm() < 2 * offset;
+      lifted += near ? 0 : 1;
+      out.surface.points.row(i) = near ? hit.point : Vec3(p - offset * n);
+    }
+    out.lifted = static_cast<double>(lifted) / static_cast<double>(out.surface.points.rows());
+    return out;
+  }
+  return std::nullopt;
+}
+
+}  // namespace vasorod

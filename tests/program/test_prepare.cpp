@@ -1,0 +1,159 @@
+// `vasorod prepare` on the bundled anatomy, spoilt by meshes/spoil.py in the ways of segmentations.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "geometry/closest_point.h"
+#include "geometry/triangle_surface.h"
+#include "program/run_program.h"
+#include "real_anatomy.h"
+#include "surface_file/read_polydata.h"
+
+namespace vasorod::testing {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+std::string quoted(const fs::path& path) {
+  return " '" + path.string() + "'";
+}
+
+struct Distances {
+  double largest = 0, mean = 0;
+};
+
+// From the prepared wall to the original one, whose ends count as on it.
+Distances distances(const TriangleSurface& prepared, const TriangleSurface& original) {
+  const ClosestPoint wall(original);
+  const Eigen::VectorXd area = vertex_areas(prepared);
+  Distances out;
+  for (Eigen::Index i = 0; i < prepared.points.rows(); ++i) {
+    const Vec3 p = prepared.points.row(i);
+    const double d = (wall.query(p).point - p).norm();
+    out.largest = std::max(out.largest, d);
+    out.mean += d * area[i] / area.sum();
+  }
+  return out;
+}
+
+struct Spoilt {
+  const char* file;
+  const char* words;     // that the report has
+  double mean, largest;  // mm
+};
+
+class Corpus : public ::testing::TestWithParam<Spoilt> {
+ protected:
+  // The folder with the spoilt files of a bundled vessel.
+  static fs::path spoilt(const std::string& vessel) {
+    static const ScratchFolder scratch;
+    const fs::path folder = scratch / vessel;
+    if (!fs::exists(folder)) {
+      const fs::path meshes = fs::path(VASOROD_SOURCE_DIR) / "meshes";
+      const ProgramRun run =
+          run_program("'" VASOROD_SPOIL_PYTHON "'" + quoted(meshes / "spoil.py") +
+                      quoted(meshes / "infant" / (vessel + ".vtp")) + quoted(folder));
+      EXPECT_EQ(run.exit_code, 0) << run.err;
+    }
+    return folder;
+  }
+};
+
+TEST_P(Corpus, TheWallComesBackAndFitReadsIt) {
+  const Spoilt& by = GetParam();
+  const ScratchFolder scratch;
+  for (const auto& [vessel, ends] :
+       {std::pair<std::string, std::size_t>{"svc", 2}, {"pulmonary_artery", 3}}) {
+    SCOPED_TRACE(vessel + " " + by.file);
+    // What docs/prepare.md says falls short of a forked vessel.
+    const std::string file = by.file;
+    if (vessel != "svc" && file == "double.vtp") continue;
+    const fs::path out = scratch / (vessel + ".vtp");
+    const ProgramRun run = run_program(
+        vasorod("prepare" + quoted(spoilt(vessel) / by.file) + " --json -o" + quoted(out)));
+    ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    EXPECT_NE(run.out.find(by.words), std::string::npos) << run.out;
+    const Json report = Json::parse(run.out);
+    EXPECT_EQ(report["ends"].size(), ends);
+    EXPECT_NEAR(report["volume"]["after"].get<double>() / report["volume"]["before"].get<double>(),
+                1, 0.01);
+    LoadedSurface prepared = read_polydata(out);
+    const std::string space = report["space"].is_null() ? "" : report["space"].get<std::string>();
+    EXPECT_EQ(prepared.space, space);
+    if (space == "RAS") prepared.surface.points.leftCols<2>() *= -1;
+    const Distances moved = distances(
+        prepared.surface,
+        read_polydata(fs::path(VASOROD_SOURCE_DIR) / "meshes/infant" / (vessel + ".vtp")).surface);
+    EXPECT_LT(moved.mean, by.mean);
+    EXPECT_LT(moved.largest, by.largest);
+    const ProgramRun fit =
+        run_program(vasorod("fit" + quoted(out) + " --json -o" + quoted(scratch / vessel)));
+    ASSERT_EQ(fit.exit_code, 0) << fit.err;
+    EXPECT_EQ(Json::parse(fit.out)["fit"]["ends"].size(), ends);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EachWay, Corpus,
+    ::testing::Values(Spoilt{"closed.vtp", "flat lids taken off", 1e-9, 1e-9},
+                      Spoilt{"inverted.vtp", "turned inside out", 1e-9, 1e-9},
+                      Spoilt{"mixed.vtp", "triangles turned like their neighbours", 1e-9, 1e-9},
+                      Spoilt{"cm.vtp", "cm is a guess", 1e-9, 1e-9},
+                      Spoilt{"islands.vtp", "an island of", 1e-9, 1e-9},
+                      Spoilt{"holes.vtp", "holes closed", 0.005, 0.2},
+                      Spoilt{"ras.ply", "RAS", 1e-7, 1e-7},
+                      Spoilt{"double.vtp", "outer wall taken", 0.1, 1.0},
+                      // Half a voxel is 0.25 mm; a crotch or a rim is sharper than the voxels.
+                      Spoilt{"stairs.vtp", "stairs of voxels smoothed", 0.15, 0.75},
+                      Spoilt{"mask.nii.gz", "label 1 of the mask", 0.15, 0.75},
+                      Spoilt{"mask.nrrd", "label 1 of the mask", 0.15, 0.75},
+                      Spoilt{"mask.mha", "label 1 of the mask", 0.15, 0.75}),
+    [](const auto& info) {
+      std::string name = info.param.file;
+      for (char& c : name)
+        if (c == '.') c = '_';
+      return name;
+    });
+
+TEST(PrepareCommand, BadInputIsOneSentence) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "text.vtp") << "no surface";
+  std::ofstream(scratch / "text.nrrd") << "no mask";
+  const fs::path svc = fs::path(VASOROD_SOURCE_DIR) / "meshes/infant/svc.vtp";
+  for (const auto& [arguments, code, words] :
+       {std::tuple<std::string, int, std::string>{quoted(scratch / "none.nrrd"), 2, "no such file"},
+        {quoted(scratch / "text.vtp"), 2, "text.vtp"},
+        {quoted(scratch / "text.nrrd"), 2, "does not begin with NRRD"},
+        {quoted(svc) + " --label 1", 2, "expected a mask with --label"},
+        {quoted(svc) + " --space RAS", 2, "expected --from-space"},
+        {quoted(svc) + " --units inch", 2, "inch"},
+        {quoted(svc) + " --end 1,2", 2, "--end"},
+        {quoted(svc) + " --end 0,0,0", 2, "no closed end within three radii"},
+        {quoted(svc) + " --units m", 2, "implausible"}}) {
+    const ProgramRun run =
+        run_program(vasorod("prepare" + arguments + " -o" + quoted(scratch / "out.vtp")));
+    EXPECT_EQ(run.exit_code, code) << arguments << run.out;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  }
+  EXPECT_FALSE(fs::exists(scratch / "out.vtp"));
+  EXPECT_EQ(
+      run_program(vasorod("prepare" + quoted(svc) + " -o" + quoted(scratch / "absent" / "out.vtp")))
+          .exit_code,
+      3);
+  EXPECT_EQ(run_program(vasorod("prepare" + quoted(svc) + " -o" + quoted(svc))).exit_code, 2);
+}
+
+TEST(PrepareCommand, RealAnatomyIsReadAndFits) {
+  const ScratchFolder scratch;
+  for (const std::string name : {"svc", "aorta", "pulmonary_artery"}) {
+    const fs::path out = scratch / (name + ".vtp");
+    const ProgramRun run = run_program(
+        vasorod("prepare" + quoted(real_anatomy() / (name + ".vtp")) + " --json -o" + quoted(out)));
+    EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  }
+}
+
+}  // namespace
+}  // namespace vasorod::testing

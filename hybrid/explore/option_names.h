@@ -21,7 +21,7 @@ class OptionNames {
 
   /// 16 hexadecimal digits: the first of the SHA-256 of the program's version, the scene without
   /// comments, folders of surfaces, `explore`, `fidelity`, `accuracy` and `study`, the hashes of
-  /// its files, and the option's values. `sample`: what an uncertain sample changes, empty for none.
+  /// its files, and the option's values. `sample`: what an uncertain sample changes; empty: none.
   std::string of(const Option& option, const std::string& sample = "") const;
 
  private:

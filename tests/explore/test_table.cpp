@@ -54,21 +54,22 @@ TEST(Table, EveryLineHasEveryColumnAndTextsComeBack) {
       if (lines[0][k] == name) return lines[line][k];
     return "no column " + name;
   };
-  EXPECT_EQ(cell(1, "rank"), "1");
-  EXPECT_EQ(cell(1, "option"), "0123456789abcdef");
-  EXPECT_EQ(cell(1, "rotation_deg"), "auto");
-  EXPECT_EQ(cell(1, "status"), "converged");
-  EXPECT_EQ(cell(1, "score"), "0.25");
-  EXPECT_EQ(cell(1, "twist_shear"), "0.125");
-  EXPECT_EQ(cell(1, "mouth"), "");
-  EXPECT_EQ(cell(1, "past"), "mouth; lumen");
-  EXPECT_EQ(cell(1, "sentence"), "one, \"quoted\"; two\nlines");
-  EXPECT_EQ(cell(2, "rank"), "");
-  EXPECT_EQ(cell(2, "ending"), "not_built");
-  EXPECT_EQ(cell(2, "status"), "");
-  EXPECT_EQ(cell(2, "score"), "");
-  EXPECT_EQ(cell(1, "refined"), "false");
-  EXPECT_EQ(cell(1, "samples"), "no column samples");
+  using Cells = std::vector<std::pair<std::string, std::string>>;
+  for (const auto& [name, value] : Cells{{"rank", "1"},
+                                         {"option", "0123456789abcdef"},
+                                         {"rotation_deg", "auto"},
+                                         {"status", "converged"},
+                                         {"score", "0.25"},
+                                         {"twist_shear", "0.125"},
+                                         {"mouth", ""},
+                                         {"past", "mouth; lumen"},
+                                         {"sentence", "one, \"quoted\"; two\nlines"},
+                                         {"refined", "false"},
+                                         {"samples", "no column samples"}})
+    EXPECT_EQ(cell(1, name), value) << name;
+  for (const auto& [name, value] :
+       Cells{{"rank", ""}, {"ending", "not_built"}, {"status", ""}, {"score", ""}})
+    EXPECT_EQ(cell(2, name), value) << name;
 }
 
 TEST(Table, IntervalsHaveColumnsWhereThereAreSome) {

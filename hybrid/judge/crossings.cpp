@@ -143,6 +143,7 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
   if (seam.a >= 0 && seam.b >= 0) now.weld(seam);
   // What did not move passes through nothing that it did not pass through at rest.
   std::vector<char> moved;
+  moved.reserve(bodies.size());
   for (const CheckedBody& body : bodies) moved.push_back(*body.now != body.rest->points ? 1 : 0);
   auto pairs = now.crossing_pairs(moved);
   const auto obstacle = [&](int body) { return !(bodies[index(body)].radius > 0); };

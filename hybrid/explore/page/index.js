@@ -141,11 +141,13 @@ let across = (first[0] ?? axes[0]).name, upwards = (first.find((one) => one.name
   first.find((one) => one.name === "stretch") ?? first[1] ?? axes[0]).name;
 if (across === upwards && first.length > 1) across = first.find((one) => one.name !== upwards).name;
 
+// Round values with as many decimals as tell them apart.
 function ticks(low, high) {
   const raw = (high - low) / 5, power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw);
-  const marks = [];
-  for (let k = Math.ceil(low / step); k * step <= high * (1 + 1e-9); ++k) marks.push(k * step);
+  const marks = [], decimals = Math.min(20, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  for (let k = Math.ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
+    marks.push({at: k * step, label: (k * step).toFixed(decimals)});
   return marks;
 }
 
@@ -182,11 +184,11 @@ function showScatter() {
   const py = (value) => height - bottom - (value - ry.low) / (ry.high - ry.low) * (height - bottom - top);
   const parts = [];
   for (const mark of ticks(rx.low, rx.high))
-    parts.push(make("line", {x1: px(mark), x2: px(mark), y1: top, y2: height - bottom}),
-               make("text", {x: px(mark), y: height - bottom + 18, "text-anchor": "middle"}, text(mark)));
+    parts.push(make("line", {x1: px(mark.at), x2: px(mark.at), y1: top, y2: height - bottom}),
+               make("text", {x: px(mark.at), y: height - bottom + 18, "text-anchor": "middle"}, mark.label));
   for (const mark of ticks(ry.low, ry.high))
-    parts.push(make("line", {y1: py(mark), y2: py(mark), x1: left, x2: width - right}),
-               make("text", {x: left - 8, y: py(mark) + 4, "text-anchor": "end"}, text(mark)));
+    parts.push(make("line", {y1: py(mark.at), y2: py(mark.at), x1: left, x2: width - right}),
+               make("text", {x: left - 8, y: py(mark.at) + 4, "text-anchor": "end"}, mark.label));
   for (const [range_, at] of [[rx, px], [ry, py]]) {
     const value = range_.threshold;
     if (value === null || value < range_.low || value > range_.high) continue;

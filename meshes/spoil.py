@@ -185,7 +185,12 @@ def main():
     parser.add_argument("--spacing", type=float, default=0.5, help="of the masks, mm")
     parser.add_argument("--thickness", type=float, default=0.6, help="of the double wall, mm")
     options = parser.parse_args()
-    points, triangles = vtp.read_vtp(options.surface)
+    try:
+        points, triangles = vtp.read_vtp(options.surface)
+    except (OSError, ValueError, struct.error, zlib.error):
+        points = triangles = ()
+    if len(triangles) == 0:
+        parser.error(f"{options.surface}: found no triangles, expected a file that vtp.py wrote")
     folder = options.folder
     folder.mkdir(parents=True, exist_ok=True)
     shut, lidded = closed(points, triangles)

@@ -86,7 +86,6 @@ int explore_command(const ExploreCommandOptions& options) {
   if (scene.explore && !options.stages.empty()) scene.explore->stages = options.stages;
   if (scene.explore && options.best > 0) scene.explore->best = options.best;
   ExploreRequest request;
-  request.more = read_exploration(scene);
   request.folder = options.folder;
   request.threads = options.threads;
   request.report = options.report;

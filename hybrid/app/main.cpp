@@ -229,10 +229,9 @@ int run(int argc, char** argv) {
   add_output(fit, &common);
 
   PrepareCommandOptions prepare_options;
-  add_preparing(app.add_subcommand("prepare",
-                                   "A vessel surface of a mask or of a surface as segmentation "
-                                   "leaves it"),
-                &prepare_options, &common);
+  auto* preparing = app.add_subcommand(
+      "prepare", "A vessel surface of a mask or of a surface as segmentation leaves it");
+  add_preparing(preparing, &prepare_options, &common);
 
   InitOptions init_options;
   auto* init = app.add_subcommand(
@@ -289,13 +288,13 @@ int run(int argc, char** argv) {
     common.command.solve.progress = init_options.progress = prepare_options.request.progress =
         [](const std::string& what) { std::cerr << "vasorod: " << what << '\n'; };
 
-  const int exit_code = *solve                          ? solve_command(common.command)
-                        : *fit                          ? fit_command(common.command)
-                        : *draw                         ? draw_command(common.command)
-                        : *init                         ? init_command(init_options)
-                        : app.got_subcommand("prepare") ? prepare_command(prepare_options)
-                        : *explore                      ? explore_command(explore_options)
-                                                        : compare_command(common.command);
+  const int exit_code = *solve       ? solve_command(common.command)
+                        : *fit       ? fit_command(common.command)
+                        : *draw      ? draw_command(common.command)
+                        : *init      ? init_command(init_options)
+                        : *preparing ? prepare_command(prepare_options)
+                        : *explore   ? explore_command(explore_options)
+                                     : compare_command(common.command);
   if (!std::cout.flush()) throw FileError("standard output: cannot be written");
   return exit_code;
 }

@@ -1,15 +1,13 @@
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <vasorod/error.h>
 #include <vasorod/version.h>
 
 #include "app/commands.h"
 #include "data/sentence.h"
+#include "data/whole_file.h"
 #include "prepare/prepare.h"
 #include "result/json_text.h"
 #include "result/write_vtp.h"
@@ -34,24 +32,6 @@ void require_writable(const PrepareCommandOptions& options) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!std::filesystem::is_directory(folder, ignored))
     throw FileError(shown(folder) + ": found no such folder, expected the one of the surface");
-}
-
-// Beside the file first, so that there is never half a surface of that name.
-void write_whole(const std::filesystem::path& file, const std::string& bytes) {
-  std::filesystem::path beside = file;
-  beside += "." + std::to_string(getpid()) + ".part";
-  std::error_code failed;
-  {
-    std::ofstream stream(beside, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) failed = std::make_error_code(std::errc::io_error);
-  }
-  if (!failed) std::filesystem::rename(beside, file, failed);
-  if (!failed) return;
-  std::error_code ignored;
-  std::filesystem::remove(beside, ignored);
-  throw FileError(shown(file) + ": cannot be written");
 }
 
 Json numbers(const Vec3& v) {
@@ -106,8 +86,9 @@ std::string report_text(const PreparedSurface& prepared, const PrepareCommandOpt
 int prepare_command(const PrepareCommandOptions& options) {
   require_writable(options);
   const PreparedSurface prepared = prepare(options.request);
-  write_whole(options.output, surface_vtp(prepared.surface, {"length mm", "vasorod " + version(),
-                                                             "", prepared.space}));
+  write_whole_file(
+      options.output,
+      surface_vtp(prepared.surface, {"length mm", "vasorod " + version(), "", prepared.space}));
   std::cout << (options.json ? report_json(prepared, options) : report_text(prepared, options));
   return prepared.refusal.empty() ? 0 : 1;
 }

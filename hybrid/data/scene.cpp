@@ -27,6 +27,24 @@ std::string to_string(SurfaceIs is) {
   return is == SurfaceIs::mid ? "mid" : is == SurfaceIs::outer ? "outer" : "inner";
 }
 
+std::string to_string(Uncertain::What what) {
+  switch (what) {
+    case Uncertain::What::young:
+      return "young";
+    case Uncertain::What::poisson:
+      return "poisson";
+    case Uncertain::What::thickness:
+      return "thickness";
+    case Uncertain::What::pressure:
+      return "pressure";
+    case Uncertain::What::cut:
+      return "cut";
+    case Uncertain::What::incision:
+      return "incision";
+  }
+  return "";
+}
+
 std::string to_string(const EndSelector& selector) {
   switch (selector.kind) {
     case EndSelector::Kind::start:

@@ -9,6 +9,7 @@
 #include "data/index.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
+#include "data/whole_file.h"
 #include "explore/apart.h"
 #include "explore/explore_folder.h"
 #include "explore/index_page.h"
@@ -48,10 +49,10 @@ class Explorer {
     bool going = true;
     for (int stage = 0; going && stage < static_cast<int>(spec_.stages.size()); ++stage)
       going = solve(stage);
-    if (going && request_.more.refine) going = refine(*request_.more.refine);
+    if (going && spec_.refine) going = refine(*spec_.refine);
     ExploreSummary summary;
     summary.rows = ranked(rows_, spec_);
-    if (going && request_.more.vary) going = vary(*request_.more.vary, summary);
+    if (going && spec_.vary) going = vary(*spec_.vary, summary);
     summary.found = found_;
     summary.finished = going;
     write_table(summary.rows);
@@ -67,7 +68,7 @@ class Explorer {
     page.keys = option_keys(spec_);
     page.criteria = criteria_for(spec_);
     if (summary.spread) page.spread = summary.spread->text();
-    write_whole(folder_.path() / "index.html", index_html(page, summary.rows));
+    write_whole_file(folder_.path() / "index.html", index_html(page, summary.rows));
     return summary;
   }
 
@@ -120,11 +121,11 @@ class Explorer {
     fitted_ = fit_vessels(scene_, options);
     const bool moved = !spec_.incision_along.empty() || !spec_.around_deg.empty();
     if (moved) incision_ = incision_by_fraction(scene_, fitted_);
-    names_.emplace(scene_, fitted_.inputs, request_.scene_text);
+    names_.emplace(scene_, fitted_.inputs);
     for (const Option& option : options_of(scene_, incision_)) add(option, false);
-    if (!request_.more.vary) return;
-    samples_ = samples_of(*request_.more.vary);
-    for (const Sample& sample : samples_) with_sampled_walls(scene_, *request_.more.vary, sample);
+    if (!spec_.vary) return;
+    samples_ = samples_of(*spec_.vary);
+    for (const Sample& sample : samples_) with_sampled_walls(scene_, *spec_.vary, sample);
   }
 
   void add(const Option& option, bool refined) {
@@ -248,7 +249,7 @@ class Explorer {
   }
 
   Result predicted(const Scene& scene, const Sample& sample, const SolveOptions& options) const {
-    const Scene changed = with_sample(scene, *request_.more.vary, sample, fitted_);
+    const Scene changed = with_sample(scene, *spec_.vary, sample, fitted_);
     return predict(changed, options, with_walls(fitted_, changed));
   }
 
@@ -346,7 +347,7 @@ class Explorer {
   }
 
   void write_table(const std::vector<RankedRow>& rows) const {
-    write_whole(folder_.path() / "options.csv", options_csv(rows, option_keys(spec_)));
+    write_whole_file(folder_.path() / "options.csv", options_csv(rows, option_keys(spec_)));
   }
 
   // The best kept results side by side.

@@ -11,7 +11,6 @@
 
 #include "explore/options.h"
 #include "explore/ranking.h"
-#include "scene/exploration.h"
 
 namespace vasorod {
 
@@ -25,11 +24,8 @@ struct ExploreProgress {
 
 struct ExploreRequest {
   std::filesystem::path folder;
-  /// Of a scene that no file holds: its YAML text, on which the options' names depend.
-  std::string scene_text;
   int threads = 1;     ///< options at once, each in a process of its own with one thread
   bool report = true;  ///< pictures and report.html of kept results, pictures of index.html
-  Exploration more;    ///< searches near the best, uncertainty of the best
   std::function<bool()> stop = [] { return false; };
   std::function<void(const ExploreProgress&)> progress = [](const ExploreProgress&) {};
   std::function<void()> begin_process;  ///< called first in each process; may be empty
@@ -38,12 +34,12 @@ struct ExploreRequest {
 struct ExploreSummary {
   std::vector<RankedRow> rows;          ///< every option
   bool finished = false;                ///< false: it was stopped before its end
-  std::optional<RankingSpread> spread;  ///< of the best, with ExploreRequest::more.vary
+  std::optional<RankingSpread> spread;  ///< of the best, with ExploreSpec::vary
   int found = 0;                        ///< solves that an earlier exploration had done
 };
 
 /// Solves the options of `scene.explore` stage by stage; then, at the fidelity of the last stage,
-/// new ones near the best (refine.h), and samples of what is uncertain for the best (vary). The
+/// new ones near the best (`refine`), and samples of what is uncertain for the best (`vary`). The
 /// folder has every finished option at once, options.csv at most a second later; options that it
 /// has already, of the same scene, option, fidelity and program, are not solved again. Those of the
 /// last stage are kept with their result folders. Numbers do not depend on `threads`. An option

@@ -13,6 +13,7 @@
 #include <vasorod/error.h>
 
 #include "data/sentence.h"
+#include "data/whole_file.h"
 
 namespace vasorod {
 
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* lock_name = "explore.lock";
-constexpr const char* half_written = ".writing-";
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
   throw FileError(path.string() + ": " + what + ": " + std::strerror(errno));
@@ -52,25 +52,12 @@ void remove_left_overs(const fs::path& folder) {
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().filename().string().find(half_written) != std::string::npos)
+    if (entry->path().filename().string().find(half_written_file) != std::string::npos)
       found.push_back(entry->path());
   for (const fs::path& path : found) fs::remove_all(path, error);
 }
 
 }  // namespace
-
-void write_whole(const fs::path& file, const std::string& bytes) {
-  const fs::path beside = file.parent_path() / ("." + file.filename().string() + half_written +
-                                                std::to_string(getpid()));
-  std::ofstream stream(beside, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (stream && std::rename(beside.c_str(), file.c_str()) == 0) return;
-  const int cause = errno;
-  unlink(beside.c_str());
-  errno = cause;
-  fail(file, "cannot be written");
-}
 
 ExploreFolder::ExploreFolder(const fs::path& folder, Sharing sharing) {
   if (folder.empty()) throw FileError("the folder's name is empty, expected a path");
@@ -143,7 +130,7 @@ bool ExploreFolder::find(Row& row, bool keeps) const {
 }
 
 void ExploreFolder::finish(const Row& row) const {
-  write_whole(file_of(row), row_json(row));
+  write_whole_file(file_of(row), row_json(row));
 }
 
 }  // namespace vasorod

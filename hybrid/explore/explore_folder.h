@@ -9,9 +9,6 @@
 
 namespace vasorod {
 
-/// Writes a file whole or not at all: beside its place, then renamed. Throws FileError.
-void write_whole(const std::filesystem::path& file, const std::string& bytes);
-
 /// DIR/explore.lock, DIR/options.csv, DIR/index.html, DIR/finished/NAME.json of each finished
 /// option, DIR/options/NAME of each kept one.
 class ExploreFolder {

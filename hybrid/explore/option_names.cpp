@@ -1,13 +1,10 @@
 #include "explore/option_names.h"
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <yaml-cpp/yaml.h>
 
-#include <vasorod/error.h>
 #include <vasorod/version.h>
 
 #include "result/sha256.h"
@@ -15,12 +12,6 @@
 
 namespace vasorod {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError(file.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // The hash of a surface's bytes says all that counts; surfaces in memory lie in another folder each
 // time. Names that differ in their folders alone stay whole.
@@ -41,13 +32,10 @@ void leave_out_folders(YAML::Node vessels) {
 
 }  // namespace
 
-OptionNames::OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs,
-                         const std::string& text) {
+OptionNames::OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs) {
   common_ = "vasorod " + version() + "\n";
-  const bool in_file = !scene.file.empty();
-  if (in_file || !text.empty()) {
-    YAML::Node root = in_file ? parse_yaml(scene.file.string(), text_of(scene.file))
-                              : parse_yaml(scene.name, text);
+  if (!scene.text.empty()) {
+    YAML::Node root = parse_yaml(scene.file.string(), scene.text);
     // What sets no number of an option.
     for (const char* key : {"explore", "fidelity", "accuracy", "study"}) root.remove(key);
     leave_out_folders(root["vessels"]);

@@ -13,11 +13,8 @@ namespace vasorod {
 /// Names for the options of one scene.
 class OptionNames {
  public:
-  /// `inputs`: FittedVessels::inputs. Reads the scene's file again; of a scene without a file,
-  /// `text` is its YAML, and without both only its inputs count. Throws InputError or FileError
-  /// where the file cannot be read.
-  OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs,
-              const std::string& text = {});
+  /// `inputs`: FittedVessels::inputs. Of a scene without Scene::text only they count.
+  OptionNames(const Scene& scene, const std::map<std::string, std::string>& inputs);
 
   /// 16 hexadecimal digits: the first of the SHA-256 of the program's version, the scene without
   /// comments, folders of surfaces, `explore`, `fidelity`, `accuracy` and `study`, the hashes of

@@ -7,7 +7,6 @@
 #include <vasorod/scene.h>
 
 #include "predict/fitted_vessels.h"
-#include "scene/exploration.h"
 
 namespace vasorod {
 

@@ -185,6 +185,15 @@ double total_area(const TriangleSurface& surface) {
   return triangle_areas(surface).sum();
 }
 
+void append(TriangleSurface& surface, const TriangleSurface& more) {
+  const Eigen::Index points = surface.points.rows(), triangles = surface.triangles.rows();
+  surface.points.conservativeResize(points + more.points.rows(), 3);
+  surface.points.bottomRows(more.points.rows()) = more.points;
+  surface.triangles.conservativeResize(triangles + more.triangles.rows(), 3);
+  surface.triangles.bottomRows(more.triangles.rows()) =
+      more.triangles.array() + static_cast<int>(points);
+}
+
 Vec3 area_vector(const Points& points, const std::vector<int>& loop) {
   Vec3 sum = Vec3::Zero();
   const Vec3 origin = points.row(loop.front());

@@ -41,6 +41,9 @@ double mean_edge_length(const TriangleSurface& surface);
 /// Sum of the triangles' areas, length^2.
 double total_area(const TriangleSurface& surface);
 
+/// Adds the points and triangles of another surface.
+void append(TriangleSurface& surface, const TriangleSurface& more);
+
 /// Area vector of a closed polygon (half the sum of cross products), length^2. Its length is the
 /// area of the projection onto the mean plane, its direction the normal of that plane.
 Vec3 area_vector(const Points& points, const std::vector<int>& loop);

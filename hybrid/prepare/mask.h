@@ -55,4 +55,19 @@ MaskHead read_metaimage_head(const std::filesystem::path& file, const std::strin
 std::vector<double> header_numbers(const std::filesystem::path& file, const std::string& key,
                                    const std::string& text, std::size_t count);
 
+/// The same of three numbers.
+Vec3 header_vector(const std::filesystem::path& file, const std::string& key,
+                   const std::string& text);
+
+/// The same of nine: columns, one after the other.
+Mat3 header_columns(const std::filesystem::path& file, const std::string& key,
+                    const std::string& text);
+
+/// Three sides of a volume, voxels; refused if they are not whole.
+std::array<std::int64_t, 3> header_size(const std::filesystem::path& file, const std::string& key,
+                                        const std::string& text);
+
+/// Without the blanks at both ends.
+std::string trimmed(const std::string& text);
+
 }  // namespace vasorod

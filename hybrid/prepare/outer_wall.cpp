@@ -3,7 +3,6 @@
 #include <CGAL/alpha_wrap_3.h>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "geometry/closest_point.h"
@@ -38,21 +37,14 @@ double facing_width(const TriangleSurface& surface) {
 }
 
 std::optional<OuterWall> outer_wall(const TriangleSurface& surface) {
-  std::vector<CgalKernel::Point_3> points;
-  for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-    points.emplace_back(surface.points(i, 0), surface.points(i, 1), surface.points(i, 2));
-  std::vector<std::array<std::size_t, 3>> faces;
-  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-    faces.push_back({static_cast<std::size_t>(surface.triangles(t, 0)),
-                     static_cast<std::size_t>(surface.triangles(t, 1)),
-                     static_cast<std::size_t>(surface.triangles(t, 2))});
+  const CgalSoup soup = to_soup(surface);
   const double edge = mean_edge_length(surface), width = facing_width(surface);
   const ClosestPoint wall(surface);
   for (const double ball : {3 * edge, 0.6 * width, 0.9 * width, 1.4 * width}) {
     if (ball < 3 * edge) continue;
     const double offset = std::min(0.3 * edge, ball / 20);
     CgalMesh mesh;
-    CGAL::alpha_wrap_3(points, faces, ball, offset, mesh);
+    CGAL::alpha_wrap_3(soup.points, soup.faces, ball, offset, mesh);
     OuterWall out;
     out.surface = from_cgal(mesh);
     out.ball = ball;

@@ -42,15 +42,6 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-void append(TriangleSurface& to, const TriangleSurface& more) {
-  const Eigen::Index points = to.points.rows(), triangles = to.triangles.rows();
-  to.points.conservativeResize(points + more.points.rows(), 3);
-  to.points.bottomRows(more.points.rows()) = more.points;
-  to.triangles.conservativeResize(triangles + more.triangles.rows(), 3);
-  to.triangles.bottomRows(more.triangles.rows()) =
-      more.triangles.array() + static_cast<int>(points);
-}
-
 class Preparation {
  public:
   explicit Preparation(const PrepareRequest& request) : request_(request) {}

@@ -194,6 +194,34 @@ std::vector<double> header_numbers(const std::filesystem::path& file, const std:
   return values;
 }
 
+Vec3 header_vector(const std::filesystem::path& file, const std::string& key,
+                   const std::string& text) {
+  const auto values = header_numbers(file, key, text, 3);
+  return {values[0], values[1], values[2]};
+}
+
+Mat3 header_columns(const std::filesystem::path& file, const std::string& key,
+                    const std::string& text) {
+  return Mat3(header_numbers(file, key, text, 9).data());
+}
+
+std::array<std::int64_t, 3> header_size(const std::filesystem::path& file, const std::string& key,
+                                        const std::string& text) {
+  std::array<std::int64_t, 3> size{};
+  const Vec3 values = header_vector(file, key, text);
+  for (int k = 0; k < 3; ++k) {
+    if (!(values[k] >= 0 && values[k] < 1e9) || values[k] != std::floor(values[k]))
+      refuse_mask(file, key + " " + in_quotes(text), "three whole numbers of voxels");
+    size[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(values[k]);
+  }
+  return size;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
 bool is_mask(const std::filesystem::path& file) {
   return format_of(file) != Format::none;
 }

@@ -8,11 +8,6 @@
 namespace vasorod {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
 std::string type_of(const std::string& name) {
   static const std::map<std::string, std::string> types{
       {"MET_CHAR", "i1"},  {"MET_UCHAR", "u1"}, {"MET_SHORT", "i2"},     {"MET_USHORT", "u2"},
@@ -49,28 +44,21 @@ MaskHead read_metaimage_head(const std::filesystem::path& file, const std::strin
                 "a mask of three dimensions");
   if (field.contains("ElementNumberOfChannels") && field["ElementNumberOfChannels"] != "1")
     refuse_mask(file, field["ElementNumberOfChannels"] + " channels", "one label per voxel");
-  const auto sizes = header_numbers(file, "DimSize", field["DimSize"], 3);
-  for (std::size_t k = 0; k < 3; ++k)
-    out.size[k] = sizes[k] > 0 && sizes[k] < 1e9 ? static_cast<std::int64_t>(sizes[k]) : 0;
+  out.size = header_size(file, "DimSize", field["DimSize"]);
+  if (field.contains("HeaderSize") && field["HeaderSize"] != "0")
+    refuse_mask(file, "HeaderSize " + in_quotes(field["HeaderSize"]),
+                "voxels that begin where the header or the data file does");
   out.type = type_of(field["ElementType"]);
   if (out.type.empty())
     refuse_mask(file, "voxels of type " + in_quotes(field["ElementType"]), "whole numbers");
-  if (const std::string steps = first_of({"ElementSpacing", "ElementSize"}); !steps.empty()) {
-    const auto spacing = header_numbers(file, "ElementSpacing", steps, 3);
-    out.step = Vec3(spacing[0], spacing[1], spacing[2]).asDiagonal();
-  }
+  if (const std::string steps = first_of({"ElementSpacing", "ElementSize"}); !steps.empty())
+    out.step = header_vector(file, "ElementSpacing", steps).asDiagonal();
   // The cosines of each image axis, one after the other.
   if (const std::string axes = first_of({"TransformMatrix", "Rotation", "Orientation"});
-      !axes.empty()) {
-    const auto cosines = header_numbers(file, "TransformMatrix", axes, 9);
-    Mat3 directions;
-    for (int k = 0; k < 9; ++k) directions(k % 3, k / 3) = cosines[static_cast<std::size_t>(k)];
-    out.step = directions * out.step;
-  }
-  if (const std::string place = first_of({"Offset", "Position", "Origin"}); !place.empty()) {
-    const auto origin = header_numbers(file, "Offset", place, 3);
-    out.origin = {origin[0], origin[1], origin[2]};
-  }
+      !axes.empty())
+    out.step = header_columns(file, "TransformMatrix", axes) * out.step;
+  if (const std::string place = first_of({"Offset", "Position", "Origin"}); !place.empty())
+    out.origin = header_vector(file, "Offset", place);
   out.space = "LPS";
   if (field.contains("BinaryData") && !yes(field["BinaryData"]))
     out.packing = MaskHead::Packing::text;

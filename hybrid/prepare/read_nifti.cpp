@@ -89,6 +89,12 @@ MaskHead read_nifti_head(const std::filesystem::path& file, const std::string& h
   if (offset < 348 || offset > 1e9)
     refuse_mask(file, "voxels that begin at byte " + number_text(offset), "byte 352 or later");
   out.at = static_cast<std::size_t>(offset);
+  // What a voxel's value means: value * slope + intercept, unless the slope is 0 or not a number.
+  const float slope = number_at<float>(head, 112, swapped);
+  const float intercept = number_at<float>(head, 116, swapped);
+  if (std::isfinite(slope) && slope != 0 && (slope != 1 || intercept != 0))
+    refuse_mask(file, "voxels that are scaled (slope " + number_text(slope) + ")",
+                "a mask, whose labels are the voxels themselves");
   Vec3 spacing(real(80), real(84), real(88));
   if (whole(254) > 0) {  // sform
     for (int row = 0; row < 3; ++row) {

@@ -8,11 +8,6 @@
 namespace vasorod {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
 std::string type_of(const std::string& name) {
   static const std::map<std::string, std::string> types{{"signed char", "i1"},
                                                         {"int8", "i1"},
@@ -59,6 +54,11 @@ std::string space_of(const std::string& name) {
   return {};
 }
 
+// In these spaces the vessel would be its own mirror image.
+bool is_left_handed(const std::string& name) {
+  return name == "left-anterior-superior" || name == "LAS" || name == "3D-left-handed";
+}
+
 }  // namespace
 
 MaskHead read_nrrd_head(const std::filesystem::path& file, const std::string& head) {
@@ -88,9 +88,11 @@ MaskHead read_nrrd_head(const std::filesystem::path& file, const std::string& he
   if (field["dimension"] != "3")
     refuse_mask(file, "an image of dimension " + in_quotes(field["dimension"]),
                 "a mask of three dimensions");
-  const auto sizes = header_numbers(file, "sizes", field["sizes"], 3);
-  for (std::size_t k = 0; k < 3; ++k)
-    out.size[k] = sizes[k] > 0 && sizes[k] < 1e9 ? static_cast<std::int64_t>(sizes[k]) : 0;
+  out.size = header_size(file, "sizes", field["sizes"]);
+  for (const char* key : {"line skip", "lineskip", "byte skip", "byteskip"})
+    if (field.contains(key) && field[key] != "0")
+      refuse_mask(file, std::string(key) + " " + in_quotes(field[key]),
+                  "voxels that begin where the header or the data file does");
   out.type = type_of(field["type"]);
   if (out.type.empty())
     refuse_mask(file, "voxels of type " + in_quotes(field["type"]), "whole numbers");
@@ -105,17 +107,16 @@ MaskHead read_nrrd_head(const std::filesystem::path& file, const std::string& he
     refuse_mask(file, "the encoding " + in_quotes(packing), "raw, gzip or ascii");
   out.swapped = field["endian"] == "big";
   if (field.contains("space directions")) {
-    const auto steps = header_numbers(file, "space directions", field["space directions"], 9);
-    for (int k = 0; k < 9; ++k) out.step(k % 3, k / 3) = steps[static_cast<std::size_t>(k)];
+    out.step = header_columns(file, "space directions", field["space directions"]);
   } else if (field.contains("spacings")) {
-    const auto steps = header_numbers(file, "spacings", field["spacings"], 3);
-    out.step = Vec3(steps[0], steps[1], steps[2]).asDiagonal();
+    out.step = header_vector(file, "spacings", field["spacings"]).asDiagonal();
   }
-  if (field.contains("space origin")) {
-    const auto origin = header_numbers(file, "space origin", field["space origin"], 3);
-    out.origin = {origin[0], origin[1], origin[2]};
-  }
+  if (field.contains("space origin"))
+    out.origin = header_vector(file, "space origin", field["space origin"]);
   out.space = space_of(field["space"]);
+  if (is_left_handed(field["space"]))
+    refuse_mask(file, "the left-handed space " + in_quotes(field["space"]),
+                "left-posterior-superior or right-anterior-superior");
   const std::string units = field["space units"];
   if (units.find("\"mm\"") != std::string::npos)
     out.unit = "mm";

@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -14,7 +13,6 @@
 #include "geometry/triangle_surface.h"
 #include "surface_file/cgal_surface.h"
 #include "surface_file/check_surface.h"
-#include "surface_file/read_polydata.h"
 
 namespace vasorod {
 namespace {
@@ -25,13 +23,27 @@ void turn_over(TriangleSurface& surface) {
   surface.triangles.col(1).swap(surface.triangles.col(2));
 }
 
-// The listed triangles and their points, in their order.
-TriangleSurface part_of(const TriangleSurface& surface, const std::vector<int>& triangles) {
-  LoadedSurface part;
-  part.surface.points = surface.points;
-  part.surface.triangles = surface.triangles(triangles, Eigen::all);
-  drop_unused_points(part);
-  return part.surface;
+// The connected parts of a surface, their points and triangles in its order.
+std::vector<TriangleSurface> parts_of(const TriangleSurface& surface) {
+  const auto label = components(surface.triangles, static_cast<int>(surface.points.rows()));
+  const auto count = static_cast<std::size_t>(1 + *std::max_element(label.begin(), label.end()));
+  const auto at = [](Eigen::Index i) { return static_cast<std::size_t>(i); };
+  std::vector<std::vector<int>> points(count), triangles(count);
+  std::vector<int> number(label.size(), -1);  // of a point in its part
+  for (std::size_t v = 0; v < label.size(); ++v)
+    if (label[v] >= 0) {
+      number[v] = static_cast<int>(points[at(label[v])].size());
+      points[at(label[v])].push_back(static_cast<int>(v));
+    }
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    triangles[at(label[at(surface.triangles(t, 0))])].push_back(t);
+  std::vector<TriangleSurface> parts(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    parts[k].points = surface.points(points[k], Eigen::all);
+    parts[k].triangles =
+        surface.triangles(triangles[k], Eigen::all).unaryExpr([&](int v) { return number[at(v)]; });
+  }
+  return parts;
 }
 
 // Whether nearly all of `part` lies within `around`, which is outward.
@@ -58,15 +70,7 @@ Vec3 normal_of(const TriangleSurface& surface, int t) {
 }  // namespace
 
 std::vector<std::string> orient(TriangleSurface& surface) {
-  using Point = CgalKernel::Point_3;
-  std::vector<Point> points;
-  for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
-    points.emplace_back(surface.points(i, 0), surface.points(i, 1), surface.points(i, 2));
-  std::vector<std::array<std::size_t, 3>> faces;
-  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t)
-    faces.push_back({static_cast<std::size_t>(surface.triangles(t, 0)),
-                     static_cast<std::size_t>(surface.triangles(t, 1)),
-                     static_cast<std::size_t>(surface.triangles(t, 2))});
+  auto [points, faces] = to_soup(surface);
   const auto given_points = points.size(), given_faces = faces.size();
   pmp::repair_polygon_soup(points, faces);
   std::vector<std::string> done;
@@ -103,18 +107,11 @@ std::vector<std::string> orient(TriangleSurface& surface) {
 }
 
 std::vector<LeftOut> keep_largest(TriangleSurface& surface) {
-  const auto label = components(surface.triangles, static_cast<int>(surface.points.rows()));
-  std::vector<std::vector<int>> triangles(
-      static_cast<std::size_t>(1 + *std::max_element(label.begin(), label.end())));
-  for (int t = 0; t < surface.triangles.rows(); ++t)
-    triangles[static_cast<std::size_t>(label[static_cast<std::size_t>(surface.triangles(t, 0))])]
-        .push_back(t);
-  std::vector<TriangleSurface> parts;
+  std::vector<TriangleSurface> parts = parts_of(surface);
   std::vector<double> volume;
   std::size_t largest = 0;
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    parts.push_back(part_of(surface, triangles[k]));
-    volume.push_back(lidded_volume(parts.back()));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    volume.push_back(lidded_volume(parts[k]));
     if (std::abs(volume[k]) > std::abs(volume[largest])) largest = k;
   }
   if (volume[largest] < 0) turn_over(parts[largest]);

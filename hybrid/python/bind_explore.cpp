@@ -12,7 +12,6 @@
 
 #include "explore/explore.h"
 #include "python/classes.h"
-#include "scene/exploration.h"
 
 namespace vasorod::python {
 namespace {
@@ -53,8 +52,7 @@ void leave_signals_to_the_system() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
 }
 
-std::string explored(const Scene& given, const std::string& text,
-                     const std::filesystem::path& folder,
+std::string explored(const Scene& given, const std::filesystem::path& folder,
                      const std::optional<std::vector<std::string>>& stages,
                      const std::optional<int>& best, int threads, bool report,
                      const std::function<bool()>& stop,
@@ -64,9 +62,7 @@ std::string explored(const Scene& given, const std::string& text,
   if (scene.explore && best) scene.explore->best = *best;
   ExploreRequest request;
   request.folder = folder;
-  request.scene_text = text;
   request.threads = threads;
-  request.more = read_exploration(scene, text);
   request.report = report;
   request.stop = [&] { return PyErr_CheckSignals() != 0 || stop(); };
   request.progress = [&](const ExploreProgress& now) { progress(text_of(now)); };
@@ -87,9 +83,9 @@ std::string explored(const Scene& given, const std::string& text,
 }  // namespace
 
 void bind_explore(py::module_& module) {
-  module.def("explore", &explored, py::arg("scene"), py::arg("text"), py::arg("folder"),
-             py::arg("stages"), py::arg("best"), py::arg("threads"), py::arg("report"),
-             py::arg("stop"), py::arg("progress"));
+  module.def("explore", &explored, py::arg("scene"), py::arg("folder"), py::arg("stages"),
+             py::arg("best"), py::arg("threads"), py::arg("report"), py::arg("stop"),
+             py::arg("progress"));
 }
 
 }  // namespace vasorod::python

@@ -7,6 +7,7 @@
 
 #include "data/index.h"
 #include "data/sentence.h"
+#include "geometry/triangle_surface.h"
 #include "report/annotations.h"
 #include "report/camera.h"
 #include "report/picture.h"

@@ -52,13 +52,4 @@ TriangleSurface stick(const Vec3& from, const Vec3& to, double radius) {
   return surface;
 }
 
-void append(TriangleSurface& surface, const TriangleSurface& more) {
-  const Eigen::Index points = surface.points.rows(), triangles = surface.triangles.rows();
-  surface.points.conservativeResize(points + more.points.rows(), 3);
-  surface.points.bottomRows(more.points.rows()) = more.points;
-  surface.triangles.conservativeResize(triangles + more.triangles.rows(), 3);
-  surface.triangles.bottomRows(more.triangles.rows()) =
-      more.triangles.array() + static_cast<int>(points);
-}
-
 }  // namespace vasorod

@@ -11,7 +11,4 @@ TriangleSurface ball(const Vec3& centre, double radius);
 /// An open prism of eight sides from one point to another; they must differ.
 TriangleSurface stick(const Vec3& from, const Vec3& to, double radius);
 
-/// `more` as a further part of `surface`.
-void append(TriangleSurface& surface, const TriangleSurface& more);
-
 }  // namespace vasorod

@@ -199,23 +199,21 @@ Vec3 Field::vec3(double largest) const {
           items[2].number_up_to(largest)};
 }
 
-Field read_yaml(const std::string& file) {
+std::string scene_file_text(const std::string& file) {
   const std::string name = one_line(file);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw InputError(name + ": found no such file, expected a scene file");
   if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(name + ": found a folder or device, expected a scene file");
-  const YAML::Node root = parse_yaml(file, whole_file(file));
-  if (!root.IsDefined() || root.IsNull())
-    throw InputError(name + ":1: found an empty file, expected a scene");
-  return {file, "", root};
+  return whole_file(file);
 }
 
-Field read_yaml_text(const std::string& text) {
-  const YAML::Node root = parse_yaml("", text);
-  if (!root.IsDefined() || root.IsNull()) throw InputError("found an empty text, expected a scene");
-  return {"", "", root};
+Field read_yaml(const std::string& file, const std::string& text) {
+  const YAML::Node root = parse_yaml(file, text);
+  if (root.IsDefined() && !root.IsNull()) return {file, "", root};
+  throw InputError(file.empty() ? "found an empty text, expected a scene"
+                                : one_line(file) + ":1: found an empty file, expected a scene");
 }
 
 void check_directions(const Field& place, Vec3& tangent, Vec3& normal) {

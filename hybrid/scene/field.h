@@ -68,11 +68,12 @@ class Field {
   int line_ = 0;
 };
 
-/// The whole file as one map. Throws InputError if it is missing or not YAML with one document,
-/// FileError if it cannot be read.
-Field read_yaml(const std::string& file);
-/// The same of a text without a file: its messages name no place but the key.
-Field read_yaml_text(const std::string& text);
+/// The bytes of a scene file. Throws InputError if it is missing or no file, FileError if it cannot
+/// be read.
+std::string scene_file_text(const std::string& file);
+/// The text of a scene file as one map. Throws InputError if it is not YAML with one document.
+/// `file`: for messages; of an empty one they name no place but the key.
+Field read_yaml(const std::string& file, const std::string& text);
 
 /// Checks d3 and d1 given at `place`: not zero, at right angles within 1e-3. Makes them
 /// orthonormal.

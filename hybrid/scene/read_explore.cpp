@@ -7,6 +7,7 @@ namespace vasorod {
 namespace {
 
 constexpr int most_steps = 1000, most_best = 1000;
+constexpr int most_starts = 100, most_evaluations = 1000;  // of a search
 
 // `steps` numbers from `from` to `to`, both included; one alone is `from`.
 std::vector<double> read_span(const Field& field, double lowest, double highest) {
@@ -81,9 +82,18 @@ std::map<std::string, double> read_thresholds(const Field& field) {
   return thresholds;
 }
 
+RefineSpec read_refine(const Field& field) {
+  field.check_keys({"evaluations", "best"});
+  RefineSpec spec;
+  if (const auto evaluations = field.find("evaluations"))
+    spec.evaluations = evaluations->integer_in(1, most_evaluations);
+  if (const auto best = field.find("best")) spec.best = best->integer_in(1, most_starts);
+  return spec;
+}
+
 }  // namespace
 
-ExploreSpec read_explore(const Field& field) {
+ExploreSpec read_explore(const Field& field, const std::vector<VesselSpec>& vessels) {
   field.check_keys({"cut_along", "cut_tilt_deg", "incision_along", "around_deg", "incision_length",
                     "incision_shape", "rotation_deg", "stages", "best", "weights", "thresholds",
                     "vary", "refine"});
@@ -105,6 +115,8 @@ ExploreSpec read_explore(const Field& field) {
   if (const auto weights = field.find("weights")) spec.weights = read_weights(*weights);
   if (const auto thresholds = field.find("thresholds"))
     spec.thresholds = read_thresholds(*thresholds);
+  if (const auto vary = field.find("vary")) spec.vary = read_vary(*vary, vessels);
+  if (const auto refine = field.find("refine")) spec.refine = read_refine(*refine);
   return spec;
 }
 

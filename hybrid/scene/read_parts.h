@@ -26,7 +26,8 @@ EndToEndSpec read_end_to_end(const Field& end_to_end, const std::vector<VesselSp
                              const std::filesystem::path& folder, const Units& units);
 /// A slit (empty) or an ellipse.
 std::optional<IncisionEllipse> read_shape(const Field& field);
-ExploreSpec read_explore(const Field& explore);
+ExploreSpec read_explore(const Field& explore, const std::vector<VesselSpec>& vessels);
+VarySpec read_vary(const Field& vary, const std::vector<VesselSpec>& vessels);
 
 /// The vessel that a field names. If there is none, the message suggests the nearest name.
 const VesselSpec& named_vessel(const Field& name, const std::vector<VesselSpec>& vessels);

@@ -4,7 +4,6 @@
 #include <vasorod/read_scene.h>
 
 #include "data/mmhg.h"
-#include "scene/exploration.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -82,8 +81,7 @@ Scene scene_of(const Field& root, const std::filesystem::path& folder) {
   if (const auto explore = root.find("explore")) {
     if (!scene.glenn)
       explore->refuse("it without surgery: glenn", "the operation whose options it lists");
-    scene.explore = read_explore(*explore);
-    read_exploration(*explore, scene);  // refuses what is wrong; explore reads it again
+    scene.explore = read_explore(*explore, scene.vessels);
   }
   if (const auto extrapolate = root.find("extrapolate")) {
     scene.extrapolate = extrapolate->boolean();
@@ -98,13 +96,16 @@ Scene scene_of(const Field& root, const std::filesystem::path& folder) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
-  Scene scene = scene_of(read_yaml(file.string()), file.parent_path());
+  std::string text = scene_file_text(file.string());
+  Scene scene = scene_of(read_yaml(file.string(), text), file.parent_path());
   scene.file = file;
+  scene.text = std::move(text);
   return scene;
 }
 
 Scene read_scene_text(const std::string& text, const std::filesystem::path& folder) {
-  Scene scene = scene_of(read_yaml_text(text), folder);
+  Scene scene = scene_of(read_yaml("", text), folder);
+  scene.text = text;
   // There is no file in which these would be lines.
   for (VesselSpec& vessel : scene.vessels) vessel.line = 0;
   for (EndCondition& end : scene.ends) end.line = 0;

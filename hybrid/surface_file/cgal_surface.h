@@ -1,8 +1,9 @@
-// Our surface as CGAL's and back. Only for .cpp files of this folder: CGAL is heavy.
+// Our surface as CGAL's and back. Only for .cpp files: CGAL is heavy.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -12,6 +13,22 @@ namespace vasorod {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
+
+/// Points and faces without what joins them, as CGAL takes what may be no surface.
+struct CgalSoup {
+  std::vector<CgalKernel::Point_3> points;
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
+/// Points and faces get the indices of our points and triangles.
+inline CgalSoup to_soup(const TriangleSurface& surface) {
+  CgalSoup soup;
+  for (const auto p : surface.points.rowwise()) soup.points.emplace_back(p.x(), p.y(), p.z());
+  for (const auto t : surface.triangles.rowwise())
+    soup.faces.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                          static_cast<std::size_t>(t[2])});
+  return soup;
+}
 
 /// Vertices and faces get the indices of our points and triangles.
 inline CgalMesh to_cgal(const TriangleSurface& surface) {

@@ -12,31 +12,17 @@ from pathlib import Path
 
 SOURCE, VASOROD, SNAKEMAKE = (Path(word).resolve() for word in sys.argv[1:4])
 
-SCENE = """
-scene: two-tubes
-units: {length: mm, stress: MPa}
-vessels:
-  - name: svc
-    tube: {length: 40, radius: 3.3, around: 20, along: 40, position: [0, 0, 5]}
-    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
-  - name: rpa
-    tube: {length: 50, radius: 4, around: 24, along: 48, position: [-25, 0, 0],
-           tangent: [1, 0, 0], normal: [0, 0, 1]}
-    wall: {thickness: 0.45, young: 0.45, poisson: 0.45}
-ends:
-  - {vessel: svc, end: end, hold: true}
-  - {vessel: rpa, end: start, hold: true}
-  - {vessel: rpa, end: end, hold: true}
-surgery:
-  glenn: {svc: svc, rpa: rpa, cut: {along: 0.9}, incision: {along: 0.5, around_deg: 0},
-          keep: {near: [0, 0, 45]}}
-fidelity: skin
+SCENE = (
+    (SOURCE / "tests" / "program" / "small_glenn.yaml").read_text()
+    + """
 explore:
   incision_along: [0.5, 0.01]
+  around_deg: 0
   rotation_deg: [0, 30, 60]
   stages: [rod, skin]
   best: 2
 """
+)
 
 
 def rows_of(folder):

@@ -23,5 +23,17 @@ TEST_F(WholeFile, WhatCannotBeReadIsAnError) {
   EXPECT_THROW(whole_file(folder), FileError);
 }
 
+TEST_F(WholeFile, AFileIsWrittenWholeOrNotAtAll) {
+  write_whole_file(folder / "file", "old");
+  std::filesystem::create_directories(folder / "blocked" / "inside");
+  EXPECT_THROW(write_whole_file(folder / "blocked", "a folder stands there"), FileError);
+  EXPECT_THROW(write_whole_file(folder / "absent" / "file", "no such folder"), FileError);
+  write_whole_file(folder / "file", "new");
+  EXPECT_EQ(whole_file(folder / "file"), "new");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
+                          std::filesystem::directory_iterator()),
+            2);
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -149,14 +149,13 @@ TEST_F(Explore, TheLastStageIsKeptWithItsFolders) {
 
 // The same samples for every option, each as if its scene had been written by hand.
 TEST_F(Explore, SamplesAreThoseOfPredictWithTheirWallsAndPicks) {
-  const Scene scene = small_exploration("rotation_deg: [0, 40, 90], stages: skin");
-  ExploreRequest sampled = request();
-  VarySpec& spec = sampled.more.vary.emplace();
+  Scene scene = small_exploration("rotation_deg: [0, 40, 90], stages: skin");
+  VarySpec& spec = scene.explore->vary.emplace();
   spec.uncertain = {{Uncertain::What::thickness, "svc", 0.8, 1.2, 0},
                     {Uncertain::What::cut, "", 0, 0, 0.5}};
   spec.samples = 4;
   spec.best = 2;
-  const ExploreSummary summary = explore(scene, sampled);
+  const ExploreSummary summary = explore(scene, request());
   ASSERT_TRUE(summary.finished);
   ASSERT_TRUE(summary.spread);
   EXPECT_EQ(summary.spread->samples, 4);
@@ -178,24 +177,24 @@ TEST_F(Explore, SamplesAreThoseOfPredictWithTheirWallsAndPicks) {
     EXPECT_NEAR(high, percentile(shears, 0.95), 1e-9);
     EXPECT_EQ(summary.rows[rank].spread->converged, 4);
   }
-  const ExploreSummary again = explore(scene, sampled);
+  const ExploreSummary again = explore(scene, request());
   EXPECT_EQ(again.found, 3 + 2 * 4);
   EXPECT_EQ(again.rows[0].spread->intervals, summary.rows[0].spread->intervals);
 }
 
 TEST_F(Explore, AnImpossibleSampleIsRefusedBeforeAnythingIsSolved) {
-  ExploreRequest sampled = request();
-  sampled.more.vary.emplace().uncertain = {{Uncertain::What::poisson, "", 0.5, 3, 0}};
-  EXPECT_THROW(explore(small_exploration("rotation_deg: [0, 40], stages: skin"), sampled),
-               InputError);
+  Scene scene = small_exploration("rotation_deg: [0, 40], stages: skin");
+  scene.explore->vary.emplace().uncertain = {{Uncertain::What::poisson, "", 0.5, 3, 0}};
+  EXPECT_THROW(explore(scene, request()), InputError);
 }
 
 // The vein comes straight from above: the least twist lies between the listed rotations.
 TEST_F(Explore, ARefinedOptionIsBetterAndKeptLikeOthers) {
   const Scene scene = small_exploration("rotation_deg: [-60, 100], stages: [rod, skin], best: 1");
-  ExploreRequest refined = request();
-  refined.more.refine = RefineSpec{12, 1};
-  const ExploreSummary plain = explore(scene, request("plain")), found = explore(scene, refined);
+  Scene refined = scene;
+  refined.explore->refine = RefineSpec{12, 1};
+  const ExploreSummary plain = explore(scene, request("plain")),
+                       found = explore(refined, request());
   EXPECT_TRUE(found.finished);
   ASSERT_GT(found.rows.size(), 2U);
   EXPECT_LE(found.rows.size(), 2U + 12);
@@ -210,7 +209,7 @@ TEST_F(Explore, ARefinedOptionIsBetterAndKeptLikeOthers) {
   EXPECT_EQ(std::count_if(found.rows.begin(), found.rows.end(),
                           [](const RankedRow& one) { return !one.row.refined; }),
             2);
-  const ExploreSummary again = explore(scene, refined);
+  const ExploreSummary again = explore(refined, request());
   const auto refined_stage =
       std::count_if(found.rows.begin(), found.rows.end(),
                     [](const RankedRow& one) { return one.row.fidelity == "skin"; });

@@ -65,7 +65,7 @@ TEST_F(ExploreFolderTest, AKilledOneBlocksNothing) {
   const pid_t process = fork();
   if (process == 0) {
     const ExploreFolder taken(folder / "dir");
-    write_whole(taken.path() / "done", "");
+    std::ofstream(taken.path() / "done");
     for (;;) pause();
   }
   for (int i = 0; i < 500 && !fs::exists(folder / "dir" / "done"); ++i) usleep(10'000);
@@ -109,19 +109,6 @@ TEST_F(ExploreFolderTest, FinishedRowsAreFoundAgain) {
   EXPECT_TRUE(taken.find(same, true));
   std::ofstream(taken.path() / "finished" / (row.name() + ".json")) << "{\"half\": ";
   EXPECT_FALSE(taken.find(same, false));
-}
-
-TEST_F(ExploreFolderTest, AFileIsWrittenWholeOrNotAtAll) {
-  write_whole(folder / "file", "old");
-  fs::create_directories(folder / "blocked" / "inside");
-  EXPECT_THROW(write_whole(folder / "blocked", "a folder stands there"), FileError);
-  EXPECT_THROW(write_whole(folder / "absent" / "file", "no such folder"), FileError);
-  write_whole(folder / "file", "new");
-  std::ifstream stream(folder / "file");
-  std::string text;
-  stream >> text;
-  EXPECT_EQ(text, "new");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
 }
 
 }  // namespace

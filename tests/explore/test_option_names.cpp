@@ -46,7 +46,7 @@ TEST_F(OptionNamesTest, OfASceneWithoutAFileChangeWithItsText) {
   const std::string text = small_glenn("skin") + "explore: {rotation_deg: [10, 20]}\n";
   const auto name_of_text = [](const std::string& one) {
     const Scene scene = read_scene_text(one);
-    return OptionNames(scene, {}, one).of(options_of(scene, {}).front());
+    return OptionNames(scene, {}).of(options_of(scene, {}).front());
   };
   EXPECT_EQ(name_of_text("# a comment\n" + text), name_of_text(text));
   EXPECT_NE(name_of_text(changed(text, "young: 0.5", "young: 0.6")), name_of_text(text));
@@ -60,7 +60,8 @@ TEST_F(OptionNamesTest, DependOnASurfacesBytesAndNotOnItsFolder) {
   Scene any = read_scene_text(small_glenn("skin") + tail);
   const Option option = options_of(any, {}).front();
   const auto name_of_text = [&](const std::string& text, const std::string& hash = "0") {
-    return OptionNames(any, {{"a.vtp", hash}}, text).of(option);
+    any.text = text;
+    return OptionNames(any, {{"a.vtp", hash}}).of(option);
   };
   const std::string name = name_of_text(scene("one/a.vtp", "b.vtp"));
   EXPECT_EQ(name_of_text(scene("/elsewhere/a.vtp", "two/b.vtp")), name);

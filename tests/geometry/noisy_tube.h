@@ -20,6 +20,16 @@ struct TubeShape {
   unsigned seed = 1;
 };
 
+/// A tube bent to a U, its sides 38 apart: a plane across one leg meets the other, too.
+inline TubeShape u_bend() {
+  TubeShape shape;
+  shape.length = 60;
+  shape.along = 45;
+  shape.bend = M_PI;
+  shape.jitter = 0.2;
+  return shape;
+}
+
 /// The i-th of many irregular shapes: `around` vertices, straight where 3 divides i and otherwise
 /// bent by up to `bend`, jittered unless 5 divides i.
 inline TubeShape irregular_shape(int i, int around, double bend, std::mt19937& random) {

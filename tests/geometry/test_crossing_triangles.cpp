@@ -3,6 +3,7 @@
 #include <random>
 
 #include "geometry/crossing_triangles.h"
+#include "geometry/triangle_surface.h"
 #include "straight_tube.h"
 #include "surface_file/self_intersections.h"
 
@@ -19,13 +20,9 @@ TriangleSurface tube() {
   return tube_surface(testing::straight_tube(40, 10, 24, 30));
 }
 
-TriangleSurface together(const TriangleSurface& a, const TriangleSurface& b) {
-  TriangleSurface both;
-  both.points.resize(a.points.rows() + b.points.rows(), 3);
-  both.points << a.points, b.points;
-  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
-  both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
-  return both;
+TriangleSurface together(TriangleSurface a, const TriangleSurface& b) {
+  append(a, b);
+  return a;
 }
 
 TEST(CrossingTriangles, AreThoseOfTheSearchThatChecksAllPairs) {

@@ -48,11 +48,7 @@ TEST(PlaneSection, ObliqueSectionOfAFineTubeIsAnEllipse) {
 }
 
 TEST(PlaneSection, APlaneThatMeetsABentTubeTwiceGivesTwoLoopsAndTheOneAskedForIsFound) {
-  testing::TubeShape shape;
-  shape.length = 60;
-  shape.along = 45;
-  shape.bend = M_PI;
-  shape.jitter = 0.2;
+  const testing::TubeShape shape = testing::u_bend();
   const auto tube = testing::noisy_tube(shape);
   const auto here = testing::tube_frame(shape, 12), there = testing::tube_frame(shape, 48);
   const Vec3 normal = here.rotation.col(2);
@@ -77,11 +73,7 @@ TEST(PlaneSection, APlaneThroughAnEndGivesAnOpenCurve) {
 }
 
 TEST(PlaneSection, ManyPlanesThroughATreeGiveTheSameCurves) {
-  testing::TubeShape shape;
-  shape.length = 60;
-  shape.along = 45;
-  shape.bend = M_PI;
-  shape.jitter = 0.2;
+  const testing::TubeShape shape = testing::u_bend();
   const auto tube = testing::noisy_tube(shape);
   const PlaneSections planes(tube);
   for (int k = 0; k <= 20; ++k)

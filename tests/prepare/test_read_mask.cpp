@@ -30,6 +30,10 @@ std::string voxels() {
   return bytes;
 }
 
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
 std::string packed(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
@@ -106,17 +110,23 @@ TEST_F(ReadMask, WhatIsNoMaskIsOneSentence) {
   expect_refused("a.nii", nifti(true).substr(0, 100), "100 bytes");
   expect_refused("a.nii", std::string(400, 'x'), "does not begin as NIfTI-1");
   expect_refused("a.nii", nifti(true).substr(0, 360), "fewer voxels");
-  std::string huge = nrrd;
-  huge.replace(huge.find("2 3 4"), 5, "99999 99999 99999");
-  expect_refused("a.nrrd", huge, "crop it around the vessel");
-  std::string flat = nrrd;
-  flat.replace(flat.find("(0.5,0,0)"), 9, "(0.0,0,0)");
-  expect_refused("a.nrrd", flat + voxels(), "span no volume");
-  std::string real = nrrd;
-  real.replace(real.find("uchar"), 5, "float");
+  expect_refused("a.nrrd", changed(nrrd, "2 3 4", "99999 99999 99999"),
+                 "crop it around the vessel");
+  expect_refused("a.nrrd", changed(nrrd, "2 3 4", "2 3.5 4") + voxels(), "expected three whole");
+  expect_refused("a.nrrd", changed(nrrd, "(0.5,0,0)", "(0.0,0,0)") + voxels(), "span no volume");
+  // What would shift, scale or mirror the mask is not passed over.
+  expect_refused("a.nrrd", changed(nrrd, "type:", "byte skip: 8\ntype:") + voxels(), "byte skip");
+  expect_refused("a.nrrd", changed(nrrd, "right-anterior-superior", "LAS") + voxels(),
+                 "left-handed");
+  expect_refused("a.mha", changed(metaimage, "NDims", "HeaderSize = -1\nNDims") + packed(voxels()),
+                 "HeaderSize");
+  std::string scaled = nifti(true);
+  const float two = 2;
+  std::memcpy(&scaled[112], &two, sizeof two);
+  expect_refused("a.nii", scaled, "scaled (slope 2)");
   std::string values(96, '\0');
   values[3] = 0x3e;
-  expect_refused("a.nrrd", real + values, "not the image itself");
+  expect_refused("a.nrrd", changed(nrrd, "uchar", "float") + values, "not the image itself");
 }
 
 // Whatever the header's bytes are: a mask or a sentence.

@@ -42,22 +42,21 @@ struct Spoilt {
   double mean, largest;  // mm
 };
 
-class Corpus : public ::testing::TestWithParam<Spoilt> {
- protected:
-  // The folder with the spoilt files of a bundled vessel.
-  static fs::path spoilt(const std::string& vessel) {
-    static const ScratchFolder scratch;
-    const fs::path folder = scratch / vessel;
-    if (!fs::exists(folder)) {
-      const fs::path meshes = fs::path(VASOROD_SOURCE_DIR) / "meshes";
-      const ProgramRun run =
-          run_program("'" VASOROD_SPOIL_PYTHON "'" + quoted(meshes / "spoil.py") +
-                      quoted(meshes / "infant" / (vessel + ".vtp")) + quoted(folder));
-      EXPECT_EQ(run.exit_code, 0) << run.err;
-    }
-    return folder;
+// The folder with the spoilt files of a bundled vessel.
+fs::path spoilt(const std::string& vessel) {
+  static const ScratchFolder scratch;
+  const fs::path folder = scratch / vessel;
+  if (!fs::exists(folder)) {
+    const fs::path meshes = fs::path(VASOROD_SOURCE_DIR) / "meshes";
+    const ProgramRun run =
+        run_program("'" VASOROD_SPOIL_PYTHON "'" + quoted(meshes / "spoil.py") +
+                    quoted(meshes / "infant" / (vessel + ".vtp")) + quoted(folder));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
   }
-};
+  return folder;
+}
+
+class Corpus : public ::testing::TestWithParam<Spoilt> {};
 
 TEST_P(Corpus, TheWallComesBackAndFitReadsIt) {
   const Spoilt& by = GetParam();
@@ -108,8 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Spoilt{"mask.nii.gz", "label 1 of the mask", 0.15, 0.75},
                       Spoilt{"mask.nrrd", "label 1 of the mask", 0.15, 0.75},
                       Spoilt{"mask.mha", "label 1 of the mask", 0.15, 0.75}),
-    [](const auto& info) {
-      std::string name = info.param.file;
+    [](const auto& way) {
+      std::string name = way.param.file;
       for (char& c : name)
         if (c == '.') c = '_';
       return name;
@@ -143,6 +142,32 @@ TEST(PrepareCommand, BadInputIsOneSentence) {
           .exit_code,
       3);
   EXPECT_EQ(run_program(vasorod("prepare" + quoted(svc) + " -o" + quoted(svc))).exit_code, 2);
+}
+
+TEST(PrepareCommand, WhatFitRefusesIsWrittenWithTheReason) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out.vtp";
+  const ProgramRun run = run_program(
+      vasorod("prepare" + quoted(spoilt("pulmonary_artery") / "double.vtp") + " -o" + quoted(out)));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("warning: fit refuses it: "), std::string::npos) << run.out;
+  EXPECT_GT(read_polydata(out).surface.triangles.rows(), 1000);
+}
+
+TEST(PrepareCommand, BranchesBelowARadiusAreTakenOffAndOtherEndsOpened) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out.vtp", mask = spoilt("aorta") / "mask.nrrd";
+  const auto prepared = [&](const std::string& arguments) {
+    return Json::parse(
+        run_program(vasorod("prepare" + quoted(mask) + arguments + " --json -o" + quoted(out)))
+            .out);
+  };
+  // The arch's branches have radii of 1.5, 1.6 and 2.1 mm (meshes/infant_anatomy.py).
+  const Json thick = prepared(" --cut-branches-below 1.85");
+  ASSERT_EQ(thick["ends"].size(), 3U);
+  for (const Json& end : thick["ends"]) EXPECT_GT(end["radius"].get<double>(), 1.85);
+  EXPECT_EQ(boundary_loops(read_polydata(out).surface.triangles).size(), 3U);
+  EXPECT_EQ(prepared(" --end 3,-1.6,-13 --end 9.2,22,-18")["ends"].size(), 2U);
 }
 
 TEST(PrepareCommand, RealAnatomyIsReadAndFits) {

@@ -18,8 +18,7 @@ from cases import SOURCE, program
 
 def small(**explore):
     """A shunt of two generated tubes, as a dict, with its options."""
-    text = (SOURCE / "tests" / "program" / "small_glenn.h").read_text()
-    scene = yaml.safe_load(text.split('R"(')[1].split(')"')[0] + "skin")
+    scene = yaml.safe_load((SOURCE / "tests" / "program" / "small_glenn.yaml").read_text())
     return {**scene, "explore": explore}
 
 

@@ -46,12 +46,5 @@ TEST(Solids, AStickGoesFromOnePlaceToTheOtherWithItsFacesOutwards) {
   }
 }
 
-TEST(Solids, AppendedPartsKeepTheirTriangles) {
-  TriangleSurface surface = ball(Vec3::Zero(), 1);
-  append(surface, ball(Vec3(10, 0, 0), 1));
-  EXPECT_EQ(euler_number(surface.triangles), 4) << "two spheres";
-  EXPECT_NEAR(volume(surface), 2 * volume(ball(Vec3::Zero(), 1)), 1e-12);
-}
-
 }  // namespace
 }  // namespace vasorod

@@ -207,6 +207,8 @@ TEST_F(ReadScene, ReadsAnEndToEndJoin) {
 // A text has neither a file nor lines that a reader could look up; what it says is the same.
 TEST_F(ReadScene, ATextIsReadAsAFileIs) {
   const Scene scene = read_scene_text(tubes, folder), file = read(tubes);
+  EXPECT_EQ(scene.text, tubes);
+  EXPECT_EQ(file.text, tubes);
   EXPECT_TRUE(scene.file.empty());
   EXPECT_EQ(input_files(scene), (std::vector{folder / "heart.vtp", folder / "sub/plain.stl"}));
   EXPECT_EQ(*read_scene_text(tubes).vessel("heart").surface, "heart.vtp");

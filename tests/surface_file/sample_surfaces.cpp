@@ -79,11 +79,8 @@ TriangleSurface closed_tube(const std::vector<int>& ends, double height) {
 }
 
 TriangleSurface joined(const TriangleSurface& a, const TriangleSurface& b) {
-  TriangleSurface both;
-  both.points.resize(a.points.rows() + b.points.rows(), 3);
-  both.points << a.points, b.points;
-  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
-  both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
+  TriangleSurface both = a;
+  append(both, b);
   return both;
 }
 

@@ -84,11 +84,7 @@ TEST(Cut, HundredsOfObliqueCutsLeaveCleanParts) {
 }
 
 TEST(Cut, ThePlaneCutsOnlyWhereTheSectionIsWhenItMeetsTheVesselTwice) {
-  testing::TubeShape shape;
-  shape.length = 60;
-  shape.along = 45;
-  shape.bend = M_PI;
-  shape.jitter = 0.2;
+  const testing::TubeShape shape = testing::u_bend();
   const auto tube = testing::noisy_tube(shape);
   Pose section = testing::tube_frame(shape, 12);
   section.rotation = Mat3::Identity();  // a plane z = const, which also meets the other leg

@@ -196,6 +196,45 @@ struct EndToEndSpec {
   int line = 0;  ///< line in the scene file, for messages
 };
 
+/// A quantity of the scene that is not known exactly, with its distribution.
+struct Uncertain {
+  /// Which quantity. The first four are multiplied by a factor, the others are moved by a length.
+  enum class What {
+    young,      ///< all moduli of the wall
+    poisson,    ///< both Poisson's ratios of the wall
+    thickness,  ///< the wall's thickness
+    pressure,   ///< the pressures of all vessels
+    cut,        ///< the place of the cut, along the vein's axis from the kept end
+    incision    ///< the place of the incision, along the artery's axis
+  } what = What::young;
+  std::string vessel;  ///< of a wall; empty: all deformable vessels, by one factor
+  /// Uniform from `low` to `high`: factors, or length. Both 0: normal.
+  double low = 0, high = 0;
+  double sd = 0;  ///< of a normal one about 1 (factor) or 0 (length), cut off at 4 sd
+
+  /// Whether it is a factor.
+  bool scales() const { return what != What::cut && what != What::incision; }
+};
+
+/// The word in scene files: "young", "cut"...
+std::string to_string(Uncertain::What what);
+
+/// What is uncertain in a scene, and for which options it is carried through by samples
+/// (docs/explore.md).
+struct VarySpec {
+  std::vector<Uncertain> uncertain;     ///< at least one
+  int samples = 20;                     ///< for each option
+  int best = 3;                         ///< number of options, the first of the ranking
+  int seed = 1;                         ///< of the random numbers
+  std::optional<std::string> fidelity;  ///< of the samples; empty: that of the last stage
+};
+
+/// A search for better options near the best of the listed ones (docs/explore.md).
+struct RefineSpec {
+  int evaluations = 20;  ///< at most, of new options
+  int best = 1;          ///< number of options from which a search starts
+};
+
 /// The options of a Glenn shunt that `vasorod explore` solves and ranks: every combination of the
 /// listed values. What is not listed is as in GlennSpec.
 struct ExploreSpec {
@@ -214,12 +253,15 @@ struct ExploreSpec {
   std::map<std::string, double> weights;
   /// The same, in the criterion's unit.
   std::map<std::string, double> thresholds;
-  int line = 0;  ///< line in the scene file, for messages
+  std::optional<VarySpec> vary;      ///< empty: nothing is uncertain
+  std::optional<RefineSpec> refine;  ///< empty: the listed options alone
+  int line = 0;                      ///< line in the scene file, for messages
 };
 
 /// A scene: vessels, end conditions and what to solve.
 struct Scene {
   std::filesystem::path file;       ///< the scene file; empty: built in memory
+  std::string text;                 ///< its YAML as it was read; empty: built in C++
   std::string name;                 ///< the scene's name in results
   Units units;                      ///< units of all numbers
   std::vector<VesselSpec> vessels;  ///< in the file's order

@@ -105,7 +105,6 @@ def fit(surface: Path, length_unit: str, remesh: Optional[float]) -> Result: ...
 def compare(a: Path, b: Path, a_in_memory: bool, b_in_memory: bool) -> Comparison: ...
 def explore(
     scene: Scene,
-    text: str,
     folder: Path,
     stages: Optional[list[str]],
     best: Optional[int],

@@ -39,7 +39,6 @@ def main():
         )
         done = core.explore(
             scene=scene,
-            text=text,
             folder=asked["folder"],
             stages=asked["stages"],
             best=asked["best"],

@@ -2,7 +2,6 @@
 #include <array>
 #include <utility>
 
-#include "scene/exploration.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -10,17 +9,12 @@ namespace {
 
 using What = Uncertain::What;
 
-constexpr std::array<std::pair<const char*, What>, 6> words{{{"young", What::young},
-                                                             {"poisson", What::poisson},
-                                                             {"thickness", What::thickness},
-                                                             {"pressure", What::pressure},
-                                                             {"cut", What::cut},
-                                                             {"incision", What::incision}}};
-
+constexpr std::array quantities{What::young,    What::poisson, What::thickness,
+                                What::pressure, What::cut,     What::incision};
 constexpr double least_factor = 0.1, largest_factor = 10, largest_offset = 1e6;
 // Four of it leave a factor above 0.
 constexpr double largest_sd = 0.2;
-constexpr int most_samples = 1000, most_best = 100, most_evaluations = 1000;
+constexpr int most_samples = 1000, most_best = 100;
 
 void read_distribution(const Field& field, Uncertain& uncertain) {
   const std::string range = uncertain.scales() ? "factor" : "offset";
@@ -50,24 +44,23 @@ void read_distribution(const Field& field, Uncertain& uncertain) {
     field.at(range, "").refuse("a low end that is not below the high one", "[low, high]");
 }
 
-Uncertain read_uncertain(const Field& field, const Scene& scene) {
+Uncertain read_uncertain(const Field& field, const std::vector<VesselSpec>& vessels) {
   field.check_keys({"what", "vessel", "factor", "offset", "sd"});
   const std::string what =
       field.at("what", "young, poisson, thickness, pressure, cut or incision")
           .one_of({"young", "poisson", "thickness", "pressure", "cut", "incision"});
   Uncertain uncertain;
-  for (const auto& [word, value] : words)
-    if (word == what) uncertain.what = value;
+  for (const What one : quantities)
+    if (to_string(one) == what) uncertain.what = one;
   const bool of_wall = uncertain.what == What::young || uncertain.what == What::poisson ||
                        uncertain.what == What::thickness;
   if (const auto vessel = field.find("vessel")) {
     if (!of_wall)
       vessel->refuse("it with " + what, "young, poisson or thickness, which belong to one vessel");
-    const VesselSpec& named = named_vessel(*vessel, scene.vessels);
+    const VesselSpec& named = named_vessel(*vessel, vessels);
     if (!named.wall) vessel->refuse("a vessel without a wall", "a deformable vessel");
     uncertain.vessel = named.name;
   }
-  const auto& vessels = scene.vessels;
   if (uncertain.what == What::pressure &&
       std::none_of(vessels.begin(), vessels.end(),
                    [](const VesselSpec& vessel) { return vessel.pressure.has_value(); }))
@@ -76,13 +69,15 @@ Uncertain read_uncertain(const Field& field, const Scene& scene) {
   return uncertain;
 }
 
-VarySpec read_vary(const Field& field, const Scene& scene) {
+}  // namespace
+
+VarySpec read_vary(const Field& field, const std::vector<VesselSpec>& vessels) {
   field.check_keys({"uncertain", "samples", "best", "seed", "fidelity"});
   const std::string expected = "a list of uncertain quantities";
   VarySpec spec;
   const Field uncertain = field.at("uncertain", expected);
   for (const Field& item : uncertain.list(expected))
-    spec.uncertain.push_back(read_uncertain(item, scene));
+    spec.uncertain.push_back(read_uncertain(item, vessels));
   if (spec.uncertain.empty()) uncertain.refuse("an empty list", expected);
   if (const auto samples = field.find("samples"))
     spec.samples = samples->integer_in(2, most_samples);
@@ -91,37 +86,6 @@ VarySpec read_vary(const Field& field, const Scene& scene) {
   if (const auto fidelity = field.find("fidelity"))
     spec.fidelity = fidelity->one_of({"rod", "skin", "paper", "coupled"});
   return spec;
-}
-
-RefineSpec read_refine(const Field& field) {
-  field.check_keys({"evaluations", "best"});
-  RefineSpec spec;
-  if (const auto evaluations = field.find("evaluations"))
-    spec.evaluations = evaluations->integer_in(1, most_evaluations);
-  if (const auto best = field.find("best")) spec.best = best->integer_in(1, most_best);
-  return spec;
-}
-
-}  // namespace
-
-std::string to_string(Uncertain::What what) {
-  for (const auto& [word, value] : words)
-    if (value == what) return word;
-  return "";
-}
-
-Exploration read_exploration(const Field& explore, const Scene& scene) {
-  Exploration exploration;
-  if (const auto vary = explore.find("vary")) exploration.vary = read_vary(*vary, scene);
-  if (const auto refine = explore.find("refine")) exploration.refine = read_refine(*refine);
-  return exploration;
-}
-
-Exploration read_exploration(const Scene& scene, const std::string& text) {
-  if (scene.file.empty() && text.empty()) return {};
-  const Field root = scene.file.empty() ? read_yaml_text(text) : read_yaml(scene.file.string());
-  const auto explore = root.find("explore");
-  return explore ? read_exploration(*explore, scene) : Exploration();
 }
 
 }  // namespace vasorod

@@ -2,25 +2,25 @@
 #include <gtest/gtest.h>
 
 #include <vasorod/error.h>
+#include <vasorod/read_scene.h>
 
 #include "program/small_glenn.h"
-#include "scene/exploration.h"
 #include "scratch_folder.h"
 
 namespace vasorod::testing {
 namespace {
 
-class ReadExploration : public ScratchFolder {
+class ReadVary : public ScratchFolder {
  protected:
-  Exploration read(const std::string& options) const {
+  ExploreSpec read(const std::string& options) const {
     std::ofstream(folder / "scene.yaml")
         << small_glenn("skin") << "explore: {rotation_deg: 0, " << options << "}\n";
-    return read_exploration(read_scene(folder / "scene.yaml"));
+    return read_scene(folder / "scene.yaml").explore.value();
   }
 };
 
-TEST_F(ReadExploration, DistributionsAndDefaults) {
-  const Exploration more = read(
+TEST_F(ReadVary, DistributionsAndDefaults) {
+  const ExploreSpec more = read(
       "vary: {uncertain: [{what: young, vessel: svc, factor: [0.7, 1.4]}, {what: cut, sd: 1.5}]}");
   EXPECT_FALSE(more.refine);
   ASSERT_TRUE(more.vary);
@@ -39,10 +39,9 @@ TEST_F(ReadExploration, DistributionsAndDefaults) {
   EXPECT_EQ(read("refine: {evaluations: 7, best: 2}").refine->evaluations, 7);
   EXPECT_EQ(read("refine: {}").refine->best, 1);
   EXPECT_FALSE(read("best: 3").vary);
-  EXPECT_FALSE(read_exploration(Scene()).vary);
 }
 
-TEST_F(ReadExploration, WhatIsWrongIsOneSentence) {
+TEST_F(ReadVary, WhatIsWrongIsOneSentence) {
   for (const auto& [one, says] : std::vector<std::pair<std::string, std::string>>{
            {"{what: colour, sd: 0.1}", "what: found \"colour\""},
            {"{what: young}", "found neither factor nor sd, expected factor: [low, high] or sd"},

@@ -1,4 +1,6 @@
 // A binary tree of axis-parallel boxes, one box for each item, for searches that first ask boxes.
+// CGAL's box_intersection_d and AABB tree answer the same questions; for walls that are new with
+// every option, each asked a few times, sorting and building those takes longer than the answers.
 #pragma once
 
 #include <array>

@@ -198,7 +198,7 @@ struct EndToEndSpec {
 
 /// A quantity of the scene that is not known exactly, with its distribution.
 struct Uncertain {
-  /// Which quantity. The first four are multiplied by a factor, the others are moved by a length.
+  /// The first four are multiplied by a factor, the others are moved by a length.
   enum class What {
     young,      ///< all moduli of the wall
     poisson,    ///< both Poisson's ratios of the wall
@@ -206,11 +206,12 @@ struct Uncertain {
     pressure,   ///< the pressures of all vessels
     cut,        ///< the place of the cut, along the vein's axis from the kept end
     incision    ///< the place of the incision, along the artery's axis
-  } what = What::young;
-  std::string vessel;  ///< of a wall; empty: all deformable vessels, by one factor
-  /// Uniform from `low` to `high`: factors, or length. Both 0: normal.
-  double low = 0, high = 0;
-  double sd = 0;  ///< of a normal one about 1 (factor) or 0 (length), cut off at 4 sd
+  };
+  What what = What::young;  ///< which quantity
+  std::string vessel;       ///< of a wall; empty: all deformable vessels, by one factor
+  double low = 0;           ///< of a uniform distribution: factor, or length; with `high` 0: normal
+  double high = 0;          ///< its other end
+  double sd = 0;            ///< of a normal one about 1 (factor) or 0 (length), cut off at 4 sd
 
   /// Whether it is a factor.
   bool scales() const { return what != What::cut && what != What::incision; }

@@ -124,6 +124,9 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
 // Paths along edges are longer than the axis that they surround. An axis much longer than these
 // paths has lost its rows of vertices and would grow without bound.
 void PathFit::check_length() const {
+  // The sections of a flat ring have one centre: its axis shrinks to a point.
+  if (!(end_ - start_ > 1e-6 * radius()))
+    throw InputError("found no axis through the surface's sections, expected a tubular vessel");
   const double on_edges = path_.finish - path_.start;
   if (end_ - start_ > 2 * on_edges + 10 * radius())
     throw InputError(

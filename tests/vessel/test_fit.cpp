@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include <vasorod/error.h>
@@ -176,6 +177,20 @@ TEST(Fit, RefusesWhatIsNoTube) {
   sharp.length = 32;  // bends on a circle of radius 10.2, with radius 10
   EXPECT_NE(refusal(sharp.surface()).find("centre of curvature"), std::string::npos)
       << refusal(sharp.surface());
+
+  // A shallow ring around a hole: the fitted axis shrinks to a point.
+  TubeSpec ring;
+  ring.length = ring.radius = 1;
+  ring.around = 48;
+  ring.along = 12;
+  TriangleSurface shallow = tube_surface(ring);
+  for (Eigen::Index i = 0; i < shallow.points.rows(); ++i) {
+    const auto row = static_cast<double>(i / ring.around) / ring.along;
+    const double angle = 2 * M_PI * static_cast<double>(i % ring.around) / ring.around;
+    shallow.points.row(i) = (11 - 6 * row) * Vec3(std::cos(angle), std::sin(angle), 0).transpose();
+    shallow.points(i, 2) = 0.5 * std::sin(M_PI * row);
+  }
+  EXPECT_NE(refusal(shallow).find("no axis"), std::string::npos) << refusal(shallow);
 
   TubeSpec
       coarse;  // four rows of vertices, three radii apart, around 200: no axis goes through them

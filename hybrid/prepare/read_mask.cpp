@@ -33,8 +33,7 @@ class Bytes {
  public:
   Bytes(const std::filesystem::path& file, std::size_t at, bool packed)
       : stream_(file, std::ios::binary), packed_(packed) {
-    if (!stream_)
-      throw InputError(file.string() + ": found no file that may be read, expected the voxels");
+    if (!stream_) refuse_mask(file, "no file that may be read", "the voxels");
     stream_.seekg(static_cast<std::streamoff>(at));
     if (packed_ && inflateInit2(&zip_, 15 + 32) != Z_OK) throw std::bad_alloc();
     open_ = packed_;
@@ -66,13 +65,19 @@ class Bytes {
       const int status = inflate(&zip_, Z_NO_FLUSH);
       got += room - zip_.avail_out;
       ended_ = status != Z_OK;
+      whole_ = status == Z_STREAM_END;
     }
     return got;
   }
 
+  // Whether a packed file goes on, with at least `count` bytes, or ends as its checksum says.
+  bool ends_well(char* to, std::size_t count) {
+    return !packed_ || read(to, count) == count || whole_;
+  }
+
  private:
   std::ifstream stream_;
-  bool packed_, open_ = false, ended_ = false;
+  bool packed_, open_ = false, ended_ = false, whole_ = false;
   z_stream zip_{};
   std::vector<char> buffer_ = std::vector<char>(1 << 16);
 };
@@ -134,11 +139,46 @@ std::int32_t label_of(const std::filesystem::path& file, double value) {
   return static_cast<std::int32_t>(value);
 }
 
+bool is_packed(const MaskHead& head) {
+  return head.packing == MaskHead::Packing::gzip || head.packing == MaskHead::Packing::zlib;
+}
+
+std::size_t bytes_of_voxel(const MaskHead& head) {
+  return static_cast<std::size_t>(head.type[1] - '0');
+}
+
+[[noreturn]] void refuse_short(const std::filesystem::path& file, const MaskHead& head) {
+  const std::string place =
+      head.data == file ? "" : " in " + in_quotes(head.data.filename().string());
+  const auto& n = head.size;
+  const std::string voxels = std::to_string(n[0] * n[1] * n[2]);
+  refuse_mask(file, "fewer voxels than the header says" + place,
+              head.packing == MaskHead::Packing::text
+                  ? voxels + " numbers"
+                  : joined_text(voxels, " voxels of ", bytes_of_voxel(head), " bytes"));
+}
+
+// A header that promises more voxels than its file can hold must not cost the memory for them.
+void check_data(const std::filesystem::path& file, const MaskHead& head) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(head.data, error))
+    refuse_mask(file, "no file " + in_quotes(head.data.string()), "the voxels there");
+  const double bytes = static_cast<double>(std::filesystem::file_size(head.data, error));
+  double voxels = 1;
+  for (const std::int64_t n : head.size) voxels *= static_cast<double>(n);
+  constexpr double most_packed = 1032;  // deflate makes at most as many bytes of one
+  const auto at = static_cast<double>(head.at);
+  const auto width = static_cast<double>(bytes_of_voxel(head));
+  const bool enough = head.packing == MaskHead::Packing::text ? at + 2 * voxels - 1 <= bytes
+                      : is_packed(head) ? voxels * width <= most_packed * bytes
+                                        : at + voxels * width <= bytes;
+  if (error || !enough) refuse_short(file, head);
+}
+
 void read_numbers(const std::filesystem::path& file, Mask& mask) {
   const MaskHead& head = mask.head;
-  const auto width = static_cast<std::size_t>(head.type[1] - '0');
-  const bool packed =
-      head.packing == MaskHead::Packing::gzip || head.packing == MaskHead::Packing::zlib;
+  const std::size_t width = bytes_of_voxel(head);
+  const bool packed = is_packed(head);
   // In a packed NIfTI the header is packed too; in NRRD and MetaImage only the voxels are.
   const bool whole = format_of(file) == Format::nifti;
   Bytes bytes(head.data, whole ? 0 : head.at, packed);
@@ -151,15 +191,15 @@ void read_numbers(const std::filesystem::path& file, Mask& mask) {
   const std::size_t total = mask.label.size();
   for (std::size_t i = 0; i < total;) {
     const std::size_t want = std::min(total - i, chunk.size() / width);
-    if (bytes.read(chunk.data(), want * width) < want * width)
-      refuse_mask(head.data, "fewer voxels than the header says",
-                  std::to_string(total) + " voxels of " + std::to_string(width) + " bytes");
+    if (bytes.read(chunk.data(), want * width) < want * width) refuse_short(file, head);
     for (std::size_t k = 0; k < want; ++k) {
       char* voxel = chunk.data() + k * width;
       if (head.swapped) std::reverse(voxel, voxel + width);
       mask.label[i++] = label_of(file, value_of(head.type, voxel));
     }
   }
+  if (!bytes.ends_well(chunk.data(), chunk.size()))
+    refuse_mask(file, "packed voxels that are damaged or cut off at their end", "a sound file");
 }
 
 void read_text(const std::filesystem::path& file, Mask& mask) {
@@ -167,9 +207,7 @@ void read_text(const std::filesystem::path& file, Mask& mask) {
   stream.seekg(static_cast<std::streamoff>(mask.head.at));
   for (std::int32_t& label : mask.label) {
     double value = 0;
-    if (!(stream >> value))
-      refuse_mask(mask.head.data, "fewer voxels than the header says",
-                  std::to_string(mask.label.size()) + " numbers");
+    if (!(stream >> value)) refuse_short(file, mask.head);
     label = label_of(file, value);
   }
 }
@@ -188,8 +226,13 @@ std::vector<double> header_numbers(const std::filesystem::path& file, const std:
     if (c == '(' || c == ')' || c == ',') c = ' ';
   std::istringstream stream(plain);
   std::vector<double> values;
-  for (double value = 0; stream >> value;) values.push_back(value);
-  if (values.size() != count || !stream.eof())
+  bool sound = true;  // a number out of range, or a sign alone, fails at the end of the text too
+  while (sound && !(stream >> std::ws).eof()) {
+    double value = 0;
+    sound = static_cast<bool>(stream >> value);
+    values.push_back(value);
+  }
+  if (values.size() != count || !sound)
     refuse_mask(file, key + " " + in_quotes(text), std::to_string(count) + " numbers");
   return values;
 }
@@ -241,8 +284,7 @@ Mask read_mask(const std::filesystem::path& file) {
                                        : read_metaimage_head(file, beginning);
   if (packed) mask.head.packing = MaskHead::Packing::gzip;
   check_head(file, mask.head);
-  if (!std::filesystem::is_regular_file(mask.head.data, ignored))
-    refuse_mask(file, "no file " + in_quotes(mask.head.data.string()), "the voxels there");
+  check_data(file, mask.head);
   mask.label.resize(
       static_cast<std::size_t>(mask.head.size[0] * mask.head.size[1] * mask.head.size[2]));
   if (mask.head.packing == MaskHead::Packing::text)

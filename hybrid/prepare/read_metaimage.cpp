@@ -43,7 +43,8 @@ MaskHead read_metaimage_head(const std::filesystem::path& file, const std::strin
     refuse_mask(file, "an image of dimension " + in_quotes(field["NDims"]),
                 "a mask of three dimensions");
   if (field.contains("ElementNumberOfChannels") && field["ElementNumberOfChannels"] != "1")
-    refuse_mask(file, field["ElementNumberOfChannels"] + " channels", "one label per voxel");
+    refuse_mask(file, "ElementNumberOfChannels " + in_quotes(field["ElementNumberOfChannels"]),
+                "one label per voxel");
   out.size = header_size(file, "DimSize", field["DimSize"]);
   if (field.contains("HeaderSize") && field["HeaderSize"] != "0")
     refuse_mask(file, "HeaderSize " + in_quotes(field["HeaderSize"]),

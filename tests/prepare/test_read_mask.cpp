@@ -1,4 +1,5 @@
 #include <cstring>
+#include <sys/resource.h>
 #include <zlib.h>
 
 #include <vasorod/error.h>
@@ -19,6 +20,7 @@ class ReadMask : public ScratchFolder {
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      EXPECT_LT(std::string(error.what()).size(), 400U) << error.what();
     }
   }
 };
@@ -127,6 +129,38 @@ TEST_F(ReadMask, WhatIsNoMaskIsOneSentence) {
   std::string values(96, '\0');
   values[3] = 0x3e;
   expect_refused("a.nrrd", changed(nrrd, "uchar", "float") + values, "not the image itself");
+}
+
+// The checksum of a packed file is at its end.
+TEST_F(ReadMask, PackedVoxelsThatAreDamagedOrCutOffAreRefused) {
+  std::string damaged = metaimage + packed(voxels());
+  damaged.back() = static_cast<char>(damaged.back() ^ 1);
+  expect_refused("a.mha", damaged, "damaged or cut off");
+  damaged.pop_back();
+  expect_refused("a.mha", damaged, "damaged or cut off");
+}
+
+// 800 MB of labels would be asked for 24 bytes of voxels.
+TEST_F(ReadMask, AHeaderAloneCostsNoMemory) {
+  const auto most = [] {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss;
+  };
+  const auto before = most();
+  expect_refused("a.nrrd", changed(nrrd, "2 3 4", "1000 1000 200") + voxels(), "fewer voxels");
+  expect_refused("a.nrrd", changed(changed(nrrd, "2 3 4", "1000 1000 200"), "raw", "ascii") + "1 2",
+                 "expected 200000000 numbers");
+  expect_refused("a.mha", changed(metaimage, "2 3 4", "1000 1000 200") + packed(voxels()),
+                 "expected 200000000 voxels of 1 bytes");
+  EXPECT_LT(most() - before, 100'000) << "kilobytes";
+}
+
+TEST_F(ReadMask, NumbersOfTheHeaderAreReadToTheirEnd) {
+  for (const char* size : {"2 3 4 1e999", "2 3 4 -", "2 3 4 x", "2 3 1e999", "2 3"})
+    expect_refused("a.nrrd", changed(nrrd, "2 3 4", size) + voxels(), "expected 3 numbers");
+  const std::string channels = "ElementNumberOfChannels = " + std::string(900, '\x1b') + "\n";
+  expect_refused("a.mha", channels + metaimage + packed(voxels()), "expected one label per voxel");
 }
 
 // Whatever the header's bytes are: a mask or a sentence.

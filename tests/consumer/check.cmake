@@ -14,7 +14,7 @@ if(NOT "${installed}" STREQUAL "${public}")
   message(FATAL_ERROR "installed headers: ${installed}\nexpected: ${public}")
 endif()
 step(${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${SCRATCH}/build -G ${GENERATOR}
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
 step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 step(${SCRATCH}/build/example_rod)
 step(${SCRATCH}/build/example_tube ${SCRATCH}/results)

@@ -23,7 +23,7 @@ if(VASOROD_FUZZ)
   # VASOROD_SANITIZE check them.
   set(VASOROD_FUZZ_CHECKS -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  set(VASOROD_FUZZ_READERS data geometry surface_file scene result)
+  set(VASOROD_FUZZ_READERS data geometry surface_file scene result prepare)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(VASOROD_PYTHON)

@@ -11,7 +11,7 @@ usage() {
   sed -n 's/^#   /  /p' tests/fuzz/campaign.sh >&2
   exit 2
 }
-all=(scene markup vtp ply stl obj compare solve)
+all=(scene markup vtp ply stl obj mask compare solve)
 [ $# -ge 2 ] || usage
 build=$1
 shift

@@ -1,10 +1,12 @@
-"""Writes seeds/{vtp,ply,stl,obj}: one small tube in every encoding the readers know.
+"""Writes seeds/{vtp,ply,stl,obj}: one small tube in every encoding the readers know; and
+seeds/mask: one small mask likewise.
 
     python3 tests/fuzz/make_seeds.py
 
 The seeds are in the tree; this says how they were made."""
 
 import base64
+import gzip
 import lzma
 import math
 import pathlib
@@ -189,9 +191,84 @@ def obj_seeds(points, triangles):
     write("obj/normals.obj", "vn 0 0 1\nvt 0 0\nusemtl m\n" + corners + faces + "l 1 2\np 3\n")
 
 
+SIZE, SPACING, ORIGIN = (3, 4, 5), (1.0, 0.8, 2.0), (10.0, 20.0, 30.0)
+# The mask: 1 in the six voxels that do not lie on the border.
+VOXELS = [
+    int(all(0 < index < side - 1 for index, side in zip((i, j, k), SIZE)))
+    for k in range(SIZE[2])
+    for j in range(SIZE[1])
+    for i in range(SIZE[0])
+]
+
+
+def voxels(code, order="<"):
+    return struct.pack(f"{order}{len(VOXELS)}{code}", *VOXELS)
+
+
+def nifti(kind, code, order="<", quaternion=False):
+    """`kind`: NIfTI's number of the voxels' type."""
+    head = bytearray(352)
+
+    def put(at, codes, *values):
+        struct.pack_into(order + codes, head, at, *values)
+
+    put(0, "i", 348)
+    put(40, "4h", 3, *SIZE)
+    put(70, "2h", kind, 8 * struct.calcsize("<" + code))
+    put(76, "4f", -1 if quaternion else 1, *SPACING)
+    put(108, "2f", 352, 1)
+    head[123] = 2
+    put(252, "2h", int(quaternion), int(not quaternion))
+    put(256, "6f", 0, 1, 0, *ORIGIN)
+    for row in range(3):
+        put(280 + 16 * row, "4f", *[SPACING[row] * (row == k) for k in range(3)], ORIGIN[row])
+    head[344:347] = b"n+1"
+    return bytes(head) + voxels(code, order)
+
+
+def nrrd(kind, encoding, more=""):
+    columns = [tuple(SPACING[row] * (row == k) for row in range(3)) for k in range(3)]
+    *steps, origin = [f"({','.join(f'{x:g}' for x in p)})" for p in (*columns, ORIGIN)]
+    return (
+        f"NRRD0004\n# a mask\ntype: {kind}\ndimension: 3\nspace: left-posterior-superior\n"
+        f"sizes: {' '.join(map(str, SIZE))}\nspace directions: {' '.join(steps)}\n"
+        f"kinds: domain domain domain\nencoding: {encoding}\nspace origin: {origin}\n"
+        f'space units: "mm" "mm" "mm"\nname:=mask\n{more}\n'
+    ).encode()
+
+
+def metaimage(kind, more="", data="LOCAL"):
+    return (
+        f"ObjectType = Image\nNDims = 3\n{more}TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
+        f"Offset = {' '.join(f'{x:g}' for x in ORIGIN)}\n"
+        f"ElementSpacing = {' '.join(f'{x:g}' for x in SPACING)}\n"
+        f"DimSize = {' '.join(map(str, SIZE))}\nElementType = {kind}\nElementDataFile = {data}\n"
+    ).encode()
+
+
+def mask_seeds():
+    text = " ".join(map(str, VOXELS)).encode() + b"\n"
+    write("mask/plain.nii", nifti(2, "B"))
+    write("mask/real.nii", nifti(16, "f"))
+    write("mask/big_endian.nii", nifti(4, "h", ">", quaternion=True))
+    write("mask/packed.nii.gz", gzip.compress(nifti(512, "H", quaternion=True), mtime=0))
+    write("mask/plain.nrrd", nrrd("uchar", "raw") + voxels("B"))
+    write("mask/text.nrrd", nrrd("int", "ascii") + text)
+    packed = gzip.compress(voxels("h", ">"), mtime=0)
+    write("mask/packed.nrrd", nrrd("short", "gzip", "endian: big\n") + packed)
+    write("mask/beside.nhdr", nrrd("uchar", "raw", "data file: voxels.raw\n"))
+    write("mask/plain.mha", metaimage("MET_DOUBLE") + voxels("d"))
+    write("mask/text.mha", metaimage("MET_CHAR", "BinaryData = False\n") + text)
+    packed = zlib.compress(voxels("q"))
+    write("mask/packed.mha", metaimage("MET_LONG_LONG", "CompressedData = True\n") + packed)
+    write("mask/beside.mhd", metaimage("MET_UCHAR", data="voxels.raw"))
+    write("mask/voxels.raw", voxels("B"))
+
+
 if __name__ == "__main__":
     surface = tube()
     vtp_seeds(*surface)
     ply_seeds(*surface)
     stl_seeds(*surface)
     obj_seeds(*surface)
+    mask_seeds()

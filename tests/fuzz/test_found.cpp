@@ -1,6 +1,7 @@
 // Every file in found/ once hung, crashed, filled the memory or was silently accepted. Each is
 // refused with one sentence or read as what it then says; ctest ends what takes longer than
 // TIMEOUT.
+#include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,6 +11,7 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/result_folder.h>
 
+#include "prepare/mask_surface.h"
 #include "result/example_result.h"
 #include "result/read_vtp.h"
 #include "result/write_vtp.h"
@@ -88,6 +90,12 @@ TEST_F(Found, SurfacesThatFilledTheMemoryAreReadOrRefused) {
   }
 }
 
+TEST_F(Found, MasksAreRefused) {
+  for (const char* ending : {".nrrd", ".mha"})
+    for (const fs::path& file : files("mask", ending))
+      EXPECT_NE(refusal([&] { read_mask(file); }).find(", expected "), std::string::npos) << file;
+}
+
 TEST_F(Found, NamesThatAreNotEscapedAreRefusedAndEscapedOnesRead) {
   EXPECT_EQ(refusal_of_surface(found / "array_name/in.vtp"), "");
   EXPECT_NE(refusal_of_surface(found / "array_name/result_not_wellformed.vtp"), "");
@@ -134,6 +142,16 @@ TEST_F(Found, SeedsAreRead) {
       ++surfaces;
     }
   EXPECT_EQ(surfaces, 17);
+  int masks = 0;
+  for (const auto& entry : fs::directory_iterator(seeds / "mask")) {
+    if (!is_mask(entry.path())) continue;  // voxels.raw
+    const Mask mask = read_mask(entry.path());
+    EXPECT_EQ(mask.label.size(), 60U) << entry.path();
+    EXPECT_EQ(mask.count, (std::map<std::int32_t, std::int64_t>{{1, 6}})) << entry.path();
+    EXPECT_NEAR(mask_surface("mask", mask, {}).voxel, std::cbrt(1.6), 1e-6) << entry.path();
+    ++masks;
+  }
+  EXPECT_EQ(masks, 12);
   for (const char* scenes : {"scene", "solve"})
     for (const auto& entry : fs::directory_iterator(seeds / scenes))
       EXPECT_EQ(refusal([&] { read_scene(entry.path()); }), "") << entry.path();

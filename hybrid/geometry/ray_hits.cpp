@@ -97,22 +97,25 @@ std::vector<RayHit> RayHits::along(const Vec3& origin, const Vec3& direction,
 void RayHits::along(const Vec3& origin, const Vec3& direction, double farthest,
                     std::vector<RayHit>& hits) const {
   hits.clear();
+  // Walls that a solver has lost may be anywhere, or so far away that rounding takes the whole way.
+  const Vec3 to = origin + (std::isfinite(farthest) ? farthest : 1) * direction;
+  if (!origin.allFinite() || !to.allFinite() || to == origin) return;
   const Kernel::Point_3 from(origin.x(), origin.y(), origin.z());
   const RayAndBox touches(origin, direction, farthest, tree_->extent);
   const auto search = [&](const auto& line) {
     tree_->boxes.visit(touches, [&](int t) {
       const Triangle3& corner = tree_->corners[index(t)];
-      if (!CGAL::do_intersect(line, corner)) return;
       const Vec3 normal = tree_->normals.row(t);
       const double steepness = normal.dot(direction);
-      if (steepness == 0) return;
+      // CGAL asks for triangles with an area, and for numbers that are finite.
+      if (steepness == 0 || !std::isfinite(steepness) || corner.is_degenerate()) return;
+      if (!CGAL::do_intersect(line, corner)) return;
       const auto& p = corner.vertex(0);
       const double distance = normal.dot(Vec3(p.x(), p.y(), p.z()) - origin) / steepness;
       hits.push_back({t, distance, steepness > 0});
     });
   };
   if (std::isfinite(farthest)) {
-    const Vec3 to = origin + farthest * direction;
     search(Kernel::Segment_3(from, Kernel::Point_3(to.x(), to.y(), to.z())));
   } else {
     search(Kernel::Ray_3(from, Kernel::Vector_3(direction.x(), direction.y(), direction.z())));

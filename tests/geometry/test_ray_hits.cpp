@@ -1,5 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 
 #include "geometry/ray_hits.h"
@@ -47,6 +48,27 @@ TEST(RayHits, WhatIsFartherThanAskedIsNotFound) {
   EXPECT_EQ(rays.along(from, Vec3::UnitX(), 14).size(), 0U);
   EXPECT_EQ(rays.along(from, Vec3::UnitX(), 20).size(), 1U);
   EXPECT_EQ(rays.along(from, Vec3::UnitX(), 40).size(), 2U);
+}
+
+// Walls that a solver has lost: CGAL takes neither a way that rounding swallows nor triangles
+// without area nor what is not finite.
+TEST(RayHits, WhatIsNoRayOrNoTriangleIsNoHit) {
+  const double far = 1e27, infinite = std::numeric_limits<double>::infinity();
+  TriangleSurface surface = tube();
+  RayHits rays(surface);
+  EXPECT_TRUE(rays.along({far, far, 0}, Vec3::UnitX(), 3).empty());
+  EXPECT_TRUE(rays.along({infinite, 0, 17.3}, Vec3::UnitX(), 3).empty());
+  EXPECT_TRUE(rays.along({0, 0, 17.3}, Vec3::Zero()).empty());
+  surface.points.col(0) *= 0;
+  surface.points.col(1) *= 0;
+  rays.refit(surface.points);
+  EXPECT_TRUE(rays.along({-25, 0, 17}, Vec3::UnitX()).empty());
+  surface.points.setConstant(infinite);
+  rays.refit(surface.points);
+  EXPECT_TRUE(rays.along({-25, 0, 17}, Vec3::UnitX()).empty());
+  surface.points *= 0;  // not a number
+  rays.refit(surface.points);
+  EXPECT_TRUE(rays.along({-25, 0, 17}, Vec3::UnitX(), 40).empty());
 }
 
 TEST(RayHits, RefitMovesThePoints) {

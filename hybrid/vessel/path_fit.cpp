@@ -7,6 +7,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/sentence.h"
 #include "vessel/arc_length.h"
 
 namespace vasorod {
@@ -15,6 +16,7 @@ namespace {
 constexpr double knot_spacing = 0.5;  // of the radius
 // Wavelength over radius at which full smoothing halves an undulation.
 constexpr double cut_off = 4.0;
+constexpr double most_radii = 50000;  // length of an axis
 // Width over radius in which closed sections beside open ones fade in.
 constexpr double ramp = 0.3;
 
@@ -93,9 +95,9 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
     for (double& u : u_) u = arc(u) + offset;
     end_ = arc(present.end) + offset;
     if (clean_at || first) start_ = 0;
-    check_length();
     curve.clean_start = arc(curve.clean_start) + offset;
   }
+  check_length();
   Spline<3> axis;
   axis.start = start_;
   axis.end = end_;
@@ -127,6 +129,11 @@ void PathFit::check_length() const {
   // The sections of a flat ring have one centre: its axis shrinks to a point.
   if (!(end_ - start_ > 1e-6 * radius()))
     throw InputError("found no axis through the surface's sections, expected a tubular vessel");
+  // Longer ones would be fitted for hours: a unit is wrong, or the mesh has a few long triangles.
+  if (end_ - start_ > most_radii * radius())
+    throw InputError("found an axis of length " + number_text(end_ - start_) + " on a radius of " +
+                     number_text(radius()) + ", expected at most " + number_text(most_radii) +
+                     " times the radius");
   const double on_edges = path_.finish - path_.start;
   if (end_ - start_ > 2 * on_edges + 10 * radius())
     throw InputError(

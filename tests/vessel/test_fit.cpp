@@ -192,6 +192,15 @@ TEST(Fit, RefusesWhatIsNoTube) {
   }
   EXPECT_NE(refusal(shallow).find("no axis"), std::string::npos) << refusal(shallow);
 
+  TubeSpec longest;  // was fitted for minutes
+  longest.length = 1e9;
+  longest.radius = 360;
+  longest.around = 6;
+  longest.along = 1;
+  EXPECT_EQ(refusal(tube_surface(longest)),
+            "vessel vein: found an axis of length 1e+09 on a radius of 360, expected at most 50000 "
+            "times the radius");
+
   TubeSpec
       coarse;  // four rows of vertices, three radii apart, around 200: no axis goes through them
   coarse.length = 100;

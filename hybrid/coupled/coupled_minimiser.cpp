@@ -71,17 +71,20 @@ void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Bef
   order_nonzeros_ = factor.factor_nonzeros();
 }
 
-void CoupledMinimiser::factorise_rest(const Before& before) {
+bool CoupledMinimiser::factorise_rest(const Before& before) {
   if (!rest_factor_.analysed()) analyse(rest_factor_, rest_, before);
   if (before) before("factorisation at rest");
   Matrix shifted = rest_;
   double shift = 0;
-  // Mechanisms that only a motion or a load would excite make K0 singular to rounding.
+  // Mechanisms that only a motion or a load would excite make K0 singular to rounding. Walls many
+  // times thicker than their triangles are high may make it negative, which no shift mends.
   while (!rest_factor_.factorise(shifted)) {
     shift = shift == 0 ? 1e-10 : 10 * shift;
+    if (shift > largest_shift || !(mean_stiffness_ > 0)) return false;
     shifted = rest_;
     for (int i = 0; i < shifted.cols(); ++i) shifted.coeffRef(i, i) += shift * mean_stiffness_;
   }
+  return true;
 }
 
 double CoupledMinimiser::rounding_of_forces(const VectorXd& z) const {
@@ -219,7 +222,12 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   };
   const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
   if (options.use_rest) {
-    if (!rest_factor_.factorised()) factorise_rest(before);
+    if (!rest_factor_.factorised() && !factorise_rest(before)) {
+      summary.unfactorised = true;
+      summary.status = LbfgsStatus::iteration_limit;
+      summary.residual = residual(z);
+      return;
+    }
     inner.tolerance = std::max(options.rough, options.tolerance);
     inner.patience = options.rest_patience;
     inner.max_iterations = options.max_iterations;

@@ -65,9 +65,8 @@ class CoupledMinimiser {
   /// Sets the rotations D applied to K0 from now on.
   void set_turns(GroupTurns turns);
   /// To be called when the material of a wall changed: evaluates K0 again. The old factor remains
-  /// the preconditioner until `factorise_rest`.
+  /// the preconditioner.
   void renew_rest();
-  void factorise_rest() { factorise_rest({}); }
 
   /// Minimises from z; on return z is the best point found.
   CoupledMinimiserSummary minimise(Eigen::VectorXd& z, const CoupledMinimiserOptions& options);
@@ -86,7 +85,7 @@ class CoupledMinimiser {
   using Before = std::function<void(const std::string& step)>;  // may throw Interruption
   void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Before& before,
            CoupledMinimiserSummary& summary);
-  void factorise_rest(const Before& before);
+  bool factorise_rest(const Before& before);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Before& before);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most,
                  const Before& before);

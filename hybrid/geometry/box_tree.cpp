@@ -1,5 +1,6 @@
 #include "geometry/box_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -21,6 +22,11 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249U;
 }
 
+// Where no place is finite, as in a wall that a solver has lost, any order will do.
+std::uint32_t whole(double cell, std::uint32_t cells) {
+  return cell > 0 ? static_cast<std::uint32_t>(std::min(cell, cells - 1.0)) : 0;
+}
+
 struct Coded {
   std::uint32_t code;
   int item;
@@ -37,9 +43,8 @@ std::vector<int> in_curve_order(const std::vector<Box>& boxes) {
   coded.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Vec3 cell = scale * (boxes[i].low + boxes[i].high - 2 * all.low);
-    coded.push_back({spread(static_cast<std::uint32_t>(cell.x())) |
-                         (spread(static_cast<std::uint32_t>(cell.y())) << 1) |
-                         (spread(static_cast<std::uint32_t>(cell.z())) << 2),
+    coded.push_back({spread(whole(cell.x(), cells)) | (spread(whole(cell.y(), cells)) << 1) |
+                         (spread(whole(cell.z(), cells)) << 2),
                      static_cast<int>(i)});
   }
   // By digits of 10 bits, the last one first.

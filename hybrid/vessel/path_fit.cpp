@@ -34,6 +34,10 @@ double penalty_for(double interval_weight, double step, double radius, int order
   return interval_weight / std::pow(2 * std::sin(M_PI * step / (cut_off * radius)), 2 * order);
 }
 
+[[noreturn]] void refuse_without_axis() {
+  throw InputError("found no axis through the surface's sections, expected a tubular vessel");
+}
+
 }  // namespace
 
 double section_through(const Spline<3>& axis, const Vec3& p, double u, double radius) {
@@ -41,6 +45,7 @@ double section_through(const Spline<3>& axis, const Vec3& p, double u, double ra
     const auto [position, tangent, bend] = axis.jet(u);
     const Vec3 d = p - position;
     const double slope = std::max(tangent.squaredNorm() - d.dot(bend), 0.1 * tangent.squaredNorm());
+    if (!(slope > 0)) break;  // the axis is a point there
     const double step = std::clamp(d.dot(tangent) / slope, -radius, radius);
     u += step;
     if (std::abs(step) < 1e-10 * radius) break;  // quadratic: the next step is about step^2
@@ -120,6 +125,9 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
   // The second difference matters only where there are no data.
   fit_penalised(axis, data,
                 {1e-6 * share, smoothing * penalty_for(share, axis.step(), radius(), 3)});
+  // On steps of a thousandth of the radius the penalty hides the data.
+  for (const Vec3& p : axis.control)
+    if (!p.allFinite()) refuse_without_axis();
   curve.axis = std::move(axis);
 }
 
@@ -127,8 +135,7 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
 // paths has lost its rows of vertices and would grow without bound.
 void PathFit::check_length() const {
   // The sections of a flat ring have one centre: its axis shrinks to a point.
-  if (!(end_ - start_ > 1e-6 * radius()))
-    throw InputError("found no axis through the surface's sections, expected a tubular vessel");
+  if (!(end_ - start_ > 1e-6 * radius())) refuse_without_axis();
   // Longer ones would be fitted for hours: a unit is wrong, or the mesh has a few long triangles.
   if (end_ - start_ > most_radii * radius())
     throw InputError("found an axis of length " + number_text(end_ - start_) + " on a radius of " +

@@ -192,6 +192,13 @@ TEST(Fit, RefusesWhatIsNoTube) {
   }
   EXPECT_NE(refusal(shallow).find("no axis"), std::string::npos) << refusal(shallow);
 
+  TubeSpec shortest;  // a thousandth of its radius long
+  shortest.length = 0.006;
+  shortest.radius = 5;
+  shortest.around = 6;
+  shortest.along = 4;
+  EXPECT_NE(refusal(tube_surface(shortest)).find("no axis"), std::string::npos);
+
   TubeSpec longest;  // was fitted for minutes
   longest.length = 1e9;
   longest.radius = 360;

@@ -150,8 +150,7 @@ std::string Solver::sharpest_turn() const {
   double turn = 0;
   for (const Vec6& strain : iteration_.state.strain) turn = std::max(turn, strain.tail<3>().norm());
   if (turn < 1.2) return "";
-  return "; an element turns by " +
-         std::to_string(static_cast<int>(turn * 180 / std::numbers::pi)) +
+  return "; an element turns by " + number_text(std::floor(turn * 180 / std::numbers::pi)) +
          " degrees there, use more elements";
 }
 

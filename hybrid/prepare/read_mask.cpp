@@ -163,7 +163,7 @@ void check_data(const std::filesystem::path& file, const MaskHead& head) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(head.data, error))
     refuse_mask(file, "no file " + in_quotes(head.data.string()), "the voxels there");
-  const double bytes = static_cast<double>(std::filesystem::file_size(head.data, error));
+  const auto bytes = static_cast<double>(std::filesystem::file_size(head.data, error));
   double voxels = 1;
   for (const std::int64_t n : head.size) voxels *= static_cast<double>(n);
   constexpr double most_packed = 1032;  // deflate makes at most as many bytes of one

@@ -27,6 +27,11 @@ constexpr double soft_share = 0.5;
 // of what is pressed deeper.
 constexpr double deepest_start = 0.5, way_step = 0.15;
 
+// Bounded before it becomes an int, which would not hold every double.
+int steps_of(double wanted) {
+  return static_cast<int>(std::min<double>(most_steps, std::ceil(wanted)));
+}
+
 // Whether the scene lets the two touch.
 bool may_touch(const Prediction& prediction, size_t a, size_t b) {
   const auto& contact = prediction.scene->contact;
@@ -62,8 +67,7 @@ std::vector<double> path_times(double share) {
   std::vector<double> times;
   for (const double early : first_shares) times.push_back(early / share);
   const double first = times.back();
-  const int steps =
-      std::min(most_steps, static_cast<int>(std::ceil((share - first_shares[1]) / share_step)));
+  const int steps = steps_of((share - first_shares[1]) / share_step);
   for (int k = 1; k <= steps; ++k) times.push_back(first + (1 - first) * k / steps);
   times.back() = 1;
   return times;
@@ -82,7 +86,7 @@ std::vector<double> pressure_times(double scan, double after, double collapse) {
 std::vector<double> pressing_times(double way, double depth) {
   if (depth <= deepest_start) return {1};
   std::vector<double> times;
-  const int steps = std::min(most_steps, static_cast<int>(std::ceil(way / way_step)));
+  const int steps = steps_of(way / way_step);
   for (int k = 1; k <= steps; ++k) times.push_back(static_cast<double>(k) / steps);
   return times;
 }

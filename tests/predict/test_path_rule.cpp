@@ -35,6 +35,12 @@ TEST(PathRule, TimesRiseToOneInBoundedSteps) {
   }
 }
 
+// An int does not hold the steps that these would take.
+TEST(PathRule, HoweverFarThereAreFortySteps) {
+  EXPECT_EQ(path_times(1e12).size(), 42u);
+  EXPECT_EQ(pressing_times(1e12, 1).size(), 40u);
+}
+
 TEST(PathRule, APressureThatCollapsesNothingIsOneStep) {
   for (const double after : {5.0, 0.0, -0.5, -0.89})
     for (const double scan : {-0.1, 0.0, 3.0})

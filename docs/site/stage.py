@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 SECTIONS = {
     "Manual": [
         "docs/guide.md",
+        "docs/patient.md",
         "docs/explore.md",
         "docs/prepare.md",
         "docs/scene.md",

@@ -14,6 +14,7 @@
 #include "propose/scene_text.h"
 #include "surface_file/check_surface.h"
 #include "surface_file/open_caps.h"
+#include "surface_file/surface_file.h"
 #include "vessel/name_ends.h"
 
 namespace vasorod {
@@ -161,16 +162,45 @@ class Proposer {
                        ": found a closed surface without an open end" +
                        (scene_.vessels.size() > 1 ? ", as all others are" : "") +
                        ", expected at least one vessel with two open ends");
-    scene_.units = request_.length_unit ? units_named(*request_.length_unit)
-                                        : guessed_units(radii, unit_reason_);
-    if (request_.length_unit) unit_reason_ = "as --length-unit says";
+    const StatedUnit stated = stated_unit();
+    const bool guess = !request_.length_unit && stated.unit.empty();
+    scene_.units = guess ? guessed_units(radii, unit_reason_)
+                         : units_named(request_.length_unit.value_or(stated.unit));
+    if (!guess) unit_reason_ = request_.length_unit ? "as --length-unit says" : stated.reason();
     for (size_t v = 0; v < scene_.vessels.size(); ++v) {
       scene_.vessels[v].check = true;
       if (scene_.vessels[v].role == Role::deformable)
         check_unit(scene_.vessels[v].surface->string(), prepared_[v].vessel.surface, scene_.units);
     }
-    if (!request_.length_unit)
+    if (guess) {
       proposal_.decide.push_back("units: " + scene_.units.length + " is a guess, " + unit_reason_);
+      unit_reason_ = "decide: " + unit_reason_;
+    } else if (!stated.unit.empty() && stated.unit != scene_.units.length) {
+      proposal_.decide.push_back("units: " + scene_.units.length + ", as --length-unit says, but " +
+                                 stated.file + " says " + stated.unit);
+    }
+  }
+
+  // The unit of length that the files state.
+  struct StatedUnit {
+    std::string unit,  // empty: none of them states one
+        file;          // the first that does
+    std::string reason() const { return "as " + file + " says"; }
+  };
+
+  StatedUnit stated_unit() const {
+    StatedUnit first;
+    for (const VesselSpec& spec : scene_.vessels) {
+      if (spec.surface->extension() != ".vtp") continue;
+      const std::string unit = units_in_vtp(*spec.surface);
+      if (unit.empty()) continue;
+      if (first.unit.empty()) first = {unit, one_line(spec.surface->filename().string())};
+      if (unit != first.unit && !request_.length_unit)
+        throw InputError(spec.surface->string() + ": found lengths in " + unit +
+                         " (Units in the file) where " + first.file + " has them in " + first.unit +
+                         ", expected all surfaces in one unit");
+    }
+    return first;
   }
 
   // The scene would be refused (predict/predict.cpp).

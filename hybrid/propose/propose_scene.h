@@ -13,7 +13,9 @@ namespace vasorod {
 struct ProposalRequest {
   std::vector<std::filesystem::path> surfaces;  ///< VTP, STL, PLY or OBJ, one vessel each
   std::filesystem::path scene;                  ///< the file that the scene will be in
-  std::optional<std::string> length_unit;       ///< mm, cm or m; empty: guessed from the radii
+  /// mm, cm or m; empty: what the files state (field data Units of VTP), else guessed from the
+  /// radii.
+  std::optional<std::string> length_unit;
   /// Called with one line of text at each step.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };

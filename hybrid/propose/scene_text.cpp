@@ -130,8 +130,8 @@ std::string scene_text(const Scene& scene, const std::vector<ProposedVessel>& ve
       "# Proposed by `vasorod init` from the surfaces alone. Look at every line that says decide.\n"
       "# Research use only, not for clinical use.\n";
   text += "scene: " + yaml_text(scene.name) + "\n";
-  text += "units: {length: " + scene.units.length + ", stress: " + scene.units.stress +
-          "}   # decide: " + unit_reason + "\n";
+  text += "units: {length: " + scene.units.length + ", stress: " + scene.units.stress + "}   # " +
+          unit_reason + "\n";
   text += "vessels:\n";
   for (const ProposedVessel& one : vessels) text += vessel_text(one, scene.units.length);
   text += "ends:                      # all held as they are: tissue and vessels go on there\n";

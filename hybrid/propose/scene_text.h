@@ -27,8 +27,8 @@ std::string yaml_of(const EndSelector& end);
 /// A text as a YAML value, in quotes where it needs them.
 std::string yaml_text(const std::string& text);
 
-/// The whole file. Every end of the vessels is held. `keep_reason`: why the end in `scene.glenn` is
-/// kept, one line.
+/// The whole file. Every end of the vessels is held. `unit_reason`: the comment beside the units,
+/// one line; `keep_reason`: why the end in `scene.glenn` is kept, one line.
 std::string scene_text(const Scene& scene, const std::vector<ProposedVessel>& vessels,
                        const std::string& unit_reason, const std::string& keep_reason);
 

@@ -14,6 +14,9 @@ SOURCE is the project, PROGRAMS the folder of the built programs, THING what is 
     json    read
     text    output, formulas and forms with words to fill in: nothing to run
 
+A picture that a block draws (`vasorod draw ... -o pictures/NAME.png`) and the page shows is compared
+with the one that the page shows.
+
 A comment in the line before a block says why it is not run (`<!-- not run: REASON -->`), or what it
 needs (`<!-- needs vasorod-fem -->`): without it the block is left out and named.
 """
@@ -29,10 +32,13 @@ from pathlib import Path
 import yaml
 from blocks import blocks_of
 from jsonschema import Draft202012Validator
+from pictures import difference, drawn_pictures
 
 COPIED = ("meshes",)  # examples write here
 LINKED = ("benchmarks", "examples", "docs", "schema")
 SECONDS = 600
+# Edges and letters move by rounding; a picture of another state differs by five times as much.
+LARGEST_DIFFERENCE = 0.002
 AS_CHECKED = {"text": "text", "python": "run by tests/python", "cmake": "built by its own test"}
 
 
@@ -116,6 +122,11 @@ class Checker:
     def text(self, block):
         return ""
 
+    def picture(self, name, shown):
+        """Whether the blocks drew the picture that the page shows."""
+        apart = difference(self.folder / "pictures" / name, self.source / self.page.parent / shown)
+        return f"{apart:.3f} from what the page draws" if apart > LARGEST_DIFFERENCE else ""
+
 
 def main():
     source, programs, page = Path(sys.argv[1]), Path(sys.argv[2]).resolve(), Path(sys.argv[3])
@@ -135,6 +146,11 @@ def main():
                 found.append(f"{place}: {what}")
             else:
                 print(f"{place}: {AS_CHECKED.get(block.tag, 'good')}")
+        for name, shown in [] if found else drawn_pictures((source / page).read_text()):
+            if what := checker.picture(name, shown):
+                found.append(f"{page}: {shown}: {what}")
+            else:
+                print(f"{page}: {shown}: as drawn")
     print("\n".join(found))
     return 1 if found else 0
 

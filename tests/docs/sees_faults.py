@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 from blocks import blocks_of
+from pictures import difference, drawn_pictures
 
 SOURCE = Path(sys.argv[1])
 PAGE = """# Title
@@ -44,6 +45,14 @@ try:
     raise AssertionError("a block without an end is not seen")
 except ValueError:
     pass
+
+
+# Pictures: what a page draws and shows, and how far two of them are apart.
+SHOWN = "vasorod draw r -o pictures/a.png\n![A](images/x/a.png)\n![B](images/x/b.png)\n"
+assert drawn_pictures(SHOWN) == [("a.png", "images/x/a.png")]
+images = SOURCE / "docs" / "images" / "patient"
+assert difference(images / "pressure.png", images / "pressure.png") == 0
+assert difference(images / "pressure.png", images / "without.png") > 0.01
 
 
 def said(pages):

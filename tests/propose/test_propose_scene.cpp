@@ -7,10 +7,17 @@
 
 #include "obj_text.h"
 #include "propose/propose_scene.h"
+#include "result/write_vtp.h"
 #include "scratch_folder.h"
 
 namespace vasorod {
 namespace {
+
+std::string all(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
 
 class ProposeScene : public ScratchFolder {
  protected:
@@ -47,6 +54,31 @@ TEST_F(ProposeScene, TheUnitIsTheOneInWhichTheRadiiAreThoseOfGreatVessels) {
   EXPECT_EQ(proposed({tube("a.obj", 0.2)}, "mm").units.length, "mm");
   const std::string said = refusal({tube("a.obj", 1e-6)});
   EXPECT_NE(said.find("implausible"), std::string::npos) << said;
+}
+
+// As `vasorod prepare` and results state it: a tube that would be taken for one in mm, in cm.
+TEST_F(ProposeScene, TheUnitThatAFileStatesIsNoGuess) {
+  const auto vtp = [&](const std::string& name, const std::string& unit) {
+    TubeSpec spec;
+    spec.length = 30;
+    spec.radius = 2;
+    spec.around = 32;
+    spec.along = 40;
+    const std::string units = unit.empty() ? "" : "length " + unit + ", stress MPa";
+    return write(name, surface_vtp(tube_surface(spec), {.units = units}));
+  };
+  const Proposal stated =
+      propose_scene({{vtp("a.vtp", "cm"), vtp("b.vtp", "")}, folder / "s.yaml", {}});
+  EXPECT_NE(stated.text.find("units: {length: cm"), std::string::npos) << stated.text;
+  EXPECT_NE(stated.text.find("as a.vtp says"), std::string::npos) << stated.text;
+  EXPECT_EQ(all(stated.decide).find("units"), std::string::npos) << all(stated.decide);
+  EXPECT_EQ(proposed({vtp("a.vtp", "")}).units.length, "mm");
+  const std::string said = refusal({vtp("a.vtp", "cm"), vtp("b.vtp", "mm")});
+  EXPECT_NE(said.find("b.vtp: found lengths in mm (Units in the file) where a.vtp has them in cm"),
+            std::string::npos)
+      << said;
+  const Proposal over = propose_scene({{vtp("a.vtp", "cm")}, folder / "s.yaml", "mm"});
+  EXPECT_NE(all(over.decide).find("a.vtp says cm"), std::string::npos) << all(over.decide);
 }
 
 TEST_F(ProposeScene, EveryEndIsHeldAndTheWallFollowsTheRadius) {

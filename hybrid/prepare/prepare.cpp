@@ -42,6 +42,10 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+// Area of an end over that of the circle of its perimeter. An ellipse of 2 to 1 has 0.84, one of
+// 3 to 1 has 0.66, two circles that touch have 0.5.
+constexpr double least_roundness = 0.7;
+
 class Preparation {
  public:
   explicit Preparation(const PrepareRequest& request) : request_(request) {}
@@ -343,9 +347,16 @@ class Preparation {
       PreparedEnd end;
       for (const int v : loop)
         end.center += surface().points.row(v).transpose() / static_cast<double>(loop.size());
-      end.normal = -area_vector(surface().points, loop).normalized();
+      const Vec3 area = area_vector(surface().points, loop);
+      end.normal = -area.normalized();
       end.radius = perimeter(surface().points, loop) / (2 * M_PI);
       out_.ends.push_back(end);
+      const double share = area.norm() / (M_PI * end.radius * end.radius);
+      if (share < least_roundness)
+        out_.warnings.push_back("the end at " + place_mm(end.center) + " encloses " +
+                                number_text(100 * share, 2) +
+                                " % of the circle of its perimeter: two vessels that touch may be "
+                                "in it, or it is nearly flat");
     }
     request_.progress("fitting");
     try {

@@ -154,6 +154,49 @@ TEST(PrepareCommand, WhatFitRefusesIsWrittenWithTheReason) {
   EXPECT_GT(read_polydata(out).surface.triangles.rows(), 1000);
 }
 
+// Two tubes of one label side by side, `gap` voxels apart, as a MetaImage of 0.5 mm. The second is
+// as long, of two thirds of the radius.
+fs::path two_tubes_in_one_label(const fs::path& file, int gap) {
+  constexpr int across = 60, deep = 30, along = 90, radius = 9, second = 6;
+  std::string voxels(across * deep * along, '\0');
+  const int middle = 14, other = middle + radius + gap + second;
+  for (int k = 5; k < along - 5; ++k)
+    for (int j = 0; j < deep; ++j)
+      for (int i = 0; i < across; ++i) {
+        const int y = j - deep / 2;
+        const bool one = (i - middle) * (i - middle) + y * y <= radius * radius,
+                   two = (i - other) * (i - other) + y * y <= second * second;
+        if (one || two) voxels[static_cast<size_t>((k * deep + j) * across + i)] = 1;
+      }
+  std::ofstream stream(file, std::ios::binary);
+  stream << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+            "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\n"
+            "ElementSpacing = 0.5 0.5 0.5\nDimSize = "
+         << across << ' ' << deep << ' ' << along
+         << "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
+         << voxels;
+  return file;
+}
+
+TEST(PrepareCommand, OfTwoVesselsInOneLabelTheLargerIsKeptAndTheOtherIsNamed) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out.vtp";
+  const ProgramRun run = run_program(vasorod(
+      "prepare" + quoted(two_tubes_in_one_label(scratch / "two.mha", 6)) + " -o" + quoted(out)));
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_NE(run.out.find("a second vessel may be in it"), std::string::npos) << run.out;
+  const Points points = read_polydata(out).surface.points;
+  EXPECT_LT(points.col(0).maxCoeff(), 0.5 * (14 + 9 + 3)) << "the larger tube alone";
+  EXPECT_EQ(boundary_loops(read_polydata(out).surface.triangles).size(), 2U);
+  // Where they touch all along they are one part.
+  const ProgramRun touching =
+      run_program(vasorod("prepare" + quoted(two_tubes_in_one_label(scratch / "touching.mha", 0)) +
+                          " -o" + quoted(out)));
+  ASSERT_EQ(touching.exit_code, 0) << touching.err << touching.out;
+  EXPECT_NE(touching.out.find("two vessels that touch may be in it"), std::string::npos)
+      << touching.out;
+}
+
 TEST(PrepareCommand, BranchesBelowARadiusAreTakenOffAndOtherEndsOpened) {
   const ScratchFolder scratch;
   const fs::path out = scratch / "out.vtp", mask = spoilt("aorta") / "mask.nrrd";
@@ -177,6 +220,9 @@ TEST(PrepareCommand, RealAnatomyIsReadAndFits) {
     const ProgramRun run = run_program(
         vasorod("prepare" + quoted(real_anatomy() / (name + ".vtp")) + " --json -o" + quoted(out)));
     EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+    // The left branch of the artery ends flat, about 3 to 1.
+    EXPECT_EQ(run.out.find("nearly flat") != std::string::npos, name == "pulmonary_artery")
+        << run.out;
   }
 }
 

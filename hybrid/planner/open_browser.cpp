@@ -1,0 +1,28 @@
+#include "planner/open_browser.h"
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vasorod::planner {
+
+void open_browser(const std::string& url) {
+  const pid_t child = fork();
+  if (child < 0) return;
+  if (child == 0) {
+    // A grandchild, so that nobody has to wait for the browser.
+    if (fork() != 0) _exit(0);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    setsid();
+    const int null = open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null, stream);
+    execlp("xdg-open", "xdg-open", url.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  waitpid(child, nullptr, 0);
+}
+
+}  // namespace vasorod::planner

@@ -38,12 +38,12 @@ Json parsed(const std::string& text) {
   try {
     value = Json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw Refusal(400, "body: found no JSON (" + shortened(error.what(), 160) +
-                           "), expected one object");
+    throw Refusal(
+        400, "body: found no JSON (" + shortened(error.what(), 160) + "), expected one object");
   }
   if (!value.is_object())
-    throw Refusal(400, std::string("body: found a JSON ") + value.type_name() +
-                           ", expected an object");
+    throw Refusal(400,
+                  std::string("body: found a JSON ") + value.type_name() + ", expected an object");
   return value;
 }
 
@@ -60,15 +60,15 @@ Body::Body(Json value, std::string where) : value_(std::move(value)), where_(std
 void Body::refuse(const std::string& key, const std::string& expected) const {
   const auto found = value_.find(key);
   throw Refusal(400, where_ + key + ": found " +
-                         (found == value_.end() ? "nothing" : found_text(*found)) +
-                         ", expected " + expected);
+                         (found == value_.end() ? "nothing" : found_text(*found)) + ", expected " +
+                         expected);
 }
 
 void Body::check_keys(const std::vector<std::string>& known) const {
   for (const auto& [key, value] : value_.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw Refusal(400, (where_.empty() ? std::string("body: ") : where_ + " ") + "found the key " +
-                             in_quotes(key) + ", expected " + listed(known));
+      throw Refusal(400, (where_.empty() ? std::string("body: ") : where_ + " ") +
+                             "found the key " + in_quotes(key) + ", expected " + listed(known));
 }
 
 bool Body::has(const std::string& key) const {
@@ -82,8 +82,7 @@ const Json& Body::value(const std::string& key) const {
 }
 
 double Body::number(const std::string& key, double low, double high) const {
-  const std::string expected =
-      "a number from " + number_text(low) + " to " + number_text(high);
+  const std::string expected = "a number from " + number_text(low) + " to " + number_text(high);
   if (!has(key) || !value(key).is_number()) refuse(key, expected);
   const double number = value(key).get<double>();
   if (!(number >= low && number <= high)) refuse(key, expected);
@@ -97,8 +96,7 @@ int Body::integer(const std::string& key, int low, int high) const {
 }
 
 Vec3 Body::vec3(const std::string& key) const {
-  const std::string expected =
-      "three numbers of magnitude at most " + number_text(largest_length);
+  const std::string expected = "three numbers of magnitude at most " + number_text(largest_length);
   if (!has(key)) refuse(key, expected);
   const Json& list = value(key);
   if (!list.is_array() || list.size() != 3) refuse(key, expected);

@@ -193,17 +193,17 @@ void HttpServer::Parts::set_up() {
         "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
         "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; "
         "frame-ancestors 'none'"}});
-  server.set_pre_routing_handler([this](const httplib::Request& request,
-                                        httplib::Response& response) {
-    try {
-      require_friend(request);
-      require_sound(request);
-      return httplib::Server::HandlerResponse::Unhandled;
-    } catch (const Refusal& refusal) {
-      set_error(response, refusal.status, refusal.what());
-      return httplib::Server::HandlerResponse::Handled;
-    }
-  });
+  server.set_pre_routing_handler(
+      [this](const httplib::Request& request, httplib::Response& response) {
+        try {
+          require_friend(request);
+          require_sound(request);
+          return httplib::Server::HandlerResponse::Unhandled;
+        } catch (const Refusal& refusal) {
+          set_error(response, refusal.status, refusal.what());
+          return httplib::Server::HandlerResponse::Handled;
+        }
+      });
   const auto handler = [this](const httplib::Request& request, httplib::Response& response) {
     answer(request, response);
   };

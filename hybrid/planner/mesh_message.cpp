@@ -50,7 +50,8 @@ void MeshMessage::add(const std::string& name, const Triangles& triangles) {
 }
 
 std::string MeshMessage::bytes() const {
-  std::string header = Json{{"arrays", arrays_}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string header =
+      Json{{"arrays", arrays_}}.dump(-1, ' ', false, Json::error_handler_t::replace);
   header.append((4 - header.size() % 4) % 4, ' ');
   std::string bytes;
   bytes.reserve(4 + header.size() + data_.size());

@@ -68,14 +68,15 @@ void find_plan(OpenedScene& opened) {
   const PickPlace cut = place_cut("cut", glenn.cut, opened.svc(), kept);
   std::vector<Route> routes = routes_from(vein, kept);
   if (glenn.cut.to) routes = {{kept, find_end(vein, *glenn.cut.to, "cut: to")}};
-  const auto on_vein = route_with(
-      routes, [&](const Route& route) { return axis(vein, route).distance_to(cut.at).has_value(); });
+  const auto on_vein = route_with(routes, [&](const Route& route) {
+    return axis(vein, route).distance_to(cut.at).has_value();
+  });
   const PickPlace incision = place_incision_pick("incision", glenn.incision, opened.rpa());
   routes = routes_from(artery, 0);
   if (glenn.incision.from || glenn.incision.to) {
     const int from = glenn.incision.from ? find_end(artery, *glenn.incision.from, "from") : 0;
-    const int to = glenn.incision.to ? find_end(artery, *glenn.incision.to, "to")
-                                     : farthest_end(artery, from);
+    const int to =
+        glenn.incision.to ? find_end(artery, *glenn.incision.to, "to") : farthest_end(artery, from);
     routes = {{from, to}};
   }
   const auto on_artery = route_with(routes, [&](const Route& route) {
@@ -96,8 +97,8 @@ void find_plan(OpenedScene& opened) {
   opened.cut_route = *on_vein;
   opened.incision_route = *on_artery;
   const AxisRoute along_vein = axis(vein, *on_vein), along_artery = axis(artery, *on_artery);
-  plan.cut_along = glenn.cut.along ? *glenn.cut.along
-                                   : *along_vein.distance_to(cut.at) / along_vein.length();
+  plan.cut_along =
+      glenn.cut.along ? *glenn.cut.along : *along_vein.distance_to(cut.at) / along_vein.length();
   plan.cut_tilt_deg = glenn.cut_tilt_deg;
   plan.incision_along = glenn.incision.along
                             ? *glenn.incision.along
@@ -128,8 +129,8 @@ std::string cut_text(const OpenedScene& opened, const Plan& plan) {
 std::string incision_text(const OpenedScene& opened, const Plan& plan) {
   const Vessel& artery = opened.rpa().vessel;
   const Route route = incision_route_of(opened, plan);
-  std::string text = "{along: " + exact_text(plan.incision_along) +
-                     ", around_deg: " + exact_text(plan.around_deg);
+  std::string text =
+      "{along: " + exact_text(plan.incision_along) + ", around_deg: " + exact_text(plan.around_deg);
   if (route[0] != 0) text += ", from: " + selector_text(selector_of(artery, route[0]));
   if (route[1] != farthest_end(artery, route[0]))
     text += ", to: " + selector_text(selector_of(artery, route[1]));

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "data/index.h"
-#include "vessel/end_conditions.h"
 #include "vessel/axis_route.h"
+#include "vessel/end_conditions.h"
 
 namespace vasorod::planner {
 namespace {

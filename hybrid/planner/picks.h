@@ -17,7 +17,8 @@ Ray read_ray(const Body& body);
 
 /// {hit: null | {vessel, part, point, distance, along, around_deg}} on the vessels at rest.
 /// `vessels`: names of those that count; empty: all.
-Json pick_at_rest(const OpenedScene& opened, const Ray& ray, const std::vector<std::string>& vessels);
+Json pick_at_rest(const OpenedScene& opened, const Ray& ray,
+                  const std::vector<std::string>& vessels);
 
 /// The same on the deformed vessels of a result, with triangle, weights and the fields' values.
 Json pick_in_result(const StoredResult& stored, const Ray& ray,

@@ -44,12 +44,11 @@ void check_name(const std::string& name, const std::string& ending) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   };
-  bool good = !name.empty() && name.size() <= 100 && plain(name.front()) && name.ends_with(ending) &&
-              name.size() > ending.size();
+  bool good = !name.empty() && name.size() <= 100 && plain(name.front()) &&
+              name.ends_with(ending) && name.size() > ending.size();
   for (const char c : name) good = good && (plain(c) || c == '-' || c == '.');
   if (!good)
-    throw Refusal(400, "name: found " + in_quotes(name) +
-                           ", expected letters, digits, _, - and ." +
+    throw Refusal(400, "name: found " + in_quotes(name) + ", expected letters, digits, _, - and ." +
                            (ending.empty() ? std::string() : " and " + ending + " at the end"));
 }
 

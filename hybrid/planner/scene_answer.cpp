@@ -62,8 +62,8 @@ Json vessel_json(const OpenedScene& opened, std::size_t k) {
   one["routes"] = Json::array();
   for (int end = 0; end < static_cast<int>(vessel.ends.size()); ++end)
     if (end != usual[0])
-      one["routes"].push_back({{"route", Route{usual[0], end}},
-                               {"axis", axis_json(vessel, {usual[0], end})}});
+      one["routes"].push_back(
+          {{"route", Route{usual[0], end}}, {"axis", axis_json(vessel, {usual[0], end})}});
   return one;
 }
 

@@ -95,7 +95,8 @@ struct Entry {
   std::size_t value = 0;            // in the first line: behind the colon
 };
 
-// The keys of a map in block style, one line or more each; empty where the map is written otherwise.
+// The keys of a map in block style, one line or more each; empty where the map is written
+// otherwise.
 std::optional<std::vector<std::pair<std::string, Entry>>> entries_of(const YAML::Node& map,
                                                                      const Lines& lines) {
   if (map.Style() == YAML::EmitterStyle::Flow) return std::nullopt;

@@ -12,12 +12,8 @@ void add_vessel(const std::string& name, const TriangleSurface& surface, const S
                 const std::optional<double>& to_lumen, Json& vessels) {
   const auto loops = plane_sections(surface, plane.point, plane.normal);
   if (loops.empty()) return;
-  Json one{{"name", name},
-           {"loops", Json::array()},
-           {"closed", Json::array()},
-           {"area", nullptr},
-           {"perimeter", nullptr},
-           {"lumen", nullptr}};
+  Json one{{"name", name},    {"loops", Json::array()}, {"closed", Json::array()},
+           {"area", nullptr}, {"perimeter", nullptr},   {"lumen", nullptr}};
   const SectionLoop* largest = nullptr;
   for (const SectionLoop& loop : loops) {
     one["loops"].push_back(json_of(loop.points));

@@ -53,12 +53,11 @@ Json Session::about() const {
               {"sources", Json::array()},
               {"fidelities", Json::array()}};
   for (const Source& source : sources_)
-    answer["sources"].push_back(
-        {{"id", source.id},
-         {"kind", source.kind == Source::Kind::scene ? "scene" : "result"},
-         {"name", source.name},
-         {"path", source.path.string()},
-         {"group", source.group}});
+    answer["sources"].push_back({{"id", source.id},
+                                 {"kind", source.kind == Source::Kind::scene ? "scene" : "result"},
+                                 {"name", source.name},
+                                 {"path", source.path.string()},
+                                 {"group", source.group}});
   for (const std::string& name : fidelity_names())
     answer["fidelities"].push_back({{"name", name}, {"sentence", sentence_of(name)}});
   return answer;
@@ -83,8 +82,7 @@ std::shared_ptr<const Session::Opened> Session::open(const std::string& id) {
     Result result = read_result_folder(source.path);
     opened->name = result.scene;
     opened->result = std::make_shared<StoredResult>(
-        shelf_.next_id(), std::move(result), std::nullopt,
-        whole_file(source.path / "result.json"));
+        shelf_.next_id(), std::move(result), std::nullopt, whole_file(source.path / "result.json"));
   }
   jobs_.drop_all();
   const std::lock_guard<std::mutex> lock(mutex_);

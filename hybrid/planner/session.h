@@ -57,8 +57,8 @@ class Session {
   Json keep(const Body& body);
 
   std::filesystem::path folder_;
-  std::mutex opening_;         // one at a time
-  mutable std::mutex mutex_;   // of what follows
+  std::mutex opening_;        // one at a time
+  mutable std::mutex mutex_;  // of what follows
   std::vector<Source> sources_;
   std::shared_ptr<const Opened> current_;
   ResultShelf shelf_;

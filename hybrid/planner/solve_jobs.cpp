@@ -174,8 +174,8 @@ Json SolveJobs::said(Job& job) const {
 std::shared_ptr<SolveJobs::Job> SolveJobs::find(const std::string& id) {
   long number = 0;
   const char* end = id.data() + id.size();
-  const bool good = id.size() > 1 && id[0] == 'j' &&
-                    std::from_chars(id.data() + 1, end, number).ptr == end;
+  const bool good =
+      id.size() > 1 && id[0] == 'j' && std::from_chars(id.data() + 1, end, number).ptr == end;
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = good ? jobs_.find(number) : jobs_.end();
   if (found == jobs_.end())

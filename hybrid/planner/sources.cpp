@@ -51,10 +51,10 @@ class Finder {
     const bool known = std::any_of(sources_.begin(), sources_.end(),
                                    [&](const Source& one) { return one.path == whole; });
     if (known || sources_.size() >= most_sources) return;
-    sources_.push_back({"s" + std::to_string(sources_.size() + 1), kind,
-                        kind == Source::Kind::scene ? whole.stem().string()
-                                                    : whole.filename().string(),
-                        whole, group});
+    sources_.push_back(
+        {"s" + std::to_string(sources_.size() + 1), kind,
+         kind == Source::Kind::scene ? whole.stem().string() : whole.filename().string(), whole,
+         group});
   }
 
   // False: it is neither a result nor an exploration.

@@ -8,11 +8,11 @@
 namespace vasorod::planner {
 
 struct Source {
-  std::string id;                         ///< "s1", "s2"...
+  std::string id;  ///< "s1", "s2"...
   enum class Kind { scene, result } kind = Kind::scene;
-  std::string name;                       ///< for readers
-  std::filesystem::path path;             ///< of the scene's file or of the result's folder
-  std::string group;                      ///< name of the exploration it belongs to; empty: none
+  std::string name;            ///< for readers
+  std::filesystem::path path;  ///< of the scene's file or of the result's folder
+  std::string group;           ///< name of the exploration it belongs to; empty: none
 };
 
 /// What the command line named (scene files, result folders, folders of explorations), then scenes

@@ -11,8 +11,9 @@ namespace vasorod::planner {
 namespace {
 
 std::string map_name(ColourMap map) {
-  return map == ColourMap::diverging ? "diverging"
-                                     : map == ColourMap::sequential ? "sequential" : "grey";
+  return map == ColourMap::diverging    ? "diverging"
+         : map == ColourMap::sequential ? "sequential"
+                                        : "grey";
 }
 
 // The page has the unit in a column of its own.
@@ -52,15 +53,15 @@ Json along(const std::vector<int>& nodes, bool there, Value&& value) {
 void add_lines(const VesselResult& vessel, Json& lines) {
   const CenterlineResult& rod = *vessel.centerline;
   const std::size_t count = index(rod.current.rows());
-  const bool strains = rod.u.size() == count && rod.v.size() == count &&
-                       rod.u0.size() == count && rod.v0.size() == count;
+  const bool strains = rod.u.size() == count && rod.v.size() == count && rod.u0.size() == count &&
+                       rod.v0.size() == count;
   for (std::size_t branch = 0; branch < rod.lines.size(); ++branch) {
     const std::vector<int>& nodes = rod.lines[branch];
     Json line;
     line["vessel"] = vessel.name;
     line["branch"] = branch;
-    line["arc"] = along(nodes, rod.abscissa.size() == count,
-                        [&](std::size_t k) { return rod.abscissa[k]; });
+    line["arc"] =
+        along(nodes, rod.abscissa.size() == count, [&](std::size_t k) { return rod.abscissa[k]; });
     const auto row = [](const Points& points, std::size_t k) {
       return json_of(Vec3(points.row(static_cast<Eigen::Index>(k))));
     };

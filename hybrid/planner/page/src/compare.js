@@ -1,6 +1,6 @@
 // Plans that are kept beside the current one, with their main numbers.
 import { byId, make } from "./dom.js";
-import { fidelityText, isSolution, numberText, statusMark, statusShort } from "./words.js";
+import { fidelityText, isSolution, numberText, stateOf } from "./words.js";
 
 const criterion = (json, name) => json.criteria?.find((one) => one.name === name);
 
@@ -24,13 +24,14 @@ export function showComparison(rows, on) {
   const heads = ["Plan", "Model", "Status", "Opening ratio", "Twist shear", "Stretch", "Pressure, mmHg", "Lumen ratio", ""];
   const lines = rows.map((row) => {
     const { json, plan } = row.subject;
+    const [mark, words] = stateOf(json);
     const button = (text, label, click, disabled) => make("button", { type: "button", "aria-label": `${label} ${row.name}`, click, disabled }, text);
     return make(
       "tr",
       { class: isSolution(json.status) ? "" : "unsolved" },
       make("th", { scope: "row" }, row.name),
       make("td", {}, fidelityText(json.fidelity)),
-      make("td", {}, make("span", { class: `badge ${row.stale ? "plain" : statusMark(json.status)}` }, row.stale ? "earlier plan" : statusShort(json.status))),
+      make("td", {}, make("span", { class: `badge ${row.stale ? "plain" : mark}` }, row.stale ? "earlier plan" : words)),
       numbersOf(json).map((text) => make("td", { class: "number" }, text)),
       make(
         "td", { class: "actions" },

@@ -108,10 +108,10 @@ function drawScaleBar(context, pane, camera, unit, theme) {
 
 function drawLegend(context, pane, legend, theme) {
   const { rect } = pane;
-  const height = Math.min(220, rect.height - 150);
+  const height = Math.min(220, rect.height - 172);
   if (height < 50) return;
   const x = rect.x + rect.width - 62;
-  const y = rect.y + 74;
+  const y = rect.y + 96;
   const colours = maps[legend.map];
   const ramp = context.createLinearGradient(0, y + height, 0, y);
   colours.forEach((rgb, k) => ramp.addColorStop(k / (colours.length - 1), cssColour(rgb)));

@@ -6,7 +6,7 @@ import { drawOverlay } from "./overlay.js";
 import { somePoints } from "./subjects.js";
 import { nodeAt } from "./plots.js";
 import { across, cross, norm, sub, unit } from "./vectors.js";
-import { fidelityText, isSolution, numberText, plainName, statusMark, statusShort } from "./words.js";
+import { fidelityText, isSolution, numberText, plainName, stateOf } from "./words.js";
 
 const markerColours = { cut: [1, 0.69, 0], incision: [0, 0.76, 0.66], problem: [0.85, 0.15, 0.15] };
 const standing = 0.35; // opacity of what lies beside the joined vessels, as in report.html
@@ -219,12 +219,8 @@ export class Views {
     if (choice === "current" && noResult) return ["bad", current ? "no prediction; earlier plan shown" : "no prediction"];
     if (choice === "current" && stale && current) return ["warn", "earlier plan"];
     if (!subject) return ["plain", "no prediction yet"];
-    const { json } = subject;
-    const outside = json.validity.in_range === false && isSolution(json.status);
-    const warned = json.criteria?.some(({ verdict }) => verdict === "warning" || verdict === "strong_warning");
-    const mark = outside ? "bad" : statusMark(json.status);
-    const more = outside ? ", outside the model's range" : warned && isSolution(json.status) ? ", with warnings" : "";
-    return [mark === "good" && warned ? "warn" : mark, `${fidelityText(json.fidelity)}: ${statusShort(json.status)}${more}`];
+    const [mark, words] = stateOf(subject.json);
+    return [mark, `${fidelityText(subject.json.fidelity)}: ${words}`];
   }
 
   // --- colours ---

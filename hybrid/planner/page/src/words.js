@@ -36,6 +36,15 @@ export function statusShort(status) {
   return short[status] ?? status;
 }
 
+/** The state of a prediction in a few words, with its mark: nothing with a warning is "good". */
+export function stateOf({ status, validity, criteria }) {
+  const solved = isSolution(status);
+  if (solved && validity.in_range === false) return ["bad", `${statusShort(status)}, outside the model's range`];
+  const warned = criteria?.some(({ verdict }) => verdict === "warning" || verdict === "strong_warning");
+  if (!solved || !warned) return [statusMark(status), statusShort(status)];
+  return [statusMark(status) === "good" ? "warn" : statusMark(status), `${statusShort(status)}, with warnings`];
+}
+
 export const fidelityText = (name) =>
   ({
     rod: "Axes only",

@@ -36,7 +36,7 @@ export function showComparison(rows, on) {
       make(
         "td", { class: "actions" },
         button("Show", "Show in the second view", () => on.beside(row)),
-        row.kept ? button("Use", "Use the plan of", () => on.use(row), !plan || on.locked) : "",
+        row.kept ? button("Use", "Use the plan of", () => on.use(row), !plan || on.locked || row.sceneId !== on.sceneId) : "",
         row.kept ? button("Remove", "Remove", () => on.drop(row)) : "",
       ),
     );

@@ -3,11 +3,14 @@ import { Refused } from "./api.js";
 import { byId, make } from "./dom.js";
 import { fidelityText } from "./words.js";
 
-const kindText = { scene: "scene", result: "result", exploration: "exploration" };
+/** The last part of a path: scenes of one name lie in different files. */
+export const fileOf = ({ path }) => path?.split(/[\\/]/).filter(Boolean).at(-1) ?? "";
 
-/** Lists what can be opened; `open(source)` is called with the chosen one. */
-export function showSources(session, current, open) {
+/** Lists what can be opened; `open(source)` is called with the chosen one. `problem`: why not yet. */
+export function showSources(session, current, open, problem = "") {
   const dialog = byId("open-dialog");
+  byId("open-problem").hidden = !problem;
+  byId("open-problem").textContent = problem;
   byId("open-folder").textContent = session.folder ?? "";
   const groups = new Map();
   for (const source of session.sources) {
@@ -26,8 +29,8 @@ export function showSources(session, current, open) {
             open(source);
           },
         },
-        source.name,
-        make("span", {}, source.id === current ? "open" : kindText[source.kind] ?? source.kind),
+        make("strong", {}, source.name),
+        make("span", {}, fileOf(source), source.id === current ? ", open" : ""),
       ),
     ),
   ]);

@@ -4,7 +4,7 @@ import { Api, Unreachable } from "./api.js";
 import { Camera } from "./camera.js";
 import { letterOf, showComparison } from "./compare.js";
 import { announce, byId, make } from "./dom.js";
-import { askName, showSources } from "./files.js";
+import { askName, fileOf, showSources } from "./files.js";
 import { nearestNode } from "./geometry.js";
 import { download, pictureOf } from "./picture.js";
 import { PlanState } from "./plan.js";
@@ -107,7 +107,7 @@ class App {
   async start() {
     this.views.readTheme();
     this.stage.resize();
-    this.stage.layout(this.stage.width >= 700 ? 2 : 1);
+    this.stage.layout(2);
     this.#listen();
     try {
       this.session = await this.api.get("api/session");
@@ -115,7 +115,7 @@ class App {
       await this.#show(await this.api.get("api/scene"));
     } catch (error) {
       byId("loading").textContent = error.message;
-      if (this.session) this.#openDialog();
+      if (this.session) this.#openDialog(error.message);
     }
   }
 
@@ -146,6 +146,8 @@ class App {
     Object.assign(this, { scene, rest, current: null, placed: null, noResult: null, ruler: [], markedArc: null });
     this.size = sizeOf(rest ?? current);
     byId("scene-name").textContent = scene.name;
+    const file = fileOf(this.session.sources.find(({ id }) => id === scene.id) ?? {});
+    byId("scene-file").textContent = file ? `${file} · ` : "";
     document.title = `${scene.name}, Vasorod plan`;
     byId("loading").hidden = true;
     byId("why-not").hidden = scene.editable || !scene.why_not;
@@ -211,6 +213,7 @@ class App {
     showComparison(rows, {
       locked: this.state.locked || !this.editable,
       beside: ({ choice }) => this.#showBeside(choice),
+      sceneId: scene?.id,
       use: ({ subject }) => this.state.set(structuredClone(subject.plan)),
       drop: ({ choice }) => this.#drop(choice),
     });
@@ -261,13 +264,13 @@ class App {
 
   /** The prediction whose axes are listed: the last one in the views. */
   axisSubject() {
-    return this.views.shownResults().at(-1)?.subject ?? this.rest;
+    return this.views.curveResults().at(-1)?.subject ?? this.rest;
   }
 
   #pathsOf(subject) {
     if (subject?.kind === "result")
       return withAxis(subject.lines).map((line) => ({ vessel: line.vessel, branch: line.branch ?? 0, arc: line.arc, points: line.point, rest: line.rest, line }));
-    const lines = withAxis(this.views.shownResults().at(-1)?.subject.lines ?? this.current?.lines ?? []);
+    const lines = withAxis(this.views.curveResults().at(-1)?.subject.lines ?? []);
     if (lines.length > 0) return lines.map((line) => ({ vessel: line.vessel, branch: line.branch ?? 0, arc: line.arc, points: line.rest }));
     return (this.scene?.vessels ?? [])
       .filter(({ axis }) => axis?.length > 1)
@@ -327,10 +330,15 @@ class App {
 
   #drawCurves() {
     const lines = this.views
-      .shownResults()
+      .curveResults()
       .map(({ choice, subject }) => ({ name: this.views.titleOf(choice), line: this.axisPath(subject)?.line, solved: isSolution(subject.json.status) }))
       .filter(({ line }) => line);
-    if (!byId("curves").hidden) this.plots.show(lines, this.unitLength);
+    if (byId("curves").hidden) return;
+    this.plots.show(lines, this.unitLength);
+    byId("curve-key").replaceChildren(
+      `over ${this.unitLength} along the axis`,
+      ...(lines.length > 1 ? lines.map(({ name }, k) => make("span", { class: `key${k}` }, name)) : []),
+    );
   }
 
   /** The same place in the views and in the curves. */
@@ -343,10 +351,10 @@ class App {
 
   // --- files ---
 
-  async #openDialog() {
+  async #openDialog(problem) {
     try {
       this.session = await this.api.get("api/session");
-      showSources(this.session, this.scene?.id ?? this.session.current, (source) => this.open(source));
+      showSources(this.session, this.scene?.id ?? this.session.current, (source) => this.open(source), problem);
     } catch (error) {
       this.complain(error);
     }
@@ -360,7 +368,7 @@ class App {
       save: async (name, fidelity, overwrite) => {
         const file = name.endsWith(".yaml") ? name : `${name}.yaml`;
         const saved = await this.api.post("api/save", { name: file, plan: this.state.plan, fidelity, overwrite });
-        this.say(`Saved as ${saved.file}.`);
+        this.say([`Saved as ${saved.file}.`, saved.note].filter(Boolean).join(" "));
       },
     });
   }
@@ -381,7 +389,7 @@ class App {
     if (!scene) return;
     const heads = stage.shown.map((_, k) => {
       const state = views.stateText(k);
-      return views.titleOf(views.chosen[k]) + (state ? `: ${state[1]}` : "");
+      return views.titleOf(views.chosen[k]) + (state ? `, ${state[1]}` : "");
     });
     const note = `${scene.name}. ${this.session.program}. Research software, not for clinical use.`;
     const blob = await pictureOf(stage, camera, views.theme, views.overlay(), heads, note);
@@ -406,7 +414,7 @@ class App {
     on("undo", () => this.state.undo());
     on("redo", () => this.state.redo());
     on("lock", () => this.#toggleLock());
-    on("open", () => this.#openDialog());
+    on("open", () => this.#openDialog(""));
     on("save", () => this.#save());
     on("keep-result", () => this.#keepResult());
     on("picture", () => this.#picture());

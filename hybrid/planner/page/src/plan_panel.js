@@ -17,7 +17,11 @@ function both({ id, title, unit, min, max, step, live, done }) {
       const value = read(input);
       if (value !== null) live(value);
     });
-    input.addEventListener("change", done);
+    input.addEventListener("change", () => {
+      const value = read(number);
+      if (value !== null && input === number) number.value = String(value); // within the limits
+      done();
+    });
   }
   const note = make("span", { class: "note", id: `${id}-note` });
   const node = make(
@@ -34,9 +38,7 @@ function both({ id, title, unit, min, max, step, live, done }) {
       const rounded = String(Number(value.toFixed(2)));
       range.value = rounded;
       // The number is left alone while it is being typed.
-      if (document.activeElement !== number || number.valueAsNumber !== value) {
-        if (document.activeElement !== number) number.value = rounded;
-      }
+      if (document.activeElement !== number) number.value = rounded;
       note.textContent = text;
     },
     enable(on) {

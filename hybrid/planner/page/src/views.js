@@ -146,6 +146,13 @@ export class Views {
       .filter(({ subject }, k, all) => subject?.kind === "result" && all.findIndex((one) => one.subject === subject) === k);
   }
 
+  /** The predictions whose curves are drawn: those in the views, else the present one. */
+  curveResults() {
+    const shown = this.shownResults();
+    const { current } = this.#app;
+    return shown.length > 0 || !current ? shown : [{ choice: "current", subject: current }];
+  }
+
   titleOf(choice) {
     if (choice === "rest") return "Before";
     if (choice === "current") return this.#app.scene?.kind === "result" ? "Result" : "After";
@@ -322,7 +329,8 @@ export class Views {
     const joined = scene.vessels.filter(({ part }) => part).map(({ name }) => name);
     const names = new Set(joined.length > 0 ? joined : scene.vessels.filter(({ role }) => role !== "obstacle").map(({ name }) => name));
     const { rect } = stage.panes[0];
-    camera.fit(stage.shown.filter((pane) => pane.subject).flatMap((pane) => somePoints(pane.subject, names)), rect.width / rect.height);
+    const room = this.field === "vessel" ? 1 : 1 - Math.min(0.4, 130 / rect.width); // for the legend
+    camera.fit(stage.shown.filter((pane) => pane.subject).flatMap((pane) => somePoints(pane.subject, names)), room * (rect.width / rect.height));
     stage.draw();
   }
 

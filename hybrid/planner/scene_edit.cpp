@@ -62,11 +62,15 @@ YAML::Node wanted_tree(const std::string& text, const SceneEdit& edit) {
   for (const auto& [key, value] : edit.glenn) glenn[key] = YAML::Load(value);
   YAML::Node surgery = YAML::Clone(root["surgery"]);
   surgery["glenn"] = glenn;
-  YAML::Node whole = YAML::Clone(root);
-  whole["surgery"] = surgery;
-  if (edit.fidelity) {
-    whole.remove("accuracy");
-    whole["fidelity"] = *edit.fidelity;
+  YAML::Node whole;
+  for (const auto& entry : root) {
+    const std::string& key = entry.first.Scalar();
+    if (key == "surgery")
+      whole[key] = surgery;
+    else if (edit.fidelity && (key == "accuracy" || key == "fidelity"))
+      whole["fidelity"] = *edit.fidelity;
+    else
+      whole[key] = YAML::Clone(entry.second);
   }
   return whole;
 }

@@ -32,9 +32,10 @@ std::string read_fidelity(const Body& body) {
 
 const char* sentence_of(const std::string& fidelity) {
   if (fidelity == "rod") return "the rods alone, without surfaces";
-  if (fidelity == "skin") return "the rods; sections are carried rigidly; while you drag";
-  if (fidelity == "paper") return "rods, then both surfaces with the paper's energies and contact";
-  return "one minimum of walls, seams and contacts; the most accurate, about half a minute";
+  if (fidelity == "skin") return "the rods; sections are carried rigidly";
+  if (fidelity == "paper")
+    return "the rods, then both surfaces with the paper's energies and contact";
+  return "one minimum of walls, seams and contacts";
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ YAML::Node wanted_tree(const std::string& text, const SceneEdit& edit) {
     if (key == "surgery")
       whole[key] = surgery;
     else if (edit.fidelity && (key == "accuracy" || key == "fidelity"))
-      whole["fidelity"] = *edit.fidelity;
+      whole["fidelity"] = YAML::Load(*edit.fidelity);
     else
       whole[key] = YAML::Clone(entry.second);
   }

@@ -46,8 +46,10 @@ Session::Session(const std::vector<std::filesystem::path>& named,
   folder_ = folder_of(sources_, working);
 }
 
-Json Session::about() const {
+Json Session::about() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  add_new(folder_, sources_);
+  if (current_ && current_->scene) add_new(current_->scene->scene.file.parent_path(), sources_);
   Json answer{{"program", "vasorod-plan " + version()},
               {"folder", folder_.string()},
               {"current", current_ ? Json(current_->id) : Json()},

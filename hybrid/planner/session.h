@@ -20,8 +20,8 @@ class Session {
   /// Finds the sources; opens nothing. Throws InputError.
   Session(const std::vector<std::filesystem::path>& named, const std::filesystem::path& working);
 
-  /// GET api/session.
-  Json about() const;
+  /// GET api/session, with what was written beside the scenes since.
+  Json about();
   /// GET api/scene. Opens the first source where nothing is open.
   Json scene();
   /// POST api/open, pick, place, solve, cancel, section, save, keep, hold.

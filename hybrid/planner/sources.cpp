@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 #include <vasorod/error.h>
 
@@ -46,6 +47,8 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
 
 class Finder {
  public:
+  explicit Finder(std::vector<Source> known = {}) : sources_(std::move(known)) {}
+
   void add(const fs::path& path, Source::Kind kind, const std::string& group = "") {
     const fs::path whole = fs::absolute(path).lexically_normal();
     const bool known = std::any_of(sources_.begin(), sources_.end(),
@@ -104,6 +107,12 @@ std::vector<Source> find_sources(const std::vector<fs::path>& named, const fs::p
   }
   finder.add_beside(folder_of(finder.sources_, working));
   return finder.sources_;
+}
+
+void add_new(const fs::path& folder, std::vector<Source>& sources) {
+  Finder finder(std::move(sources));
+  finder.add_beside(folder);
+  sources = std::move(finder.sources_);
 }
 
 fs::path folder_of(const std::vector<Source>& sources, const fs::path& working) {

@@ -21,6 +21,9 @@ struct Source {
 std::vector<Source> find_sources(const std::vector<std::filesystem::path>& named,
                                  const std::filesystem::path& working);
 
+/// Adds what has come into a folder since; the ids of the others stay.
+void add_new(const std::filesystem::path& folder, std::vector<Source>& sources);
+
 /// Where scenes and results are written beside: the folder of the first source, or `working`.
 std::filesystem::path folder_of(const std::vector<Source>& sources,
                                 const std::filesystem::path& working);

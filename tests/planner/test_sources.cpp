@@ -47,6 +47,17 @@ TEST_F(Sources, WhatIsNamedAndWhatLiesBeside) {
   EXPECT_EQ(folder_of(find_sources({folder / "b.yaml"}, "/"), "/"), folder);
 }
 
+TEST_F(Sources, WhatComesLaterIsAddedBehind) {
+  write("m.yaml", small_scene);
+  std::vector<Source> sources = find_sources({folder / "m.yaml"}, "/");
+  write("a.yaml", small_scene);
+  write_result("kept");
+  add_new(folder, sources);
+  EXPECT_EQ(listed(sources), "s1 scene m\ns2 scene a\ns3 result kept\n");
+  add_new(folder, sources);
+  EXPECT_EQ(sources.size(), 3U);
+}
+
 TEST_F(Sources, WhatIsNeitherIsRefused) {
   EXPECT_THROW(find_sources({folder / "none.yaml"}, folder), InputError);
   EXPECT_THROW(find_sources({folder}, folder), InputError);

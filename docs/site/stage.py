@@ -20,6 +20,7 @@ SECTIONS = {
     "Manual": [
         "docs/guide.md",
         "docs/explore.md",
+        "docs/plan.md",
         "docs/prepare.md",
         "docs/scene.md",
         "docs/result.md",

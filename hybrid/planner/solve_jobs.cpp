@@ -125,10 +125,12 @@ void SolveJobs::solve(Job& job) {
     changed_.notify_all();
   };
   options.solved = live;
-  options.keep = [&](std::function<Result()> state) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::swap(job.kept, state);  // the old state is freed after the lock
-  };
+  // Quick fidelities end by themselves before a state of theirs could be wanted.
+  if (job.fidelity != "rod" && job.fidelity != "skin")
+    options.keep = [&](std::function<Result()> state) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      std::swap(job.kept, state);  // the old state is freed after the lock
+    };
   std::shared_ptr<const StoredResult> stored;
   std::string error;
   bool early = false;

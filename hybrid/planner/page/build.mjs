@@ -1,4 +1,5 @@
-// Makes the page: `node build.mjs OUTPUT_FOLDER` after `npm ci`. Writes index.html, app.js, app.css.
+// Makes the page: `node build.mjs OUTPUT_FOLDER` after `npm ci`. Writes index.html, app.js and
+// app.css.
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
@@ -36,7 +37,7 @@ for (const file of Object.keys(built.metafile.inputs)) {
 async function licenceOf(name) {
   const root = join(here, "node_modules", name);
   const about = JSON.parse(await readFile(join(root, "package.json"), "utf8"));
-  const licence = typeof about.license === "string" ? about.license : about.license?.type ?? "";
+  const licence = typeof about.license === "string" ? about.license : (about.license?.type ?? "");
   const title = `${name} ${about.version}, ${licence}`;
   const files = ["LICENSE", "LICENSE.md", "LICENSE.txt", "license", "LICENCE", "Copyright.txt"];
   for (const file of files) {

@@ -23,7 +23,8 @@ async function decode(page, png) {
       context.drawImage(image, 0, 0);
       const { data } = context.getImageData(0, 0, image.width, image.height);
       let bytes = "";
-      for (let i = 0; i < data.length; i += 8192) bytes += String.fromCharCode(...data.subarray(i, i + 8192));
+      for (let i = 0; i < data.length; i += 8192)
+        bytes += String.fromCharCode(...data.subarray(i, i + 8192));
       return { width: image.width, height: image.height, data: btoa(bytes) };
     }, png.toString("base64"));
   } finally {
@@ -36,7 +37,8 @@ export function find(picture, part, is) {
   const found = [];
   const { x = 0, y = 0, width = picture.width, height = picture.height } = part;
   for (let j = Math.ceil(y); j < y + height - 1; j++)
-    for (let i = Math.ceil(x); i < x + width - 1; i++) if (is(...picture.at(i, j))) found.push([i, j]);
+    for (let i = Math.ceil(x); i < x + width - 1; i++)
+      if (is(...picture.at(i, j))) found.push([i, j]);
   return found;
 }
 
@@ -54,7 +56,7 @@ export function changed(before, after, part, step = 12) {
   return count / all;
 }
 
-/** The pixel in the middle of those found at one height: `share` from the top (0) to the bottom (1). */
+/** The pixel in the middle of those found at one height: `share` 0 is the top, 1 the bottom. */
 export function middleAt(found, share) {
   const rows = [...new Set(found.map(([, y]) => y))].sort((a, b) => a - b);
   const row = rows[Math.round(share * (rows.length - 1))];

@@ -13,7 +13,10 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 export async function sceneFolder() {
   const folder = await mkdtemp(join(tmpdir(), "vasorod-page-"));
   const text = await readFile(join(root, "benchmarks/cases/glenn/infant.yaml"), "utf8");
-  await writeFile(join(folder, "infant.yaml"), text.replaceAll("../../../meshes", join(root, "meshes")));
+  await writeFile(
+    join(folder, "infant.yaml"),
+    text.replaceAll("../../../meshes", join(root, "meshes")),
+  );
   return folder;
 }
 
@@ -21,7 +24,10 @@ export async function sceneFolder() {
 export async function startProgram(folder, sources = ["infant.yaml"]) {
   const program = process.env.VASOROD_PLAN;
   if (!program) throw new Error("VASOROD_PLAN: found nothing, expected the path of vasorod-plan");
-  const child = spawn(resolve(program), sources, { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+  const child = spawn(resolve(program), sources, {
+    cwd: folder,
+    stdio: ["ignore", "pipe", "inherit"],
+  });
   const ended = new Promise((end) => child.once("exit", end));
   const address = await new Promise((give, fail) => {
     let said = "";
@@ -47,7 +53,12 @@ export const removeFolder = (folder) => rm(folder, { recursive: true, force: tru
 export function startBrowser() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"],
+    args: [
+      "--use-gl=angle",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--no-sandbox",
+    ],
   });
 }
 
@@ -56,7 +67,11 @@ export function startBrowser() {
  * console errors, uncaught errors and requests outside the program's own prefix.
  */
 export async function openPage(browser, address, { width = 1400, height = 900, ...more } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...more });
+  const context = await browser.newContext({
+    viewport: { width, height },
+    acceptDownloads: true,
+    ...more,
+  });
   const page = await context.newPage();
   const faults = [];
   page.on("console", (message) => {
@@ -65,7 +80,8 @@ export async function openPage(browser, address, { width = 1400, height = 900, .
   page.on("pageerror", (error) => faults.push(error.stack ?? String(error)));
   page.on("request", (request) => {
     const url = request.url();
-    if (!url.startsWith(address) && !/^(data|blob):/.test(url)) faults.push(`left the prefix: ${url}`);
+    if (!url.startsWith(address) && !/^(data|blob):/.test(url))
+      faults.push(`left the prefix: ${url}`);
   });
   await page.goto(address);
   await page.locator("#loading").waitFor({ state: "hidden", timeout: 60000 });

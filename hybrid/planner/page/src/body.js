@@ -38,9 +38,11 @@ export class Body {
     this.#data.getPoints().setData(points, 3);
     this.#data.setPolys(cellsOf(triangles, 3));
     const normals = vertexNormals(points, triangles);
-    this.#data.getPointData().setNormals(
-      vtkDataArray.newInstance({ name: "Normals", values: normals, numberOfComponents: 3 }),
-    );
+    this.#data
+      .getPointData()
+      .setNormals(
+        vtkDataArray.newInstance({ name: "Normals", values: normals, numberOfComponents: 3 }),
+      );
     this.#surface = actorOf(this.#data);
     const look = this.#surface.getProperty();
     look.setInterpolationToPhong();
@@ -74,7 +76,11 @@ export class Body {
 
   /** Three bytes for every vertex. */
   paintVertices(bytes) {
-    const colours = vtkDataArray.newInstance({ name: "Colours", values: bytes, numberOfComponents: 3 });
+    const colours = vtkDataArray.newInstance({
+      name: "Colours",
+      values: bytes,
+      numberOfComponents: 3,
+    });
     this.#data.getPointData().setScalars(colours);
     this.#surface.getMapper().setScalarVisibility(true);
     this.#data.modified();

@@ -58,7 +58,10 @@ export class Camera {
         low[k] = Math.min(low[k], at);
         high[k] = Math.max(high[k], at);
       });
-    this.focal = axes.reduce((sum, axis, k) => add(sum, times((low[k] + high[k]) / 2, axis)), [0, 0, 0]);
+    this.focal = axes.reduce(
+      (sum, axis, k) => add(sum, times((low[k] + high[k]) / 2, axis)),
+      [0, 0, 0],
+    );
     this.distance = 0;
     for (const point of points) {
       const from = sub(point, this.focal);
@@ -71,7 +74,10 @@ export class Camera {
   /** Near and far enough for everything, wherever the camera is. */
   clipping() {
     const depth = dot(sub(this.position, this.centre), this.eye);
-    return [Math.max(depth - this.reach, 0.01 * this.reach), Math.max(depth + this.reach, 0.1 * this.reach)];
+    return [
+      Math.max(depth - this.reach, 0.01 * this.reach),
+      Math.max(depth + this.reach, 0.1 * this.reach),
+    ];
   }
 
   /** The ray through the pixel (x, y) of a view of that size. */
@@ -87,7 +93,11 @@ export class Camera {
     const from = sub(point, this.position);
     const depth = -dot(from, this.eye);
     const step = height / (2 * slope * depth);
-    return [width / 2 + step * dot(from, this.right), height / 2 - step * dot(from, this.up), depth];
+    return [
+      width / 2 + step * dot(from, this.right),
+      height / 2 - step * dot(from, this.up),
+      depth,
+    ];
   }
 
   /** Length of the scene that a pixel shows at the middle. */

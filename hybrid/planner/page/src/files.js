@@ -1,4 +1,5 @@
-// Opening scenes and results, and the two kinds of saving: the plan as a scene, the result as a folder.
+// Opening scenes and results, and the two kinds of saving: the plan as a scene, the result as a
+// folder.
 import { Refused } from "./api.js";
 import { byId, make } from "./dom.js";
 import { fidelityText } from "./words.js";
@@ -6,7 +7,7 @@ import { fidelityText } from "./words.js";
 /** The last part of a path: scenes of one name lie in different files. */
 export const fileOf = ({ path }) => path?.split(/[\\/]/).filter(Boolean).at(-1) ?? "";
 
-/** Lists what can be opened; `open(source)` is called with the chosen one. `problem`: why not yet. */
+/** Lists what can be opened; `open(source)` gets the chosen one. `problem`: why nothing is open. */
 export function showSources(session, current, open, problem = "") {
   const dialog = byId("open-dialog");
   byId("open-problem").hidden = !problem;
@@ -23,7 +24,9 @@ export function showSources(session, current, open, problem = "") {
       make(
         "button",
         {
-          type: "button", title: source.path, "aria-current": source.id === current ? "true" : null,
+          type: "button",
+          title: source.path,
+          "aria-current": source.id === current ? "true" : null,
           click: () => {
             dialog.close();
             open(source);
@@ -34,7 +37,11 @@ export function showSources(session, current, open, problem = "") {
       ),
     ),
   ]);
-  byId("sources").replaceChildren(...(parts.length > 0 ? parts : [make("p", { class: "soft" }, "Nothing to open in this folder.")]));
+  byId("sources").replaceChildren(
+    ...(parts.length > 0
+      ? parts
+      : [make("p", { class: "soft" }, "Nothing to open in this folder.")]),
+  );
   dialog.showModal();
 }
 
@@ -44,12 +51,25 @@ export function showSources(session, current, open, problem = "") {
  */
 export function askName({ title, label, name, fidelities, fidelity, mayOverwrite, save }) {
   const dialog = byId("name-dialog");
-  const [input, error, button, model] = ["name-input", "name-error", "name-save", "name-fidelity"].map(byId);
+  const [input, error, button, model] = [
+    "name-input",
+    "name-error",
+    "name-save",
+    "name-fidelity",
+  ].map(byId);
   byId("name-title").textContent = title;
   byId("name-label").firstElementChild.textContent = label;
   input.value = name;
   byId("name-fidelity-label").hidden = !fidelities;
-  model.replaceChildren(...(fidelities ?? []).map((one) => make("option", { value: one.name, selected: one.name === fidelity }, `${fidelityText(one.name)} (${one.name})`)));
+  model.replaceChildren(
+    ...(fidelities ?? []).map((one) =>
+      make(
+        "option",
+        { value: one.name, selected: one.name === fidelity },
+        `${fidelityText(one.name)} (${one.name})`,
+      ),
+    ),
+  );
   let overwrite = false;
   const reset = () => {
     overwrite = false;

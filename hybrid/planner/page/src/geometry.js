@@ -1,4 +1,4 @@
-// Work on triangles and polylines: normals, borders, the nearest triangle on a ray, the nearest node.
+// Work on triangles and polylines: normals, borders, the nearest triangle on a ray or node.
 import { cross, dot, sub } from "./vectors.js";
 
 export const at = (array, i) => [array[3 * i], array[3 * i + 1], array[3 * i + 2]];
@@ -8,9 +8,15 @@ export function vertexNormals(points, triangles) {
   const sum = new Float32Array(points.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
-    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const ux = points[b] - points[a],
+      uy = points[b + 1] - points[a + 1],
+      uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a],
+      vy = points[c + 1] - points[a + 1],
+      vz = points[c + 2] - points[a + 2];
+    const nx = uy * vz - uz * vy,
+      ny = uz * vx - ux * vz,
+      nz = ux * vy - uy * vx;
     for (const k of [a, b, c]) {
       sum[k] += nx;
       sum[k + 1] += ny;
@@ -38,30 +44,45 @@ export function borderEdges(triangles) {
   return [...alone.values()];
 }
 
-/** The nearest triangle in front (Moeller and Trumbore 1997): {distance, triangle, weights, point}. */
+/** The nearest triangle in front (Moeller, Trumbore 1997): {distance, triangle, weights, point}. */
 export function hitOfRay({ origin, direction }, { points, triangles }) {
   const [ox, oy, oz] = origin;
   const [dx, dy, dz] = direction;
   let best = null;
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ax = points[a], ay = points[a + 1], az = points[a + 2];
-    const ux = points[b] - ax, uy = points[b + 1] - ay, uz = points[b + 2] - az;
-    const vx = points[c] - ax, vy = points[c + 1] - ay, vz = points[c + 2] - az;
-    const px = dy * vz - dz * vy, py = dz * vx - dx * vz, pz = dx * vy - dy * vx;
+    const a = 3 * triangles[t],
+      b = 3 * triangles[t + 1],
+      c = 3 * triangles[t + 2];
+    const ax = points[a],
+      ay = points[a + 1],
+      az = points[a + 2];
+    const ux = points[b] - ax,
+      uy = points[b + 1] - ay,
+      uz = points[b + 2] - az;
+    const vx = points[c] - ax,
+      vy = points[c + 1] - ay,
+      vz = points[c + 2] - az;
+    const px = dy * vz - dz * vy,
+      py = dz * vx - dx * vz,
+      pz = dx * vy - dy * vx;
     const size = ux * px + uy * py + uz * pz;
     if (size === 0) continue;
-    const sx = ox - ax, sy = oy - ay, sz = oz - az;
+    const sx = ox - ax,
+      sy = oy - ay,
+      sz = oz - az;
     const v = (sx * px + sy * py + sz * pz) / size;
     if (v < 0 || v > 1) continue;
-    const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
+    const qx = sy * uz - sz * uy,
+      qy = sz * ux - sx * uz,
+      qz = sx * uy - sy * ux;
     const w = (dx * qx + dy * qy + dz * qz) / size;
     if (w < 0 || v + w > 1) continue;
     const distance = (vx * qx + vy * qy + vz * qz) / size;
     if (distance > 0 && (!best || distance < best.distance))
       best = { distance, triangle: t / 3, weights: [1 - v - w, v, w] };
   }
-  if (best) best.point = [ox + best.distance * dx, oy + best.distance * dy, oz + best.distance * dz];
+  if (best)
+    best.point = [ox + best.distance * dx, oy + best.distance * dy, oz + best.distance * dz];
   return best;
 }
 

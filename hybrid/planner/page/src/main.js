@@ -138,12 +138,22 @@ class App {
       return null;
     };
     const rest = await loadRest(this.api, scene).catch(failed);
-    const current = scene.result ? await loadResult(this.api, scene.result, scene, rest ?? { meshes: new Map() }).catch(failed) : null;
+    const current = scene.result
+      ? await loadResult(this.api, scene.result, scene, rest ?? { meshes: new Map() }).catch(failed)
+      : null;
     if (!rest && !current) {
       byId("loading").textContent = "The vessels could not be read.";
       return;
     }
-    Object.assign(this, { scene, rest, current: null, placed: null, noResult: null, ruler: [], markedArc: null });
+    Object.assign(this, {
+      scene,
+      rest,
+      current: null,
+      placed: null,
+      noResult: null,
+      ruler: [],
+      markedArc: null,
+    });
     this.size = sizeOf(rest ?? current);
     byId("scene-name").textContent = scene.name;
     const file = fileOf(this.session.sources.find(({ id }) => id === scene.id) ?? {});
@@ -176,7 +186,11 @@ class App {
     byId("lock").setAttribute("aria-pressed", String(state.locked));
     byId("lock").textContent = state.locked ? "Unlock plan" : "Lock plan";
     byId("save").disabled = !this.editable;
-    this.#showPlan(scene?.editable ? state.plan : state.plan && { ...state.plan }, this.placed, this.#veinLength());
+    this.#showPlan(
+      scene?.editable ? state.plan : state.plan && { ...state.plan },
+      this.placed,
+      this.#veinLength(),
+    );
     if (scene && !scene.editable)
       for (const input of byId("plan-controls").querySelectorAll("input")) input.disabled = true;
     this.tools.showHint();
@@ -205,11 +219,28 @@ class App {
   shownChanged() {
     const { current, busy, stale, noResult, kept, scene } = this;
     const opened = scene?.kind === "result";
-    showResult({ subject: current, title: opened ? "Result" : "Prediction of this plan", stale, sentence: noResult, busy });
+    showResult({
+      subject: current,
+      title: opened ? "Result" : "Prediction of this plan",
+      stale,
+      sentence: noResult,
+      busy,
+    });
     byId("keep-plan").disabled = !current || stale || busy;
     byId("keep-result").disabled = !current || stale || busy;
-    const rows = kept.map((one) => ({ ...one, name: `Plan ${one.name}`, choice: one.name, kept: true }));
-    if (current) rows.unshift({ name: opened ? "This result" : "This plan", choice: "current", subject: current, stale: stale && !busy });
+    const rows = kept.map((one) => ({
+      ...one,
+      name: `Plan ${one.name}`,
+      choice: one.name,
+      kept: true,
+    }));
+    if (current)
+      rows.unshift({
+        name: opened ? "This result" : "This plan",
+        choice: "current",
+        subject: current,
+        stale: stale && !busy,
+      });
     showComparison(rows, {
       locked: this.state.locked || !this.editable,
       beside: ({ choice }) => this.#showBeside(choice),
@@ -230,7 +261,8 @@ class App {
       else return views.show(choice, 0);
     }
     // Two predictions are compared with each other; the vessels before give way.
-    if (choice !== "current" && views.chosen[0] === "rest" && views.chosen[1] === "current") views.chosen[0] = "current";
+    if (choice !== "current" && views.chosen[0] === "rest" && views.chosen[1] === "current")
+      views.chosen[0] = "current";
     views.show(choice, 1);
   }
 
@@ -241,7 +273,15 @@ class App {
     let count = 0;
     while (taken.has(letterOf(count))) count++;
     const name = letterOf(count);
-    this.kept = [...kept, { name, subject: current, sceneId: scene.id, origin: scene.kind === "result" ? scene.name : "" }];
+    this.kept = [
+      ...kept,
+      {
+        name,
+        subject: current,
+        sceneId: scene.id,
+        origin: scene.kind === "result" ? scene.name : "",
+      },
+    ];
     this.#hold(current.id, true);
     announce(`Kept as plan ${name}.`);
     this.#chooseTab("compare");
@@ -251,7 +291,8 @@ class App {
   #drop(name) {
     const gone = this.kept.find((one) => one.name === name);
     this.kept = this.kept.filter((one) => one !== gone);
-    if (gone && !this.kept.some(({ subject }) => subject === gone.subject)) this.#hold(gone.subject.id, false);
+    if (gone && !this.kept.some(({ subject }) => subject === gone.subject))
+      this.#hold(gone.subject.id, false);
     this.views.refresh();
   }
 
@@ -269,21 +310,40 @@ class App {
 
   #pathsOf(subject) {
     if (subject?.kind === "result")
-      return withAxis(subject.lines).map((line) => ({ vessel: line.vessel, branch: line.branch ?? 0, arc: line.arc, points: line.point, rest: line.rest, line }));
+      return withAxis(subject.lines).map((line) => ({
+        vessel: line.vessel,
+        branch: line.branch ?? 0,
+        arc: line.arc,
+        points: line.point,
+        rest: line.rest,
+        line,
+      }));
     const lines = withAxis(this.views.curveResults().at(-1)?.subject.lines ?? []);
-    if (lines.length > 0) return lines.map((line) => ({ vessel: line.vessel, branch: line.branch ?? 0, arc: line.arc, points: line.rest }));
+    if (lines.length > 0)
+      return lines.map((line) => ({
+        vessel: line.vessel,
+        branch: line.branch ?? 0,
+        arc: line.arc,
+        points: line.rest,
+      }));
     return (this.scene?.vessels ?? [])
       .filter(({ axis }) => axis?.length > 1)
       .map(({ name, axis }) => {
         const points = axis.map(({ point }) => point);
-        const arc = points.reduce((sums, point, k) => [...sums, k === 0 ? 0 : sums[k - 1] + distance(point, points[k - 1])], []);
+        const arc = points.reduce(
+          (sums, point, k) => [...sums, k === 0 ? 0 : sums[k - 1] + distance(point, points[k - 1])],
+          [],
+        );
         return { vessel: name, branch: 0, arc, points };
       });
   }
 
   axisPath(subject) {
     if (!subject) return null;
-    return this.#pathsOf(subject).find(({ vessel, branch }) => `${vessel}#${branch}` === this.axis) ?? null;
+    return (
+      this.#pathsOf(subject).find(({ vessel, branch }) => `${vessel}#${branch}` === this.axis) ??
+      null
+    );
   }
 
   axisVessel() {
@@ -295,9 +355,14 @@ class App {
     const names = paths.map(({ vessel, branch }) => `${vessel}#${branch}`);
     if (!names.includes(this.axis)) this.axis = names[0] ?? "";
     const count = (name) => paths.filter(({ vessel }) => vessel === name).length;
-    const text = ({ vessel, branch }) => this.vesselText(vessel) + (count(vessel) > 1 ? `, branch ${Number(branch) + 1}` : "");
+    const text = ({ vessel, branch }) =>
+      this.vesselText(vessel) + (count(vessel) > 1 ? `, branch ${Number(branch) + 1}` : "");
     for (const id of ["axis-plots", "axis-section"])
-      byId(id).replaceChildren(...paths.map((path, k) => make("option", { value: names[k], selected: names[k] === this.axis }, text(path))));
+      byId(id).replaceChildren(
+        ...paths.map((path, k) =>
+          make("option", { value: names[k], selected: names[k] === this.axis }, text(path)),
+        ),
+      );
   }
 
   chooseAxis(axis) {
@@ -331,13 +396,19 @@ class App {
   #drawCurves() {
     const lines = this.views
       .curveResults()
-      .map(({ choice, subject }) => ({ name: this.views.titleOf(choice), line: this.axisPath(subject)?.line, solved: isSolution(subject.json.status) }))
+      .map(({ choice, subject }) => ({
+        name: this.views.titleOf(choice),
+        line: this.axisPath(subject)?.line,
+        solved: isSolution(subject.json.status),
+      }))
       .filter(({ line }) => line);
     if (byId("curves").hidden) return;
     this.plots.show(lines, this.unitLength);
     byId("curve-key").replaceChildren(
       `over ${this.unitLength} along the axis`,
-      ...(lines.length > 1 ? lines.map(({ name }, k) => make("span", { class: `key${k}` }, name)) : []),
+      ...(lines.length > 1
+        ? lines.map(({ name }, k) => make("span", { class: `key${k}` }, name))
+        : []),
     );
   }
 
@@ -354,7 +425,12 @@ class App {
   async #openDialog(problem) {
     try {
       this.session = await this.api.get("api/session");
-      showSources(this.session, this.scene?.id ?? this.session.current, (source) => this.open(source), problem);
+      showSources(
+        this.session,
+        this.scene?.id ?? this.session.current,
+        (source) => this.open(source),
+        problem,
+      );
     } catch (error) {
       this.complain(error);
     }
@@ -363,11 +439,20 @@ class App {
   #save() {
     const base = this.scene.name.replace(/\.yaml$/, "").replace(/[^A-Za-z0-9_.-]+/g, "_");
     askName({
-      title: "Save plan", label: "File name", name: `${base}_plan.yaml`, mayOverwrite: true,
-      fidelities: this.session.fidelities, fidelity: this.current?.fidelity ?? this.scene.fidelity,
+      title: "Save plan",
+      label: "File name",
+      name: `${base}_plan.yaml`,
+      mayOverwrite: true,
+      fidelities: this.session.fidelities,
+      fidelity: this.current?.fidelity ?? this.scene.fidelity,
       save: async (name, fidelity, overwrite) => {
         const file = name.endsWith(".yaml") ? name : `${name}.yaml`;
-        const saved = await this.api.post("api/save", { name: file, plan: this.state.plan, fidelity, overwrite });
+        const saved = await this.api.post("api/save", {
+          name: file,
+          plan: this.state.plan,
+          fidelity,
+          overwrite,
+        });
         this.say([`Saved as ${saved.file}.`, saved.note].filter(Boolean).join(" "));
       },
     });
@@ -376,7 +461,9 @@ class App {
   #keepResult() {
     const base = this.scene.name.replace(/\.yaml$/, "").replace(/[^A-Za-z0-9_.-]+/g, "_");
     askName({
-      title: "Save result", label: "Folder name", name: `${base}_${this.current.fidelity}`,
+      title: "Save result",
+      label: "Folder name",
+      name: `${base}_${this.current.fidelity}`,
       save: async (name) => {
         const { folder } = await this.api.post("api/keep", { result: this.current.id, name });
         this.say(`Saved in ${folder}, with its report.html.`);
@@ -431,7 +518,9 @@ class App {
       this.#chooseTab(next);
       byId(`tab-${next}`).focus();
     });
-    byId("help-list").replaceChildren(...keys.flatMap(([key, text]) => [make("dt", {}, key), make("dd", {}, text)]));
+    byId("help-list").replaceChildren(
+      ...keys.flatMap(([key, text]) => [make("dt", {}, key), make("dd", {}, text)]),
+    );
     document.addEventListener("keydown", (event) => this.#key(event));
     this.api.addEventListener("lost", () => {
       byId("lost").hidden = false;
@@ -445,7 +534,8 @@ class App {
       this.#resume();
     });
     new ResizeObserver(() => this.#measureHead()).observe(document.querySelector("header"));
-    for (const id of ["lost", "message"]) new ResizeObserver(() => this.#measureHead()).observe(byId(id));
+    for (const id of ["lost", "message"])
+      new ResizeObserver(() => this.#measureHead()).observe(byId(id));
   }
 
   // The three columns fill what the head leaves of the window.

@@ -7,7 +7,14 @@ import { numberText } from "./words.js";
 const font = (size, weight = 400) => `${weight} ${size}px system-ui, "DejaVu Sans", sans-serif`;
 
 // Text with a border in the colour of the ground, so that it reads over the vessels.
-function label(context, text, x, y, theme, { size = 12, weight = 400, align = "left", colour } = {}) {
+function label(
+  context,
+  text,
+  x,
+  y,
+  theme,
+  { size = 12, weight = 400, align = "left", colour } = {},
+) {
   context.font = font(size, weight);
   context.textAlign = align;
   context.textBaseline = "middle";
@@ -39,13 +46,20 @@ function disc(context, [x, y], radius, fill, edge, width = 2) {
   context.stroke();
 }
 
+function drawDot(context, at, { hot, colour }, theme) {
+  disc(context, at, hot ? 9 : 7, colour, theme.ground, 4);
+  disc(context, at, hot ? 9 : 7, colour, "#1d2126", 1.5);
+}
+
+// A marker that a solid wall hides is a ring.
 function drawMarker(context, stage, pane, marker, theme) {
   const at = stage.project(pane, marker.point);
   if (!(at[2] > 0)) return;
-  disc(context, at, marker.hot ? 9 : 7, marker.colour, theme.ground, 4);
-  disc(context, at, marker.hot ? 9 : 7, marker.colour, "#1d2126", 1.5);
+  const text = marker.label && marker.hidden ? `${marker.label} (behind)` : marker.label;
+  if (marker.hidden) disc(context, at, 7, "transparent", marker.colour, 3);
+  else drawDot(context, at, marker, theme);
   const [x, align] = marker.left ? [at[0] - 13, "right"] : [at[0] + 13, "left"];
-  if (marker.label) label(context, marker.label, x, at[1], theme, { weight: 600, align });
+  if (text) label(context, text, x, at[1], theme, { weight: 600, align });
 }
 
 function drawRuler(context, stage, pane, points, unit, theme) {
@@ -58,14 +72,24 @@ function drawRuler(context, stage, pane, points, unit, theme) {
   if (places.length < 2) return;
   const text = `${numberText(distance(points[0], points[1]))} ${unit}`;
   const middle = [(places[0][0] + places[1][0]) / 2, (places[0][1] + places[1][1]) / 2];
-  label(context, text, middle[0], middle[1] - 12, theme, { size: 13, weight: 600, align: "center" });
+  label(context, text, middle[0], middle[1] - 12, theme, {
+    size: 13,
+    weight: 600,
+    align: "center",
+  });
 }
 
 // Of two markers side by side, the left one has its label on its left.
 function putApart(stage, pane, markers) {
   const places = markers.map(({ point }) => stage.project(pane, point));
   markers.forEach((marker, k) => {
-    marker.left = places.some(([x, y], i) => i !== k && Math.abs(y - places[k][1]) < 18 && x - places[k][0] >= 0 && x - places[k][0] < 90);
+    marker.left = places.some(
+      ([x, y], i) =>
+        i !== k &&
+        Math.abs(y - places[k][1]) < 18 &&
+        x - places[k][0] >= 0 &&
+        x - places[k][0] < 90,
+    );
   });
 }
 
@@ -80,7 +104,12 @@ function drawAxes(context, pane, camera, space, theme) {
   for (let k = 0; k < 3; k++)
     for (const sign of letters[space] ? [1, -1] : [1]) {
       const name = letters[space]?.[k][sign > 0 ? 0 : 1] ?? "xyz"[k];
-      ways.push({ name, x: sign * camera.right[k], y: -sign * camera.up[k], z: sign * camera.eye[k] });
+      ways.push({
+        name,
+        x: sign * camera.right[k],
+        y: -sign * camera.up[k],
+        z: sign * camera.eye[k],
+      });
     }
   ways.sort((a, b) => a.z - b.z);
   for (const { name, x, y } of ways) {
@@ -88,7 +117,10 @@ function drawAxes(context, pane, camera, space, theme) {
     if (length < 0.35) continue; // it points along the line of sight
     line(context, middle, [middle[0] + arm * x, middle[1] + arm * y], theme.soft, 1.5);
     const out = (arm * length + 9) / length;
-    label(context, name, middle[0] + out * x, middle[1] + out * y, theme, { weight: 600, align: "center" });
+    label(context, name, middle[0] + out * x, middle[1] + out * y, theme, {
+      weight: 600,
+      align: "center",
+    });
   }
 }
 
@@ -103,7 +135,9 @@ function drawScaleBar(context, pane, camera, unit, theme) {
   const [x, y] = [rect.x + 96, rect.y + rect.height - 22];
   line(context, [x, y], [x + pixels, y], theme.ink, 1.5);
   for (const end of [x, x + pixels]) line(context, [end, y - 4], [end, y + 4], theme.ink, 1.5);
-  label(context, `${numberText(length)} ${unit}`, x + pixels / 2, y - 13, theme, { align: "center" });
+  label(context, `${numberText(length)} ${unit}`, x + pixels / 2, y - 13, theme, {
+    align: "center",
+  });
 }
 
 function drawLegend(context, pane, legend, theme) {
@@ -128,7 +162,14 @@ function drawLegend(context, pane, legend, theme) {
       label(context, text, x + 22, at, theme);
     }
   legend.lines.forEach((text, k) =>
-    label(context, text, rect.x + rect.width - 10, y - 14 - 15 * (legend.lines.length - 1 - k), theme, { align: "right" }),
+    label(
+      context,
+      text,
+      rect.x + rect.width - 10,
+      y - 14 - 15 * (legend.lines.length - 1 - k),
+      theme,
+      { align: "right" },
+    ),
   );
 }
 
@@ -154,6 +195,12 @@ export function drawOverlay(context, stage, camera, theme, shown) {
   if (stage.count === 2) {
     const { rect } = stage.panes[1];
     const beside = rect.x > 0;
-    line(context, [rect.x, rect.y], beside ? [rect.x, rect.y + rect.height] : [rect.x + rect.width, rect.y], theme.line, 2);
+    line(
+      context,
+      [rect.x, rect.y],
+      beside ? [rect.x, rect.y + rect.height] : [rect.x + rect.width, rect.y],
+      theme.line,
+      2,
+    );
   }
 }

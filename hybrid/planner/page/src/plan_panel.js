@@ -6,8 +6,22 @@ const wrap = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
 
 // A slider and a number for the same value; both carry the same label.
 function both({ id, title, unit, min, max, step, live, done }) {
-  const range = make("input", { type: "range", id: `${id}-slider`, min, max, step, "aria-labelledby": `${id}-title` });
-  const number = make("input", { type: "number", id, min, max, step: "any", "aria-labelledby": `${id}-title ${id}-unit` });
+  const range = make("input", {
+    type: "range",
+    id: `${id}-slider`,
+    min,
+    max,
+    step,
+    "aria-labelledby": `${id}-title`,
+  });
+  const number = make("input", {
+    type: "number",
+    id,
+    min,
+    max,
+    step: "any",
+    "aria-labelledby": `${id}-title ${id}-unit`,
+  });
   const read = (input) => {
     const value = input.valueAsNumber;
     return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : null;
@@ -28,7 +42,12 @@ function both({ id, title, unit, min, max, step, live, done }) {
     "div",
     { class: "control" },
     make("span", { class: "name", id: `${id}-title` }, title),
-    make("span", { class: "value" }, number, make("span", { id: `${id}-unit`, class: "unit" }, unit)),
+    make(
+      "span",
+      { class: "value" },
+      number,
+      make("span", { id: `${id}-unit`, class: "unit" }, unit),
+    ),
     range,
     note,
   );
@@ -59,31 +78,73 @@ export function planPanel(state, { limits, units, vessels }) {
   let ratio = Math.min(roundest, Math.max(flattest, 0.5)); // of the ellipse, while a slit is chosen
 
   const cut = both({
-    id: "cut-along", title: "Place on the vein", unit: "%", min: 0, max: 100, step: 0.5, done,
+    id: "cut-along",
+    title: "Place on the vein",
+    unit: "%",
+    min: 0,
+    max: 100,
+    step: 0.5,
+    done,
     live: live((value, plan) => ({ cut: { ...plan.cut, along: value / 100 } })),
   });
   const tilt = both({
-    id: "cut-tilt", title: "Tilt of the cut", unit: "°", min: least, max: most, step: 1, done,
+    id: "cut-tilt",
+    title: "Tilt of the cut",
+    unit: "°",
+    min: least,
+    max: most,
+    step: 1,
+    done,
     live: live((value) => ({ cut_tilt_deg: value })),
   });
   const along = both({
-    id: "incision-along", title: "Place on the artery", unit: "%", min: 0, max: 100, step: 0.5, done,
+    id: "incision-along",
+    title: "Place on the artery",
+    unit: "%",
+    min: 0,
+    max: 100,
+    step: 0.5,
+    done,
     live: live((value, plan) => ({ incision: { ...plan.incision, along: value / 100 } })),
   });
   const around = both({
-    id: "incision-around", title: "Around the artery", unit: "°", min: -180, max: 180, step: 1, done,
+    id: "incision-around",
+    title: "Around the artery",
+    unit: "°",
+    min: -180,
+    max: 180,
+    step: 1,
+    done,
     live: live((value, plan) => ({ incision: { ...plan.incision, around_deg: value } })),
   });
   const length = both({
-    id: "incision-length", title: "Length", unit: "× fit", min: shortest, max: longest, step: 0.05, done,
+    id: "incision-length",
+    title: "Length",
+    unit: "× fit",
+    min: shortest,
+    max: longest,
+    step: 0.05,
+    done,
     live: live((value) => ({ incision_length: value })),
   });
   const ellipse = both({
-    id: "ellipse-ratio", title: "Width of the ellipse", unit: "× length", min: flattest, max: roundest, step: 0.05, done,
+    id: "ellipse-ratio",
+    title: "Width of the ellipse",
+    unit: "× length",
+    min: flattest,
+    max: roundest,
+    step: 0.05,
+    done,
     live: live((value) => ({ shape: { ellipse: (ratio = value) } })),
   });
   const turn = both({
-    id: "vein-turn", title: "Turn added", unit: "°", min: -180, max: 180, step: 1, done,
+    id: "vein-turn",
+    title: "Turn added",
+    unit: "°",
+    min: -180,
+    max: 180,
+    step: 1,
+    done,
     live: live((value) => ({ rotation_deg: value })),
   });
   const artery = vessels.find(({ part }) => part === "rpa");
@@ -102,26 +163,54 @@ export function planPanel(state, { limits, units, vessels }) {
     ways.map((_, k) => make("option", {}, String(k + 1))),
   );
   const choice = (name, id, title, pick) =>
-    make("label", { class: "choice" }, make("input", { type: "radio", name, id, change: pick }), title);
+    make(
+      "label",
+      { class: "choice" },
+      make("input", { type: "radio", name, id, change: pick }),
+      title,
+    );
   const slit = choice("shape", "shape-slit", "Slit", () => state.set({ shape: "slit" }));
-  const oval = choice("shape", "shape-ellipse", "Ellipse", () => state.set({ shape: { ellipse: ratio } }));
-  const automatic = choice("turn", "turn-automatic", "Automatic", () => state.set({ rotation_deg: null }));
+  const oval = choice("shape", "shape-ellipse", "Ellipse", () =>
+    state.set({ shape: { ellipse: ratio } }),
+  );
+  const automatic = choice("turn", "turn-automatic", "Automatic", () =>
+    state.set({ rotation_deg: null }),
+  );
   const byHand = choice("turn", "turn-by-hand", "By hand", () => state.set({ rotation_deg: 0 }));
 
   const group = (title, dot, ...children) =>
-    make("fieldset", {}, make("legend", {}, dot ? make("span", { class: `dot ${dot}` }) : "", title), ...children);
+    make(
+      "fieldset",
+      {},
+      make("legend", {}, dot ? make("span", { class: `dot ${dot}` }) : "", title),
+      ...children,
+    );
   box.replaceChildren(
     group("Cut of the vein", "cut", cut.node, tilt.node),
     group(
-      "Incision in the artery", "incision",
+      "Incision in the artery",
+      "incision",
       ways.length > 1 ? make("label", { class: "wide" }, "Branch of the artery", branch) : "",
-      along.node, around.node, length.node,
-      make("div", { class: "choices", role: "group", "aria-label": "Shape of the incision" }, slit, oval),
+      along.node,
+      around.node,
+      length.node,
+      make(
+        "div",
+        { class: "choices", role: "group", "aria-label": "Shape of the incision" },
+        slit,
+        oval,
+      ),
       ellipse.node,
     ),
     group(
-      "Turn of the vein", "",
-      make("div", { class: "choices", role: "group", "aria-label": "Turn of the vein" }, automatic, byHand),
+      "Turn of the vein",
+      "",
+      make(
+        "div",
+        { class: "choices", role: "group", "aria-label": "Turn of the vein" },
+        automatic,
+        byHand,
+      ),
       turn.node,
     ),
   );
@@ -129,15 +218,22 @@ export function planPanel(state, { limits, units, vessels }) {
   return (plan, place, veinLength) => {
     const editable = Boolean(plan) && !state.locked;
     for (const control of [cut, tilt, along, around, length]) control.enable(editable);
-    for (const input of box.querySelectorAll("input[type=radio], select")) input.disabled = !editable;
+    for (const input of box.querySelectorAll("input[type=radio], select"))
+      input.disabled = !editable;
     if (!plan) return;
     const isEllipse = plan.shape !== "slit";
     const ofPlace = place?.incision?.length;
-    cut.show(100 * plan.cut.along, veinLength ? `${numberText(plan.cut.along * veinLength)} ${unit} from the kept end` : "");
+    cut.show(
+      100 * plan.cut.along,
+      veinLength ? `${numberText(plan.cut.along * veinLength)} ${unit} from the kept end` : "",
+    );
     tilt.show(plan.cut_tilt_deg);
     along.show(100 * plan.incision.along);
     const way = JSON.stringify(plan.incision.route ?? artery?.route);
-    branch.selectedIndex = Math.max(0, ways.findIndex(({ route }) => JSON.stringify(route) === way));
+    branch.selectedIndex = Math.max(
+      0,
+      ways.findIndex(({ route }) => JSON.stringify(route) === way),
+    );
     around.show(wrap(plan.incision.around_deg));
     const fits = plan.incision_length === 1 ? "fits the vein's rim" : "";
     const long = ofPlace ? `${numberText(ofPlace)} ${unit}` : "";

@@ -35,7 +35,11 @@ export class Plots {
   show(lines, unit) {
     this.#lines = lines;
     this.#unit = unit;
-    const shape = JSON.stringify([unit, lines.map(({ name, solved }) => [name, solved]), this.#keys()]);
+    const shape = JSON.stringify([
+      unit,
+      lines.map(({ name, solved }) => [name, solved]),
+      this.#keys(),
+    ]);
     if (shape === this.#shape) this.#plots.forEach((plot) => plot.setData(this.#data(plot.key)));
     else {
       this.#shape = shape;
@@ -46,7 +50,9 @@ export class Plots {
   #unit = "mm";
 
   #keys() {
-    return curves(this.#unit).filter(({ key }) => this.#lines.some(({ line }) => line[key]?.some((value) => value !== null)));
+    return curves(this.#unit).filter(({ key }) =>
+      this.#lines.some(({ line }) => line[key]?.some((value) => value !== null)),
+    );
   }
 
   // All results over one axis of arc lengths: a missing node is bridged, a null is a gap.
@@ -69,14 +75,32 @@ export class Plots {
     for (const { key, title } of this.#keys()) {
       const holder = make("div", { class: "plot" });
       box.append(holder);
-      const axis = { stroke: soft, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1 }, font: "11px system-ui, sans-serif" };
+      const axis = {
+        stroke: soft,
+        grid: { stroke: rule, width: 1 },
+        ticks: { stroke: rule, width: 1 },
+        font: "11px system-ui, sans-serif",
+      };
       const plot = new uPlot(
         {
-          title, width: Math.max(200, holder.clientWidth), height: plotHeight,
+          title,
+          width: Math.max(200, holder.clientWidth),
+          height: plotHeight,
           legend: { show: false },
           scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low, high) } },
-          axes: [{ ...axis, size: 26 }, { ...axis, size: 52 }],
-          series: [{}, ...this.#lines.map(({ solved }, k) => ({ stroke: solved ? colours[k] : soft, width: 1.5, dash: k ? [5, 3] : [], points: { show: false } }))],
+          axes: [
+            { ...axis, size: 26 },
+            { ...axis, size: 52 },
+          ],
+          series: [
+            {},
+            ...this.#lines.map(({ solved }, k) => ({
+              stroke: solved ? colours[k] : soft,
+              width: 1.5,
+              dash: k ? [5, 3] : [],
+              points: { show: false },
+            })),
+          ],
           cursor: { sync: { key: "along" }, drag: { x: false, y: false }, points: { size: 7 } },
           hooks: { setCursor: [(self) => this.#moved(self)] },
         },
@@ -100,7 +124,12 @@ export class Plots {
   mark(arc) {
     this.#quiet = true;
     const left = (plot) => (arc === null ? -10 : plot.valToPos(arc, "x"));
-    for (const plot of this.#plots) plot.setCursor({ left: left(plot), top: arc === null ? -10 : plot.over.clientHeight / 2 }, true, false);
+    for (const plot of this.#plots)
+      plot.setCursor(
+        { left: left(plot), top: arc === null ? -10 : plot.over.clientHeight / 2 },
+        true,
+        false,
+      );
     this.#quiet = false;
   }
 

@@ -86,7 +86,9 @@ export function followPointers(surface, stage, camera, on) {
   );
   surface.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[
+      event.key
+    ];
     if (way && event.shiftKey) camera.pan(20 * way[0], 20 * way[1], stage.height);
     else if (way) camera.turn(0.1 * way[0], 0.1 * way[1]);
     else if (event.key === "+" || event.key === "=") camera.zoom(0.9);

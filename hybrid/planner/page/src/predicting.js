@@ -42,13 +42,27 @@ export class Predicting {
   list(fidelities) {
     byId("fidelities").replaceChildren(
       ...fidelities.map(({ name, sentence }) =>
-        make("button", { type: "button", id: `solve-${name}`, title: sentence, click: () => this.solve(name) }, fidelityText(name)),
+        make(
+          "button",
+          { type: "button", id: `solve-${name}`, title: sentence, click: () => this.solve(name) },
+          fidelityText(name),
+        ),
       ),
     );
-    byId("models").replaceChildren(...fidelities.map(({ name, sentence }) => make("li", {}, make("strong", {}, `${fidelityText(name)} (${name}): `), sentence)));
+    byId("models").replaceChildren(
+      ...fidelities.map(({ name, sentence }) =>
+        make("li", {}, make("strong", {}, `${fidelityText(name)} (${name}): `), sentence),
+      ),
+    );
     const names = fidelities.map(({ name }) => name).filter((name) => name !== "rod");
     byId("follow").replaceChildren(
-      ...names.map((name) => make("option", { value: name, selected: name === "skin" }, name === "skin" ? "Quick" : `Quick, then ${fidelityText(name)}`)),
+      ...names.map((name) =>
+        make(
+          "option",
+          { value: name, selected: name === "skin" },
+          name === "skin" ? "Quick" : `Quick, then ${fidelityText(name)}`,
+        ),
+      ),
       make("option", { value: "" }, "Nothing"),
     );
   }
@@ -106,7 +120,8 @@ export class Predicting {
     const wanted = byId("follow").value;
     const level = known ? order.indexOf(known.fidelity) : -1;
     const missing = (fidelity) => level < order.indexOf(fidelity);
-    this.#detail = settled && wanted && wanted !== "skin" && missing(wanted) ? { key, fidelity: wanted } : null;
+    this.#detail =
+      settled && wanted && wanted !== "skin" && missing(wanted) ? { key, fidelity: wanted } : null;
     if (wanted && missing("skin")) solving.ask(state.plan, "skin");
     else if (this.#detail) this.solve(wanted);
     this.#app.resultChanged();
@@ -134,7 +149,9 @@ export class Predicting {
     byId("progress").hidden = false;
     const show = () => {
       const elapsed = Math.max(seconds ?? 0, (performance.now() - begun) / 1000);
-      byId("progress-text").textContent = `${fidelityText(fidelity)}: ${plainName(stage || "running")}, ${elapsed.toFixed(elapsed < 10 ? 1 : 0)} s`;
+      byId("progress-text").textContent =
+        `${fidelityText(fidelity)}: ${plainName(stage || "running")}, ` +
+        `${elapsed.toFixed(elapsed < 10 ? 1 : 0)} s`;
     };
     clearInterval(this.#clock);
     this.#clock = setInterval(show, 200);
@@ -169,9 +186,11 @@ export class Predicting {
     this.#app.noResult = null;
     this.#shownPlan = key;
     this.#app.resultChanged();
-    if (!this.#app.dragging) announce(`${fidelityText(subject.fidelity)}: ${statusText(subject.json.status)}.`);
+    if (!this.#app.dragging)
+      announce(`${fidelityText(subject.fidelity)}: ${statusText(subject.json.status)}.`);
     const next = this.#detail;
-    if (fidelity === "skin" && next?.key === key && key === keyOf(this.#app.state.plan)) this.solve(next.fidelity);
+    if (fidelity === "skin" && next?.key === key && key === keyOf(this.#app.state.plan))
+      this.solve(next.fidelity);
   }
 
   #remember(key, subject) {

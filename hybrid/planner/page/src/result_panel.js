@@ -1,8 +1,17 @@
 // What a prediction says of itself: status, validity, warnings and criteria, as report.html does.
 import { byId, make } from "./dom.js";
 import {
-  criterionText, fidelityText, isSolution, numberText, plainName, statusMark, statusText,
-  thresholdText, verdictMark, verdictText, whyUnknown,
+  criterionText,
+  fidelityText,
+  isSolution,
+  numberText,
+  plainName,
+  statusMark,
+  statusText,
+  thresholdText,
+  verdictMark,
+  verdictText,
+  whyUnknown,
 } from "./words.js";
 
 const badge = (kind, text) => make("span", { class: `badge ${kind}` }, text);
@@ -22,19 +31,33 @@ function validityBadge(status, { in_range: inRange }) {
 function crossings({ self_intersections: found }, unit) {
   return (found ?? []).map(({ a, b, depth }) => {
     const other = a === b ? "itself" : `the ${plainName(b)}`;
-    return `The wall of the ${plainName(a)} passes through ${other}, ${numberText(depth)} ${unit} deep.`;
+    const deep = `${numberText(depth)} ${unit} deep`;
+    return `The wall of the ${plainName(a)} passes through ${other}, ${deep}.`;
   });
 }
 
 function notice(json) {
-  const warnings = [whyUnknown(json.status), ...crossings(json, json.units.length), ...json.validity.warnings].filter(Boolean);
+  const warnings = [
+    whyUnknown(json.status),
+    ...crossings(json, json.units.length),
+    ...json.validity.warnings,
+  ].filter(Boolean);
   if (warnings.length === 0) return "";
-  const fine = isSolution(json.status) && json.status !== "self_intersecting" && json.validity.in_range;
+  const fine =
+    isSolution(json.status) && json.status !== "self_intersecting" && json.validity.in_range;
   return make(
     "div",
     { class: `notice ${fine ? "warn" : "bad"}` },
-    make("strong", {}, fine ? "Check before you rely on it" : "Do not rely on this result as it stands"),
-    make("ul", {}, warnings.map((text) => make("li", {}, text))),
+    make(
+      "strong",
+      {},
+      fine ? "Check before you rely on it" : "Do not rely on this result as it stands",
+    ),
+    make(
+      "ul",
+      {},
+      warnings.map((text) => make("li", {}, text)),
+    ),
   );
 }
 
@@ -48,21 +71,71 @@ function criteriaTable({ criteria, status }) {
       "tr",
       {},
       make(
-        "th", { scope: "row" }, criterionText(one.name),
-        make("span", { class: "note" }, plainName(one.vessel), threshold === "–" ? "" : `; warns ${threshold}`),
+        "th",
+        { scope: "row" },
+        criterionText(one.name),
+        make(
+          "span",
+          { class: "note" },
+          plainName(one.vessel),
+          threshold === "–" ? "" : `; warns ${threshold}`,
+        ),
       ),
-      make("td", { class: "number" }, make("strong", {}, value), badge(verdictMark(unknown ? "unknown" : one.verdict), verdictText(unknown ? "unknown" : one.verdict))),
+      make(
+        "td",
+        { class: "number" },
+        make("strong", {}, value),
+        badge(
+          verdictMark(unknown ? "unknown" : one.verdict),
+          verdictText(unknown ? "unknown" : one.verdict),
+        ),
+      ),
     );
   });
-  const sources = [...new Set(criteria.filter((one) => one.threshold !== null).map((one) => `${criterionText(one.name)}: ${one.source}.`))];
+  const sources = [
+    ...new Set(
+      criteria
+        .filter((one) => one.threshold !== null)
+        .map((one) => `${criterionText(one.name)}: ${one.source}.`),
+    ),
+  ];
   return [
     make(
       "div",
-      { class: `scroll${isSolution(status) ? "" : " unsolved"}`, role: "region", tabindex: "0", "aria-label": "Criteria", id: "criteria" },
-      make("table", {}, make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "Criterion"), make("th", { scope: "col", class: "number" }, "Value and verdict"))), make("tbody", {}, rows)),
+      {
+        class: `scroll${isSolution(status) ? "" : " unsolved"}`,
+        role: "region",
+        tabindex: "0",
+        "aria-label": "Criteria",
+        id: "criteria",
+      },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "col" }, "Criterion"),
+            make("th", { scope: "col", class: "number" }, "Value and verdict"),
+          ),
+        ),
+        make("tbody", {}, rows),
+      ),
     ),
     sources.length > 0
-      ? make("details", {}, make("summary", {}, "Where the thresholds come from"), make("ul", {}, sources.map((text) => make("li", {}, text))))
+      ? make(
+          "details",
+          {},
+          make("summary", {}, "Where the thresholds come from"),
+          make(
+            "ul",
+            {},
+            sources.map((text) => make("li", {}, text)),
+          ),
+        )
       : "",
   ];
 }
@@ -71,10 +144,26 @@ function facts({ json }) {
   const solved = isSolution(json.status);
   const { glenn, units, seconds } = json;
   const list = [];
-  const add = (name, value, unit = "") => list.push(make("div", {}, make("dt", {}, name), make("dd", {}, value, unit ? make("small", {}, ` ${unit}`) : "")));
+  const add = (name, value, unit = "") =>
+    list.push(
+      make(
+        "div",
+        {},
+        make("dt", {}, name),
+        make("dd", {}, value, unit ? make("small", {}, ` ${unit}`) : ""),
+      ),
+    );
   if (glenn?.mouth) {
-    add("Opening of the join", solved ? numberText(glenn.mouth.lumen) : "unknown", solved ? `${units.length}²` : "");
-    add("Of the vein's lumen", solved ? numberText(100 * glenn.mouth.area_ratio) : "unknown", solved ? "%" : "");
+    add(
+      "Opening of the join",
+      solved ? numberText(glenn.mouth.lumen) : "unknown",
+      solved ? `${units.length}²` : "",
+    );
+    add(
+      "Of the vein's lumen",
+      solved ? numberText(100 * glenn.mouth.area_ratio) : "unknown",
+      solved ? "%" : "",
+    );
   }
   if (glenn?.join) add("Turn of the vein", numberText(glenn.join.rotation_deg), "°");
   if (seconds?.total) add("Computed in", numberText(seconds.total, 2), "s");
@@ -86,18 +175,39 @@ export function showResult({ subject, title, stale, sentence, busy }) {
   const box = byId("result");
   byId("result-title").textContent = title;
   const parts = [];
-  if (sentence) parts.push(make("div", { class: "notice bad", role: "alert" }, make("strong", {}, "No prediction for this plan"), sentence));
+  if (sentence)
+    parts.push(
+      make(
+        "div",
+        { class: "notice bad", role: "alert" },
+        make("strong", {}, "No prediction for this plan"),
+        sentence,
+      ),
+    );
   if (subject && stale && !busy)
-    parts.push(make("div", { class: "notice warn" }, make("strong", {}, "Of an earlier plan"), "What is shown belongs to the plan before the last change."));
+    parts.push(
+      make(
+        "div",
+        { class: "notice warn" },
+        make("strong", {}, "Of an earlier plan"),
+        "What is shown belongs to the plan before the last change.",
+      ),
+    );
   if (subject) {
     const { json } = subject;
     parts.push(
       make(
-        "div", { class: "badges" }, badge(statusMark(json.status), headline(json)),
-        validityBadge(json.status, json.validity), badge("plain", `${fidelityText(json.fidelity)} (${json.fidelity})`),
+        "div",
+        { class: "badges" },
+        badge(statusMark(json.status), headline(json)),
+        validityBadge(json.status, json.validity),
+        badge("plain", `${fidelityText(json.fidelity)} (${json.fidelity})`),
       ),
-      notice(json), facts(subject), ...[criteriaTable(json)].flat(),
+      notice(json),
+      facts(subject),
+      ...[criteriaTable(json)].flat(),
     );
-  } else if (!sentence) parts.push(make("p", { class: "soft" }, busy ? "Predicting…" : "No prediction yet."));
+  } else if (!sentence)
+    parts.push(make("p", { class: "soft" }, busy ? "Predicting…" : "No prediction yet."));
   box.replaceChildren(...parts.filter(Boolean));
 }

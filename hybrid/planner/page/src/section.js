@@ -18,8 +18,12 @@ function flatOutline(cut, plane, colourOf) {
   const other = cross(plane.normal, side);
   const flat = cut.vessels.flatMap(({ name, loops, closed }) =>
     loops.map((loop, k) => ({
-      name, closed: closed[k],
-      path: loop.map((point) => [dot(sub(point, plane.point), side), -dot(sub(point, plane.point), other)]),
+      name,
+      closed: closed[k],
+      path: loop.map((point) => [
+        dot(sub(point, plane.point), side),
+        -dot(sub(point, plane.point), other),
+      ]),
     })),
   );
   const all = flat.flatMap(({ path }) => path);
@@ -31,13 +35,18 @@ function flatOutline(cut, plane, colourOf) {
   return make(
     "svg",
     {
-      viewBox: `${low[0] - pad} ${low[1] - pad} ${high[0] - low[0] + 2 * pad} ${high[1] - low[1] + 2 * pad}`,
-      role: "img", "aria-label": "Outline of the section", class: "outline",
+      viewBox: [...low.map((x) => x - pad), ...high.map((x, k) => x - low[k] + 2 * pad)].join(" "),
+      role: "img",
+      "aria-label": "Outline of the section",
+      class: "outline",
     },
     flat.map(({ name, path, closed }) =>
       make("path", {
-        d: `M${path.map((p) => `${p[0].toFixed(3)} ${p[1].toFixed(3)}`).join("L")}${closed ? "Z" : ""}`,
-        fill: "none", stroke: colourOf(name), "stroke-width": 0.015 * size, "stroke-linejoin": "round",
+        d: `M${path.map((p) => p.map((x) => x.toFixed(3))).join("L")}${closed ? "Z" : ""}`,
+        fill: "none",
+        stroke: colourOf(name),
+        "stroke-width": 0.015 * size,
+        "stroke-linejoin": "round",
       }),
     ),
   );
@@ -80,25 +89,64 @@ export class Sections {
     const { stage, unitLength, cssOf, size, clip } = this.#app;
     for (const pane of stage.panes) {
       const found = this.#cuts.get(pane);
-      const loops = found?.cut.vessels.flatMap(({ loops, closed }) => loops.map((loop, k) => ({ loop, closed: closed[k] }))) ?? [];
+      const loops =
+        found?.cut.vessels.flatMap(({ loops, closed }) =>
+          loops.map((loop, k) => ({ loop, closed: closed[k] })),
+        ) ?? [];
       pane.setExtra(
         "section",
-        loops.filter(({ loop }) => loop.length > 1).map(({ loop, closed }) => ({ mesh: tubeAbout(open(loop, closed), 0.0022 * size, closed), colour: [1, 0.82, 0.2] })),
+        loops
+          .filter(({ loop }) => loop.length > 1)
+          .map(({ loop, closed }) => ({
+            mesh: tubeAbout(open(loop, closed), 0.0022 * size, closed),
+            colour: [1, 0.82, 0.2],
+          })),
       );
       pane.setClip(found && clip ? facing(found.plane, this.#app.camera) : null);
     }
     stage.draw();
     const parts = [...this.#cuts.values()].map(({ cut, plane, title }) =>
       make(
-        "div", { class: "section-result" },
+        "div",
+        { class: "section-result" },
         make("h3", {}, title),
         flatOutline(cut, plane, cssOf),
         cut.vessels.some(({ loops }) => loops.length > 0)
           ? make(
-              "table", {},
-              make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "Vessel"), make("th", { scope: "col", class: "number" }, `Area, ${unitLength}²`), make("th", { scope: "col", class: "number" }, `Lumen, ${unitLength}²`))),
-              make("tbody", {}, cut.vessels.filter(({ loops }) => loops.length > 0).map(({ name, area, lumen }) =>
-                make("tr", {}, make("th", { scope: "row" }, make("span", { class: "dot", style: `background:${cssOf(name)}` }), " ", plainName(name)), make("td", { class: "number" }, numberText(area)), make("td", { class: "number" }, numberText(lumen))))),
+              "table",
+              {},
+              make(
+                "thead",
+                {},
+                make(
+                  "tr",
+                  {},
+                  make("th", { scope: "col" }, "Vessel"),
+                  make("th", { scope: "col", class: "number" }, `Area, ${unitLength}²`),
+                  make("th", { scope: "col", class: "number" }, `Lumen, ${unitLength}²`),
+                ),
+              ),
+              make(
+                "tbody",
+                {},
+                cut.vessels
+                  .filter(({ loops }) => loops.length > 0)
+                  .map(({ name, area, lumen }) =>
+                    make(
+                      "tr",
+                      {},
+                      make(
+                        "th",
+                        { scope: "row" },
+                        make("span", { class: "dot", style: `background:${cssOf(name)}` }),
+                        " ",
+                        plainName(name),
+                      ),
+                      make("td", { class: "number" }, numberText(area)),
+                      make("td", { class: "number" }, numberText(lumen)),
+                    ),
+                  ),
+              ),
             )
           : make("p", { class: "soft" }, "The plane meets no vessel."),
       ),
@@ -110,7 +158,9 @@ export class Sections {
 // A loop that repeats its first point at the end would make a knot in its tube.
 function open(loop, closed) {
   const [first, last] = [loop[0], loop.at(-1)];
-  return closed && loop.length > 2 && first.every((x, k) => x === last[k]) ? loop.slice(0, -1) : loop;
+  return closed && loop.length > 2 && first.every((x, k) => x === last[k])
+    ? loop.slice(0, -1)
+    : loop;
 }
 
 // What lies between the eye and the plane is hidden.

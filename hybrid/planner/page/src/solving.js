@@ -3,8 +3,8 @@
 import { Refused, Unreachable } from "./api.js";
 
 /**
- * Emits "progress" with {fidelity, stage, seconds}, "done" with {job, plan, fidelity}, "failed" with
- * {sentence, plan} and "idle".
+ * Emits "progress" with {fidelity, stage, seconds}, "done" with {plan, fidelity, result}, "failed"
+ * with {sentence, plan} and "idle".
  */
 export class Solving extends EventTarget {
   #api;
@@ -95,7 +95,8 @@ export class Solving extends EventTarget {
     if (job.result) this.#tell("done", { ...task, result: job.result });
     else {
       const cancelled = "The prediction was cancelled before there was anything to show.";
-      const sentence = job.state === "cancelled" ? cancelled : job.error ?? "The prediction failed.";
+      const sentence =
+        job.state === "cancelled" ? cancelled : (job.error ?? "The prediction failed.");
       this.#tell("failed", { ...task, sentence, cancelled: job.state === "cancelled" });
     }
   }

@@ -55,7 +55,7 @@ export class Pane {
     for (const body of this.#bodies.values()) body.clip(this.#clip ? [this.#clip] : []);
   }
 
-  /** The nearest wall on a ray among the named vessels: {vessel, mesh, point, triangle, weights}. */
+  /** The nearest wall on a ray among the named vessels: vessel, mesh, point, triangle, weights. */
   hit(ray, names) {
     let best = null;
     for (const [vessel, mesh] of this.subject?.meshes ?? []) {
@@ -107,7 +107,10 @@ export class Stage {
 
   resize() {
     const ratio = window.devicePixelRatio || 1;
-    this.#view.setSize(Math.max(1, Math.round(this.width * ratio)), Math.max(1, Math.round(this.height * ratio)));
+    this.#view.setSize(
+      Math.max(1, Math.round(this.width * ratio)),
+      Math.max(1, Math.round(this.height * ratio)),
+    );
     this.layout(this.count);
   }
 
@@ -122,9 +125,17 @@ export class Stage {
       if (!shown) return;
       const [columns, rows] = count === 1 ? [1, 1] : above ? [1, 2] : [2, 1];
       const [column, row] = above ? [0, k] : [k, 0];
-      pane.rect = { x: (column * width) / columns, y: (row * height) / rows, width: width / columns, height: height / rows };
+      pane.rect = {
+        x: (column * width) / columns,
+        y: (row * height) / rows,
+        width: width / columns,
+        height: height / rows,
+      };
       pane.renderer.setViewport(
-        column / columns, 1 - (row + 1) / rows, (column + 1) / columns, 1 - row / rows,
+        column / columns,
+        1 - (row + 1) / rows,
+        (column + 1) / columns,
+        1 - row / rows,
       );
     });
     this.draw();
@@ -132,7 +143,8 @@ export class Stage {
 
   paneAt(x, y) {
     return this.shown.find(
-      ({ rect }) => x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height,
+      ({ rect }) =>
+        x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height,
     );
   }
 

@@ -25,7 +25,12 @@ export async function loadResult(api, id, scene, rest) {
   for (const { name, role } of scene.vessels)
     if (!meshes.has(name) && role === "obstacle" && rest.meshes.has(name))
       meshes.set(name, rest.meshes.get(name));
-  const subject = { ...result, kind: "result", meshes: inOrder(meshes, result.vessels), fields: new Map() };
+  const subject = {
+    ...result,
+    kind: "result",
+    meshes: inOrder(meshes, result.vessels),
+    fields: new Map(),
+  };
   for (const { name, fields } of result.vessels)
     for (const field of fields ?? []) addField(subject, name, field, meshes.get(name)[field.name]);
   addLumen(subject, scene.units.length);
@@ -39,7 +44,15 @@ function inOrder(meshes, vessels) {
 
 function addField(subject, vessel, { name, title, unit, map, neutral, range }, values) {
   if (!values) return;
-  const known = subject.fields.get(name) ?? { name, title, unit, map, neutral, range: [...range], values: new Map() };
+  const known = subject.fields.get(name) ?? {
+    name,
+    title,
+    unit,
+    map,
+    neutral,
+    range: [...range],
+    values: new Map(),
+  };
   known.range = [Math.min(known.range[0], range[0]), Math.max(known.range[1], range[1])];
   known.values.set(vessel, values);
   subject.fields.set(name, known);
@@ -57,7 +70,12 @@ function addLumen(subject, unit) {
   if (range[1] <= range[0]) range[1] = range[0] + 1;
   let made = null;
   subject.fields.set("LumenArea", {
-    name: "LumenArea", title: "lumen area", unit: `${unit}²`, map: "sequential", neutral: 0, range,
+    name: "LumenArea",
+    title: "lumen area",
+    unit: `${unit}²`,
+    map: "sequential",
+    neutral: 0,
+    range,
     get values() {
       made ??= lumenValues(subject, new Set(lines.map((line) => line.vessel)));
       return made;
@@ -78,7 +96,9 @@ function lumenValues(subject, names) {
       let least = Infinity;
       let nearest = 0;
       for (let k = 0; k < nodes.length; k += 3) {
-        const x = nodes[k] - rest[3 * i], y = nodes[k + 1] - rest[3 * i + 1], z = nodes[k + 2] - rest[3 * i + 2];
+        const x = nodes[k] - rest[3 * i],
+          y = nodes[k + 1] - rest[3 * i + 1],
+          z = nodes[k + 2] - rest[3 * i + 2];
         const square = x * x + y * y + z * z;
         if (square < least) [least, nearest] = [square, k / 3];
       }
@@ -95,7 +115,8 @@ export function somePoints(subject, names) {
   for (const [name, mesh] of subject.meshes) {
     if (names && !names.has(name)) continue;
     const count = mesh.points.length / 3;
-    for (let i = 0; i < count; i += Math.max(1, Math.floor(count / 400))) points.push(at(mesh.points, i));
+    for (let i = 0; i < count; i += Math.max(1, Math.floor(count / 400)))
+      points.push(at(mesh.points, i));
   }
   return points;
 }

@@ -9,7 +9,9 @@ import { distance } from "./vectors.js";
 import { numberText, plainName } from "./words.js";
 
 const hints = {
-  plan: "Click the vein to place the cut, the artery to place the incision; drag the two markers. Drag elsewhere to turn, wheel or pinch to zoom, Shift and drag to move.",
+  plan:
+    "Click the vein to place the cut, the artery to place the incision; drag the two markers. " +
+    "Drag elsewhere to turn, wheel or pinch to zoom, Shift and drag to move.",
   locked: "The plan is locked. Drag to turn, wheel or pinch to zoom, Shift and drag to move.",
   fixed: "Drag to turn, wheel or pinch to zoom, Shift and drag to move.",
   ruler: "Click two points on the vessels to measure between them.",
@@ -116,7 +118,10 @@ export class Tools {
     }
     if (!hit) return;
     if (!hit.part) {
-      this.#app.say(`That is the ${plainName(hit.vessel)}. The cut goes on the vein, the incision on the artery.`);
+      this.#app.say(
+        `That is the ${plainName(hit.vessel)}. ` +
+          "The cut goes on the vein, the incision on the artery.",
+      );
       return;
     }
     if (hit.along === null) {
@@ -158,7 +163,11 @@ export class Tools {
   #showRuler() {
     const { ruler, unitLength } = this.#app;
     const [a, b] = ruler;
-    byId("ruler-text").textContent = b ? `${numberText(distance(a.point, b.point), 4)} ${unitLength} in a straight line.` : a ? "Click the second point." : "Click two points on the vessels.";
+    byId("ruler-text").textContent = b
+      ? `${numberText(distance(a.point, b.point), 4)} ${unitLength} in a straight line.`
+      : a
+        ? "Click the second point."
+        : "Click two points on the vessels.";
   }
 
   // --- section ---
@@ -171,7 +180,8 @@ export class Tools {
   #cutThrough(pane, hit) {
     if (!hit) return;
     const arc = this.#app.chooseAxisAt(pane.subject, hit);
-    if (arc === null) this.#app.say(`The axis of the ${this.#app.vesselText(hit.vessel)} is not known there.`);
+    if (arc === null)
+      this.#app.say(`The axis of the ${this.#app.vesselText(hit.vessel)} is not known there.`);
     else this.cutAt(arc);
   }
 
@@ -189,7 +199,8 @@ export class Tools {
       this.#section.arc = Math.min(most, Math.max(0, this.#section.arc));
       for (const id of ["section-at", "section-slider"]) {
         byId(id).max = String(most);
-        if (document.activeElement !== byId(id) || id === "section-slider") byId(id).value = this.#section.arc.toFixed(2);
+        if (document.activeElement !== byId(id) || id === "section-slider")
+          byId(id).value = this.#section.arc.toFixed(2);
       }
       byId("section-at-unit").textContent = app.unitLength;
     }
@@ -198,7 +209,11 @@ export class Tools {
         const path = on && k < app.stage.count ? app.axisPath(pane.subject) : null;
         if (!path) return null;
         const plane = planeAt(path.points, nodeAt(path, this.#section.arc));
-        return { plane, result: pane.subject.kind === "result" ? pane.subject.id : null, title: app.views.titleOf(app.views.chosen[k]) };
+        return {
+          plane,
+          result: pane.subject.kind === "result" ? pane.subject.id : null,
+          title: app.views.titleOf(app.views.chosen[k]),
+        };
       }),
     );
   }
@@ -220,7 +235,11 @@ export class Tools {
       return;
     }
     const hit = pane.hit(stage.rayAt(pane, x, y), views.shownNames(pane.subject, true));
-    surface.classList.toggle("over", Boolean(hit) && (this.tool !== "plan" || (pane.subject?.kind === "rest" && editable && !state.locked)));
+    surface.classList.toggle(
+      "over",
+      Boolean(hit) &&
+        (this.tool !== "plan" || (pane.subject?.kind === "rest" && editable && !state.locked)),
+    );
     if (!hit) {
       this.#leave();
       return;
@@ -230,7 +249,11 @@ export class Tools {
       const field = pane.subject.fields.get(views.field);
       const values = field?.values.get(hit.vessel);
       const meant = field && views.mapOf(pane.subject, field) !== "grey";
-      if (values) lines.push(`${capital(plainName(field.title))}: ${meant ? `${numberText(valueAt(values, hit.mesh.triangles, hit))} ${field.unit ?? ""}` : "unknown"}`.trim());
+      if (values) {
+        const number = numberText(valueAt(values, hit.mesh.triangles, hit));
+        const value = meant ? `${number} ${field.unit ?? ""}`.trim() : "unknown";
+        lines.push(`${capital(plainName(field.title))}: ${value}`);
+      }
     }
     const arc = this.#app.arcAt(pane.subject, hit);
     if (arc !== null) lines.push(`${numberText(arc)} ${this.#app.unitLength} along the axis`);

@@ -5,7 +5,7 @@ import { ballAbout, tubeAbout } from "./geometry.js";
 import { drawOverlay } from "./overlay.js";
 import { somePoints } from "./subjects.js";
 import { nodeAt } from "./plots.js";
-import { across, cross, norm, sub, unit } from "./vectors.js";
+import { across, cross, dot, norm, sub, unit } from "./vectors.js";
 import { fidelityText, isSolution, numberText, plainName, stateOf } from "./words.js";
 
 const markerColours = { cut: [1, 0.69, 0], incision: [0, 0.76, 0.66], problem: [0.85, 0.15, 0.15] };
@@ -13,9 +13,21 @@ const standing = 0.35; // opacity of what lies beside the joined vessels, as in 
 
 // Directions of the three buttons: towards the eye and up, for each space.
 const viewsOf = {
-  LPS: [["Front", [0, -1, 0], [0, 0, 1]], ["Left", [1, 0, 0], [0, 0, 1]], ["Top", [0, 0, 1], [0, -1, 0]]],
-  RAS: [["Front", [0, 1, 0], [0, 0, 1]], ["Left", [-1, 0, 0], [0, 0, 1]], ["Top", [0, 0, 1], [0, 1, 0]]],
-  "": [["x", [1, 0, 0], [0, 0, 1]], ["y", [0, -1, 0], [0, 0, 1]], ["z", [0, 0, 1], [0, 1, 0]]],
+  LPS: [
+    ["Front", [0, -1, 0], [0, 0, 1]],
+    ["Left", [1, 0, 0], [0, 0, 1]],
+    ["Top", [0, 0, 1], [0, -1, 0]],
+  ],
+  RAS: [
+    ["Front", [0, 1, 0], [0, 0, 1]],
+    ["Left", [-1, 0, 0], [0, 0, 1]],
+    ["Top", [0, 0, 1], [0, 1, 0]],
+  ],
+  "": [
+    ["x", [1, 0, 0], [0, 0, 1]],
+    ["y", [0, -1, 0], [0, 0, 1]],
+    ["z", [0, 0, 1], [0, 1, 0]],
+  ],
 };
 
 export class Views {
@@ -52,14 +64,19 @@ export class Views {
         this.#showRange();
         this.paint();
       });
-    for (const k of [0, 1, 2])
-      byId(`view-${k}`).addEventListener("click", () => this.lookFrom(k));
+    for (const k of [0, 1, 2]) byId(`view-${k}`).addEventListener("click", () => this.lookFrom(k));
     byId("view-reset").addEventListener("click", () => this.resetView());
   }
 
   readTheme() {
     const { stage } = this.#app;
-    const [ground, ink, soft, line, accent] = ["--stage", "--ink", "--soft", "--line", "--accent"].map(themeColour);
+    const [ground, ink, soft, line, accent] = [
+      "--stage",
+      "--ink",
+      "--soft",
+      "--line",
+      "--accent",
+    ].map(themeColour);
     this.theme = { ground, ink, soft, line, accent };
     stage.setBackground(parts(parseInt(ground.slice(1), 16)));
     stage.draw();
@@ -71,7 +88,9 @@ export class Views {
     this.colours = vesselColours(scene.vessels);
     this.visible = new Map(scene.vessels.map(({ name }) => [name, true]));
     const glass = ({ part, role }) => (joined ? !part : role === "obstacle");
-    this.opacity = new Map(scene.vessels.map((vessel) => [vessel.name, glass(vessel) ? standing : 1]));
+    this.opacity = new Map(
+      scene.vessels.map((vessel) => [vessel.name, glass(vessel) ? standing : 1]),
+    );
     viewsOf[scene.space]?.forEach(([title], k) => {
       byId(`view-${k}`).textContent = title;
       byId(`view-${k}`).setAttribute("aria-label", `View: ${title}`);
@@ -87,15 +106,21 @@ export class Views {
       ...scene.vessels.map(({ name }) => {
         const title = this.#app.vesselText(name);
         const box = make("input", {
-          type: "checkbox", checked: true,
+          type: "checkbox",
+          checked: true,
           change: () => {
             this.visible.set(name, box.checked);
             this.paint();
           },
         });
         const slider = make("input", {
-          type: "range", min: 0, max: 100, step: 1, value: Math.round(100 * (1 - this.opacity.get(name))),
-          "aria-label": `Transparency of ${title}, percent`, title: "Transparency",
+          type: "range",
+          min: 0,
+          max: 100,
+          step: 1,
+          value: Math.round(100 * (1 - this.opacity.get(name))),
+          "aria-label": `Transparency of ${title}, percent`,
+          title: "Transparency",
           input: () => {
             this.opacity.set(name, 1 - slider.valueAsNumber / 100);
             this.paint();
@@ -105,7 +130,14 @@ export class Views {
         return make("div", { class: "vessel" }, make("label", {}, box, dot, title), slider);
       }),
     );
-    byId("vessels").prepend(make("div", { class: "vessel soft small", "aria-hidden": "true" }, make("span", {}, "Shown"), make("span", {}, "Transparency")));
+    byId("vessels").prepend(
+      make(
+        "div",
+        { class: "vessel soft small", "aria-hidden": "true" },
+        make("span", {}, "Shown"),
+        make("span", {}, "Transparency"),
+      ),
+    );
   }
 
   cssOf = (name) => cssColour(this.#colourOf(name));
@@ -124,7 +156,9 @@ export class Views {
     return new Set(
       [...(subject?.meshes.keys() ?? [])].filter((name) => {
         const owner = this.#owner(name);
-        return (this.visible.get(owner) ?? true) && (!solid || (this.opacity.get(owner) ?? 1) > 0.6);
+        return (
+          (this.visible.get(owner) ?? true) && (!solid || (this.opacity.get(owner) ?? 1) > 0.6)
+        );
       }),
     );
   }
@@ -143,7 +177,10 @@ export class Views {
     const { stage } = this.#app;
     return stage.shown
       .map((pane, k) => ({ choice: this.chosen[k], subject: pane.subject, pane }))
-      .filter(({ subject }, k, all) => subject?.kind === "result" && all.findIndex((one) => one.subject === subject) === k);
+      .filter(
+        ({ subject }, k, all) =>
+          subject?.kind === "result" && all.findIndex((one) => one.subject === subject) === k,
+      );
   }
 
   /** The predictions whose curves are drawn: those in the views, else the present one. */
@@ -175,18 +212,33 @@ export class Views {
   /** Puts the chosen subjects into the views and everything that follows from it. */
   refresh() {
     const { stage, kept, scene, rest } = this.#app;
-    const choices = [...(rest ? ["rest"] : []), ...(scene?.kind === "result" || scene ? ["current"] : []), ...kept.map(({ name }) => name)];
+    const choices = [
+      ...(rest ? ["rest"] : []),
+      ...(scene?.kind === "result" || scene ? ["current"] : []),
+      ...kept.map(({ name }) => name),
+    ];
     stage.panes.forEach((pane, k) => {
-      if (!choices.includes(this.chosen[k])) this.chosen[k] = choices[Math.min(k, choices.length - 1)] ?? "rest";
+      if (!choices.includes(this.chosen[k]))
+        this.chosen[k] = choices[Math.min(k, choices.length - 1)] ?? "rest";
       const shown = k < stage.count;
       const head = byId(`head-${k}`);
       head.hidden = !shown;
       if (shown) {
         const { rect } = pane;
-        Object.assign(head.style, { left: `${rect.x + 8}px`, top: `${rect.y + 8}px`, maxWidth: `${rect.width - 16}px` });
+        Object.assign(head.style, {
+          left: `${rect.x + 8}px`,
+          top: `${rect.y + 8}px`,
+          maxWidth: `${rect.width - 16}px`,
+        });
       }
       head.firstElementChild.replaceChildren(
-        ...choices.map((choice) => make("option", { value: choice, selected: choice === this.chosen[k] }, this.#choiceText(choice))),
+        ...choices.map((choice) =>
+          make(
+            "option",
+            { value: choice, selected: choice === this.chosen[k] },
+            this.#choiceText(choice),
+          ),
+        ),
       );
       pane.setSubject(shown ? this.subjectOf(this.chosen[k]) : null);
     });
@@ -223,7 +275,8 @@ export class Views {
     const subject = this.subjectOf(choice);
     if (choice === "rest") return null;
     if (choice === "current" && busy) return ["plain", "predicting…"];
-    if (choice === "current" && noResult) return ["bad", current ? "no prediction; earlier plan shown" : "no prediction"];
+    if (choice === "current" && noResult)
+      return ["bad", current ? "no prediction; earlier plan shown" : "no prediction"];
     if (choice === "current" && stale && current) return ["warn", "earlier plan"];
     if (!subject) return ["plain", "no prediction yet"];
     const [mark, words] = stateOf(subject.json);
@@ -244,20 +297,27 @@ export class Views {
     const fields = new Map();
     for (const { subject } of this.shownResults())
       for (const field of subject.fields.values()) fields.set(field.name, field);
-    if (this.field !== "vessel" && fields.size > 0 && !fields.has(this.field)) this.field = "vessel";
+    if (this.field !== "vessel" && fields.size > 0 && !fields.has(this.field))
+      this.field = "vessel";
     byId("colour").replaceChildren(
       make("option", { value: "vessel", selected: this.field === "vessel" }, "Vessels"),
-      ...[...fields.values()].map(({ name, title, unit }) => make("option", { value: name, selected: name === this.field }, fieldText(title, unit))),
+      ...[...fields.values()].map(({ name, title, unit }) =>
+        make("option", { value: name, selected: name === this.field }, fieldText(title, unit)),
+      ),
     );
     this.#showRange();
   }
 
   #fieldShown() {
-    return this.shownResults().map(({ subject }) => subject.fields.get(this.field)).find(Boolean);
+    return this.shownResults()
+      .map(({ subject }) => subject.fields.get(this.field))
+      .find(Boolean);
   }
 
   #commonRange() {
-    const ranges = this.shownResults().map(({ subject }) => subject.fields.get(this.field)?.range).filter(Boolean);
+    const ranges = this.shownResults()
+      .map(({ subject }) => subject.fields.get(this.field)?.range)
+      .filter(Boolean);
     if (ranges.length === 0) return [0, 1];
     return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
   }
@@ -276,7 +336,9 @@ export class Views {
   // Numbers of a state that is no solution, or of an earlier plan, say nothing: they are grey.
   mapOf(subject, field) {
     const { current, stale, busy } = this.#app;
-    return !isSolution(subject.json.status) || (subject === current && stale && !busy) ? "grey" : field.map;
+    return !isSolution(subject.json.status) || (subject === current && stale && !busy)
+      ? "grey"
+      : field.map;
   }
 
   paint() {
@@ -286,14 +348,18 @@ export class Views {
       const field = pane.subject?.kind === "result" ? pane.subject.fields.get(this.field) : null;
       for (const [name, body] of pane.bodies) {
         const values = field?.values.get(name);
-        if (values) body.paintVertices(colourValues(values, this.mapOf(pane.subject, field), range));
+        if (values)
+          body.paintVertices(colourValues(values, this.mapOf(pane.subject, field), range));
         else body.paint(field ? [0.8, 0.8, 0.8] : parts(this.#colourOf(name)));
         const owner = this.#owner(name);
         body.show(this.visible.get(owner) ?? true, this.opacity.get(owner) ?? 1);
       }
     }
     const field = this.#fieldShown();
-    byId("legend-text").textContent = field ? `Colours: ${fieldText(field.title, field.unit)}, from ${numberText(range[0])} to ${numberText(range[1])}.` : "Colours: one for each vessel.";
+    byId("legend-text").textContent = field
+      ? `Colours: ${fieldText(field.title, field.unit)}, ` +
+        `from ${numberText(range[0])} to ${numberText(range[1])}.`
+      : "Colours: one for each vessel.";
     stage.draw();
   }
 
@@ -302,7 +368,8 @@ export class Views {
     if (!field) return null;
     const map = this.mapOf(pane.subject, field);
     const lines = [field.unit ? `${capital(field.title)}, ${field.unit}` : capital(field.title)];
-    if (map === "grey") lines.push(isSolution(pane.subject.json.status) ? "earlier plan" : "no solution");
+    if (map === "grey")
+      lines.push(isSolution(pane.subject.json.status) ? "earlier plan" : "no solution");
     return { map, range: this.range ?? this.#commonRange(), lines };
   }
 
@@ -327,10 +394,17 @@ export class Views {
     camera.reach = 0.6 * norm(sub(high, low));
     if (turn) camera.look(...this.#firstSide(scene));
     const joined = scene.vessels.filter(({ part }) => part).map(({ name }) => name);
-    const names = new Set(joined.length > 0 ? joined : scene.vessels.filter(({ role }) => role !== "obstacle").map(({ name }) => name));
+    const names = new Set(
+      joined.length > 0
+        ? joined
+        : scene.vessels.filter(({ role }) => role !== "obstacle").map(({ name }) => name),
+    );
     const { rect } = stage.panes[0];
-    const room = this.field === "vessel" ? 1 : 1 - Math.min(0.4, 130 / rect.width); // for the legend
-    camera.fit(stage.shown.filter((pane) => pane.subject).flatMap((pane) => somePoints(pane.subject, names)), room * (rect.width / rect.height));
+    const room = this.field === "vessel" ? 1 : 1 - Math.min(0.4, 130 / rect.width); // legend
+    camera.fit(
+      stage.shown.filter((pane) => pane.subject).flatMap((pane) => somePoints(pane.subject, names)),
+      room * (rect.width / rect.height),
+    );
     stage.draw();
   }
 
@@ -338,9 +412,14 @@ export class Views {
   // artery, which goes to the patient's right lung, runs to the left: that is the front as well.
   #firstSide(scene) {
     if (scene.space) return viewsOf[scene.space][0].slice(1);
-    const axisOf = (part) => scene.vessels.find((vessel) => vessel.part === part)?.axis?.map(({ point }) => point) ?? [];
+    const axisOf = (part) =>
+      scene.vessels.find((vessel) => vessel.part === part)?.axis?.map(({ point }) => point) ?? [];
     const [vein, artery] = [axisOf("svc"), axisOf("rpa")];
-    if (vein.length < 2 || artery.length < 2) return [[0, -1, 0], [0, 0, 1]];
+    if (vein.length < 2 || artery.length < 2)
+      return [
+        [0, -1, 0],
+        [0, 0, 1],
+      ];
     const up = unit(sub(vein[0], vein.at(-1)));
     // The axis of the body in most data sets: near enough, it keeps the picture upright.
     const upright = Math.abs(up[2]) > 0.8 ? [0, 0, Math.sign(up[2])] : up;
@@ -357,10 +436,17 @@ export class Views {
       const outlines = [];
       if (pane.subject?.kind === "rest" && placed?.cut) {
         const radius = 0.0022 * size;
-        for (const [name, part] of [["cut", placed.cut], ["incision", placed.incision]]) {
+        for (const [name, part] of [
+          ["cut", placed.cut],
+          ["incision", placed.incision],
+        ]) {
           if (!part) continue;
           const colour = placed.problem ? markerColours.problem : markerColours[name];
-          if (part.outline?.length > 1) outlines.push({ mesh: tubeAbout(part.outline, radius, name === "cut" && !ends(part.outline)), colour });
+          if (part.outline?.length > 1)
+            outlines.push({
+              mesh: tubeAbout(part.outline, radius, name === "cut" && !ends(part.outline)),
+              colour,
+            });
           outlines.push({ mesh: ballAbout(part.point, 2.2 * radius), colour });
         }
       }
@@ -369,22 +455,58 @@ export class Views {
     stage.draw();
   }
 
+  // Whether a solid wall lies in front of a point of a wall.
+  #hides(pane, point) {
+    const { camera, size } = this.#app;
+    const origin = camera.position;
+    const way = sub(point, origin);
+    const hit = pane.hit({ origin, direction: unit(way) }, this.shownNames(pane.subject, true));
+    return Boolean(hit) && hit.distance < norm(way) - 0.012 * size;
+  }
+
+  // The cut goes around the vein: its marker is where the viewer sees it.
+  #nearSide({ point, outline }) {
+    const { eye } = this.#app.camera;
+    const nearer = (a, b) => (dot(b, eye) > dot(a, eye) ? b : a);
+    return outline?.length > 0 ? outline.reduce(nearer) : point;
+  }
+
   markersIn(pane) {
     const { placed, hot, markedArc, editable } = this.#app;
     const markers = [];
     if (pane.subject?.kind === "rest" && placed?.cut && editable) {
-      markers.push({ name: "cut", point: placed.cut.point, label: "Cut", colour: "#ffb000", hot: hot === "cut" });
-      if (placed.incision) markers.push({ name: "incision", point: placed.incision.point, label: "Incision", colour: "#00c2a8", hot: hot === "incision" });
+      markers.push({
+        name: "cut",
+        point: this.#nearSide(placed.cut),
+        label: "Cut",
+        colour: "#ffb000",
+        hot: hot === "cut",
+      });
+      if (placed.incision)
+        markers.push({
+          name: "incision",
+          point: placed.incision.point,
+          label: "Incision",
+          colour: "#00c2a8",
+          hot: hot === "incision",
+        });
     }
+    for (const marker of markers) marker.hidden = this.#hides(pane, marker.point);
     const path = markedArc === null ? null : this.#app.axisPath(pane.subject);
-    if (path) markers.push({ point: path.points[nodeAt(path, markedArc)], label: `${numberText(markedArc)} ${this.#app.unitLength}`, colour: this.theme.accent });
+    if (path)
+      markers.push({
+        point: path.points[nodeAt(path, markedArc)],
+        label: `${numberText(markedArc)} ${this.#app.unitLength}`,
+        colour: this.theme.accent,
+      });
     return markers;
   }
 
   overlay() {
     const { stage, scene, unitLength, ruler } = this.#app;
     return {
-      unit: unitLength, space: scene?.space ?? "",
+      unit: unitLength,
+      space: scene?.space ?? "",
       panes: stage.panes.map((pane) => ({
         markers: this.markersIn(pane),
         ruler: ruler.filter((one) => one.subject === pane.subject).map(({ point }) => point),
@@ -407,7 +529,11 @@ export class Views {
     context.clearRect(0, 0, stage.width, stage.height);
     if (scene) drawOverlay(context, stage, camera, this.theme, this.overlay());
     stage.shown.forEach(({ rect }, k) => {
-      Object.assign(byId(`head-${k}`).style, { left: `${rect.x + 8}px`, top: `${rect.y + 8}px`, maxWidth: `${rect.width - 16}px` });
+      Object.assign(byId(`head-${k}`).style, {
+        left: `${rect.x + 8}px`,
+        top: `${rect.y + 8}px`,
+        maxWidth: `${rect.width - 16}px`,
+      });
     });
   }
 }

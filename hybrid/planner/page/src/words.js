@@ -39,10 +39,16 @@ export function statusShort(status) {
 /** The state of a prediction in a few words, with its mark: nothing with a warning is "good". */
 export function stateOf({ status, validity, criteria }) {
   const solved = isSolution(status);
-  if (solved && validity.in_range === false) return ["bad", `${statusShort(status)}, outside the model's range`];
-  const warned = criteria?.some(({ verdict }) => verdict === "warning" || verdict === "strong_warning");
+  if (solved && validity.in_range === false)
+    return ["bad", `${statusShort(status)}, outside the model's range`];
+  const warned = criteria?.some(
+    ({ verdict }) => verdict === "warning" || verdict === "strong_warning",
+  );
   if (!solved || !warned) return [statusMark(status), statusShort(status)];
-  return [statusMark(status) === "good" ? "warn" : statusMark(status), `${statusShort(status)}, with warnings`];
+  return [
+    statusMark(status) === "good" ? "warn" : statusMark(status),
+    `${statusShort(status)}, with warnings`,
+  ];
 }
 
 export const fidelityText = (name) =>
@@ -95,7 +101,8 @@ export function thresholdText({ threshold, strong_threshold: strong, unit }) {
   if (threshold === null || threshold === undefined) return "–";
   const hasStrong = strong !== null && strong !== undefined;
   const side = !hasStrong || strong > threshold ? "from " : "below ";
-  const text = side + numberText(threshold) + (hasStrong ? `, strong ${side}${numberText(strong)}` : "");
+  const text =
+    side + numberText(threshold) + (hasStrong ? `, strong ${side}${numberText(strong)}` : "");
   return unit ? `${text} ${unit}` : text;
 }
 

@@ -274,6 +274,16 @@ pageTest("an interrupted result is grey and its numbers unknown", wide, async (p
   assert.match(await page.locator("#comparison tbody tr").first().textContent(), /–/);
 });
 
+pageTest("walls that pass through each other are never shown as good", wide, async (page) => {
+  await predicted(page);
+  await page.locator("#cut-along").fill("70"); // the vein is then so short that it is pulled inwards
+  await page.locator("#cut-along").press("Tab");
+  await page.locator("#head-1 .badge", { hasText: "walls pass through each other" }).waitFor();
+  assert.ok(await badge(page).evaluate((one) => one.classList.contains("bad")));
+  assert.equal(await page.locator("#result .badge.good").count(), 0);
+  await page.getByText("Do not rely on this result as it stands").waitFor();
+});
+
 pageTest("plans are kept and compared in two views with one camera", wide, async (page) => {
   await predicted(page);
   await page.locator("#keep-plan").click();

@@ -16,10 +16,11 @@ import {
 
 const badge = (kind, text) => make("span", { class: `badge ${kind}` }, text);
 
-function headline({ status, certificate }) {
+function headline({ status, certificate, self_intersections: crossings }) {
   const unfinished = ["iteration_limit", "interrupted"].includes(status);
   const left = unfinished ? `, relative residual ${numberText(certificate.relative_residual)}` : "";
-  return `Status: ${statusText(status)}${left}`;
+  const crossed = status === "converged" && crossings?.length > 0 ? ", but walls cross" : "";
+  return `Status: ${statusText(status)}${left}${crossed}`;
 }
 
 function validityBadge(status, { in_range: inRange }) {
@@ -28,7 +29,9 @@ function validityBadge(status, { in_range: inRange }) {
   return badge("bad", "Validity: outside the model's range");
 }
 
-function crossings({ self_intersections: found }, unit) {
+// Where the warnings of the result do not name them already.
+function crossings({ self_intersections: found, validity }, unit) {
+  if (validity.warnings.some((text) => /pass(es)? through/.test(text))) return [];
   return (found ?? []).map(({ a, b, depth }) => {
     const other = a === b ? "itself" : `the ${plainName(b)}`;
     const deep = `${numberText(depth)} ${unit} deep`;
@@ -44,7 +47,7 @@ function notice(json) {
   ].filter(Boolean);
   if (warnings.length === 0) return "";
   const fine =
-    isSolution(json.status) && json.status !== "self_intersecting" && json.validity.in_range;
+    isSolution(json.status) && !json.self_intersections?.length && json.validity.in_range;
   return make(
     "div",
     { class: `notice ${fine ? "warn" : "bad"}` },
@@ -195,11 +198,13 @@ export function showResult({ subject, title, stale, sentence, busy }) {
     );
   if (subject) {
     const { json } = subject;
+    // No vessel can be so, whatever the solver found.
+    const crossed = json.self_intersections?.length > 0;
     parts.push(
       make(
         "div",
         { class: "badges" },
-        badge(statusMark(json.status), headline(json)),
+        badge(crossed ? "bad" : statusMark(json.status), headline(json)),
         validityBadge(json.status, json.validity),
         badge("plain", `${fidelityText(json.fidelity)} (${json.fidelity})`),
       ),

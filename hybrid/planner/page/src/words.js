@@ -37,8 +37,9 @@ export function statusShort(status) {
 }
 
 /** The state of a prediction in a few words, with its mark: nothing with a warning is "good". */
-export function stateOf({ status, validity, criteria }) {
+export function stateOf({ status, validity, criteria, self_intersections: crossings }) {
   const solved = isSolution(status);
+  if (solved && crossings?.length > 0) return ["bad", "walls pass through each other"];
   if (solved && validity.in_range === false)
     return ["bad", `${statusShort(status)}, outside the model's range`];
   const warned = criteria?.some(

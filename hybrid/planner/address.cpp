@@ -33,6 +33,8 @@ std::string Address::url() const {
 }
 
 bool Address::is_host(const std::string& host) const {
+  constexpr int usual_port = 80;  // which browsers leave out
+  if (port == usual_port && (host == "127.0.0.1" || host == "localhost")) return true;
   const std::string end = ":" + std::to_string(port);
   return host == "127.0.0.1" + end || host == "localhost" + end;
 }

@@ -1,10 +1,11 @@
 // The program `vasorod-plan`: options, signals and exit codes.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
-#include <pthread.h>
 #include <string>
 #include <thread>
 #include <unistd.h>
@@ -25,16 +26,33 @@ namespace {
 
 using namespace vasorod;
 
-// The signals that end the program; blocked in every thread, so that one thread waits for them.
-sigset_t ending_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  struct sigaction hangup {};
-  sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);  // nohup
-  return signals;
+std::array<int, 2> ends_of_pipe{-1, -1};
+
+// May run in any thread: OpenBLAS has some of its own.
+extern "C" void tell_main(int signal) {
+  const char byte = static_cast<char>(signal);
+  [[maybe_unused]] const ssize_t written = write(ends_of_pipe[1], &byte, 1);
+}
+
+// From now on the first of the signals that end a program is told to wait_for_signal().
+void catch_signals() {
+  if (pipe2(ends_of_pipe.data(), O_CLOEXEC) != 0)
+    throw FileError("found no free file descriptors, expected two");
+  struct sigaction action {};
+  action.sa_handler = tell_main;
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (signal == SIGHUP && before.sa_handler == SIG_IGN) continue;  // nohup
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+void wait_for_signal() {
+  char byte = 0;
+  while (read(ends_of_pipe[0], &byte, 1) < 1) {
+  }
 }
 
 // Ends the process at once: what is being solved is of no interest any more, what is being written
@@ -72,8 +90,7 @@ int run(int argc, char** argv) {
     return 2;
   }
 
-  const sigset_t signals = ending_signals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  catch_signals();
   planner::Session session(named, std::filesystem::current_path());
   planner::HttpServer server(session);
   server.bind(port);
@@ -81,8 +98,7 @@ int run(int argc, char** argv) {
   std::cout << server.url() << std::endl;
   if (!std::cout) throw FileError("standard output: cannot be written");
   if (open) planner::open_browser(server.url());
-  int signal = 0;
-  sigwait(&signals, &signal);
+  wait_for_signal();
   close_now();
 }
 

@@ -1,7 +1,7 @@
 #include "planner/open_browser.h"
 
-#include <csignal>
 #include <fcntl.h>
+#include <initializer_list>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,9 +13,6 @@ void open_browser(const std::string& url) {
   if (child == 0) {
     // A grandchild, so that nobody has to wait for the browser.
     if (fork() != 0) _exit(0);
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
     setsid();
     const int null = open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null, stream);

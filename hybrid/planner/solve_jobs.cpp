@@ -56,8 +56,8 @@ std::string SolveJobs::begin(std::shared_ptr<const OpenedScene> opened,
   job->opened = std::move(opened);
   job->plan = plan;
   job->fidelity = fidelity;
-  drop_all();
   const std::lock_guard<std::mutex> lock(mutex_);
+  drop_locked();
   const long number = ++count_;
   job->id = "j" + std::to_string(number);
   jobs_[number] = job;
@@ -69,6 +69,11 @@ std::string SolveJobs::begin(std::shared_ptr<const OpenedScene> opened,
 
 void SolveJobs::drop_all() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  drop_locked();
+}
+
+void SolveJobs::drop_locked() {
+  if (next_) next_->opened.reset();
   next_.reset();
   for (auto& [number, job] : jobs_) {
     if (job->over()) continue;
@@ -94,22 +99,28 @@ void SolveJobs::work() {
 }
 
 // What keeping and looking at a result needs beyond it.
-std::shared_ptr<const StoredResult> SolveJobs::store(const Job& job, Result&& result) {
-  const Scene& opened = job.opened->scene;
+std::shared_ptr<const StoredResult> SolveJobs::store(const Job& job, const OpenedScene& opened,
+                                                     Result&& result) {
   if (job.plan) {  // the file that this scene would be saved as
     result.environment.scene_hash = sha256_of_text(job.scene.text);
-    result.environment.inputs[opened.file.filename().string()] = result.environment.scene_hash;
+    result.environment.inputs[opened.scene.file.filename().string()] =
+        result.environment.scene_hash;
   }
   const std::string json = to_json(result);
   auto stored = std::make_shared<StoredResult>(shelf_.next_id(), std::move(result), job.plan, json);
   for (std::size_t v = 0; v < stored->result.vessels.size(); ++v)
-    for (const PreparedVessel& vessel : job.opened->fitted.vessels)
+    for (const PreparedVessel& vessel : opened.fitted.vessels)
       if (vessel.spec.name == stored->result.vessels[v].name && vessel.spec.wall)
         stored->to_lumen[v] = vessel.thickness() / 2 - vessel.mid_offset();
   return stored;
 }
 
 void SolveJobs::solve(Job& job) {
+  std::shared_ptr<const OpenedScene> opened;  // not kept by jobs that have ended
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    opened = job.opened;
+  }
   const auto live = [&] {
     if (job.dropped) throw Dropped();
   };
@@ -136,8 +147,8 @@ void SolveJobs::solve(Job& job) {
   bool early = false;
   try {
     live();
-    Result result = predict(job.scene, options, job.opened->fitted);
-    stored = store(job, std::move(result));
+    Result result = predict(job.scene, options, opened->fitted);
+    stored = store(job, *opened, std::move(result));
   } catch (const Dropped&) {
     early = true;
   } catch (const StoppedEarly& stopped) {
@@ -149,6 +160,7 @@ void SolveJobs::solve(Job& job) {
   std::function<Result()> kept;  // freed after the lock
   const std::lock_guard<std::mutex> lock(mutex_);
   std::swap(job.kept, kept);
+  job.opened.reset();
   if (job.over()) return;  // dropped, or ended with a kept state
   if (stored) {
     shelf_.put(stored);
@@ -209,6 +221,7 @@ Json SolveJobs::cancel(const std::string& id) {
     ++job->changes;
     if (next_ == job) {  // not begun
       next_.reset();
+      job->opened.reset();
       job->state = "cancelled";
       job->ended = Clock::now();
     }
@@ -223,11 +236,12 @@ Json SolveJobs::cancel(const std::string& id) {
 void SolveJobs::end_if_overdue(Job& job, std::unique_lock<std::mutex>& lock) {
   if (job.over() || !job.asked || Clock::now() - job.asked_at < patience || !job.kept) return;
   const std::function<Result()> kept = std::exchange(job.kept, nullptr);
+  const std::shared_ptr<const OpenedScene> opened = job.opened;
   lock.unlock();
   std::shared_ptr<const StoredResult> stored;
   std::string error;
   try {
-    stored = store(job, kept());
+    stored = store(job, *opened, kept());
   } catch (...) {
     error = failure_now().sentence;
   }

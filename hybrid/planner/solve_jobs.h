@@ -45,8 +45,10 @@ class SolveJobs {
   struct Job;
 
   void work();
+  void drop_locked();  // as drop_all(), by who holds the lock
   void solve(Job& job);
-  std::shared_ptr<const StoredResult> store(const Job& job, Result&& result);
+  std::shared_ptr<const StoredResult> store(const Job& job, const OpenedScene& opened,
+                                            Result&& result);
   std::shared_ptr<Job> find(const std::string& id);
   Json said(Job& job) const;
   void end_if_overdue(Job& job, std::unique_lock<std::mutex>& lock);

@@ -38,6 +38,7 @@ TEST(Address, OnlyItsOwnNamesAreItsHost) {
     EXPECT_FALSE(address.is_host(host)) << host;
     EXPECT_FALSE(address.is_origin(std::string("http://") + host)) << host;
   }
+  EXPECT_TRUE((Address{80, "0123"}).is_origin("http://localhost"));
   for (const char* origin :
        {"null", "", "https://127.0.0.1:8123", "http://127.0.0.1:8123/", "file://"})
     EXPECT_FALSE(address.is_origin(origin)) << origin;

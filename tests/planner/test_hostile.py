@@ -318,6 +318,9 @@ class Bodies(WithPlanner):
             )
         last = max((one["job"] for one in jobs), key=lambda job: int(job[1:]))
         self.assertEqual(self.planner.ended(last)["state"], "done")
+        # None is left waiting, also of those that began at once.
+        for one in jobs[-30:]:
+            self.assertNotEqual(self.planner.get("api/job/" + one["job"])["state"], "running")
 
     def test_connections_that_say_nothing(self):
         silent = [socket.create_connection(("127.0.0.1", self.planner.port)) for _ in range(40)]

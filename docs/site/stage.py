@@ -21,6 +21,7 @@ SECTIONS = {
         "docs/guide.md",
         "docs/patient.md",
         "docs/explore.md",
+        "docs/plan.md",
         "docs/prepare.md",
         "docs/scene.md",
         "docs/result.md",

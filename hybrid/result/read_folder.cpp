@@ -43,6 +43,12 @@ void add_centerline(const fs::path& file, VesselResult& vessel) {
   line.abscissa = std::move(read.abscissa);
   line.radius = std::move(read.radius);
   line.directors = std::move(read.directors);
+  line.u = std::move(read.u);
+  line.v = std::move(read.v);
+  line.u0 = std::move(read.u0);
+  line.v0 = std::move(read.v0);
+  line.lumen_area = std::move(read.lumen_area);
+  line.flattening = std::move(read.flattening);
   line.lines = std::move(read.lines);
 }
 

@@ -69,6 +69,16 @@ std::vector<double> list_of(const SurfaceFile& data, const std::string& name) {
   return {values.begin(), values.end()};
 }
 
+// The rows of an array of three components; empty where the file has none.
+std::vector<Vec3> rows_of(const SurfaceFile& data, const std::string& name) {
+  std::vector<Vec3> rows;
+  const NamedArray* array = array_named(data, name);
+  if (array == nullptr || array->values.cols() != 3) return rows;
+  for (Eigen::Index i = 0; i < array->values.rows(); ++i)
+    rows.emplace_back(array->values.row(i).transpose());
+  return rows;
+}
+
 std::vector<Mat3> directors_of(const SurfaceFile& data) {
   std::vector<Mat3> directors;
   for (int k = 0; k < 3; ++k) {
@@ -125,6 +135,12 @@ ReadCenterline read_centerline_vtp(const std::filesystem::path& file) {
   line.radius = list_of(data, "MaximumInscribedSphereRadius");
   line.abscissa = list_of(data, "Abscissas");
   line.directors = directors_of(data);
+  line.u = rows_of(data, "u");
+  line.v = rows_of(data, "v");
+  line.u0 = rows_of(data, "u0");
+  line.v0 = rows_of(data, "v0");
+  line.lumen_area = list_of(data, "LumenArea");
+  line.flattening = list_of(data, "Flattening");
   check_ids(file, data, line.lines);
   return line;
 }

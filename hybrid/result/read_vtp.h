@@ -24,6 +24,9 @@ struct ReadCenterline {
   std::vector<double> radius,   ///< empty: the file has none
       abscissa;                 ///< arc length; empty: the file has none
   std::vector<Mat3> directors;  ///< columns d1 d2 d3; empty: the file has none
+  /// Strains and sections as in CenterlineResult; empty: the file has none.
+  std::vector<Vec3> u, v, u0, v0;
+  std::vector<double> lumen_area, flattening;
   std::vector<std::vector<int>> lines;
 };
 

@@ -45,6 +45,12 @@ TEST(ReadFolder, ReadsBackWhatWasWritten) {
   EXPECT_EQ(b.centerline->abscissa, a.centerline->abscissa);
   EXPECT_EQ(b.centerline->lines, a.centerline->lines);
   EXPECT_EQ(b.centerline->directors, a.centerline->directors);
+  EXPECT_EQ(b.centerline->u, a.centerline->u);
+  EXPECT_EQ(b.centerline->v, a.centerline->v);
+  EXPECT_EQ(b.centerline->u0, a.centerline->u0);
+  EXPECT_EQ(b.centerline->v0, a.centerline->v0);
+  EXPECT_EQ(b.centerline->lumen_area, a.centerline->lumen_area);
+  EXPECT_EQ(b.centerline->flattening, a.centerline->flattening);
   ASSERT_TRUE(b.stump);
   EXPECT_EQ(b.stump->points, a.stump->points);
   EXPECT_EQ(b.stump->triangles, a.stump->triangles);

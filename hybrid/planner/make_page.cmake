@@ -1,0 +1,35 @@
+# Makes the page in WORK, so that the source folder stays as it is: copies SOURCE there without
+# node_modules, installs exactly what package-lock.json names where that changed, and builds.
+file(MAKE_DIRECTORY ${WORK})
+file(GLOB old ${WORK}/*)
+list(REMOVE_ITEM old ${WORK}/node_modules ${WORK}/installed.json)
+if(old)
+  file(REMOVE_RECURSE ${old})
+endif()
+file(COPY ${SOURCE}/ DESTINATION ${WORK} PATTERN node_modules EXCLUDE PATTERN out EXCLUDE)
+file(READ ${WORK}/package-lock.json wanted)
+set(installed "")
+if(EXISTS ${WORK}/installed.json AND EXISTS ${WORK}/node_modules)
+  file(READ ${WORK}/installed.json installed)
+endif()
+if(NOT wanted STREQUAL installed)
+  execute_process(COMMAND ${NPM} ci --no-audit --no-fund WORKING_DIRECTORY ${WORK}
+    RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(failed)
+    message(FATAL_ERROR "npm ci cannot install what the page of vasorod-plan is made of (network, "
+      "or -DVASOROD_PLANNER_PAGE=FOLDER with the page as it was made before):\n${said}")
+  endif()
+  file(WRITE ${WORK}/installed.json "${wanted}")
+endif()
+execute_process(COMMAND ${NODE} build.mjs ${OUTPUT} WORKING_DIRECTORY ${WORK}
+  RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "the page of vasorod-plan cannot be built in ${WORK}")
+endif()
+# A file that did not change is older than the others otherwise.
+foreach(file index.html app.js app.css)
+  if(NOT EXISTS ${OUTPUT}/${file})
+    message(FATAL_ERROR "the page of vasorod-plan was built without ${file}")
+  endif()
+  file(TOUCH ${OUTPUT}/${file})
+endforeach()

@@ -14,8 +14,8 @@ SOURCE is the project, PROGRAMS the folder of the built programs, THING what is 
     json    read
     text    output, formulas and forms with words to fill in: nothing to run
 
-A picture that a block draws (`vasorod draw ... -o pictures/NAME.png`) and the page shows is compared
-with the one that the page shows.
+A picture that a block draws (`vasorod draw ... -o pictures/NAME.png`) and the page shows is
+compared with the one that the page shows.
 
 A comment in the line before a block says why it is not run (`<!-- not run: REASON -->`), or what it
 needs (`<!-- needs vasorod-fem -->`): without it the block is left out and named.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def read_png(path):
-    """Width, height and the bytes of all rows. ValueError for what `vasorod draw` does not write."""
+    """Width, height, the bytes of all rows. ValueError for what `vasorod draw` does not write."""
     data = Path(path).read_bytes()
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError(f"{path}: no PNG")

@@ -142,10 +142,10 @@ function drawScaleBar(context, pane, camera, unit, theme) {
 
 function drawLegend(context, pane, legend, theme) {
   const { rect } = pane;
-  const height = Math.min(220, rect.height - 172);
+  const height = Math.min(220, rect.height - 198);
   if (height < 50) return;
   const x = rect.x + rect.width - 62;
-  const y = rect.y + 96;
+  const y = rect.y + 122; // below a badge of two lines
   const colours = maps[legend.map];
   const ramp = context.createLinearGradient(0, y + height, 0, y);
   colours.forEach((rgb, k) => ramp.addColorStop(k / (colours.length - 1), cssColour(rgb)));

@@ -18,6 +18,7 @@ constexpr std::size_t longest_body = std::size_t{1} << 20;
 constexpr std::size_t threads = 16;  // a browser holds six connections for each page it shows
 constexpr int keep_alive_seconds = 2, read_seconds = 5, write_seconds = 10;
 constexpr std::size_t requests_per_connection = 1000;
+constexpr int waiting_connections = 128;
 
 // The types with a charset are not compressed on the way: on one machine that would cost more time
 // than it saves.
@@ -93,6 +94,7 @@ struct HttpServer::Parts {
   Session& session;
   Address address;
   httplib::Server server;
+  socket_t listening = -1;
 };
 
 // What only our own page sends.
@@ -179,7 +181,8 @@ void HttpServer::Parts::set_up() {
   server.set_write_timeout(write_seconds);
   server.set_tcp_nodelay(true);
   // Without SO_REUSEPORT, with which a second program would silently share the port.
-  server.set_socket_options([](socket_t socket) {
+  server.set_socket_options([this](socket_t socket) {
+    listening = socket;
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
   });
@@ -233,6 +236,8 @@ void HttpServer::bind(int port) {
   if (parts_->address.port <= 0)
     throw FileError("port " + std::to_string(port) +
                     " of 127.0.0.1 is taken or may not be used, expected a free one (--port)");
+  // The library lets five connections wait; the system answers more of them only seconds later.
+  ::listen(parts_->listening, waiting_connections);
 }
 
 std::string HttpServer::url() const {

@@ -1,13 +1,10 @@
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iostream>
-#include <memory>
 
 #include <vasorod/error.h>
 
 #include "app/commands.h"
 #include "data/sentence.h"
+#include "data/whole_file.h"
 #include "propose/propose_scene.h"
 
 namespace vasorod {
@@ -21,22 +18,6 @@ void refuse_existing(const std::filesystem::path& file) {
   throw FileError(shown(file) +
                   ": exists already, and init overwrites nothing, expected a free "
                   "name");
-}
-
-// Creates the file; fails where it exists, also where it was created since it was looked for.
-void write_new(const std::filesystem::path& file, const std::string& text) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "wx"),
-                                                               std::fclose);
-  if (!stream) {
-    if (errno == EEXIST) refuse_existing(file);
-    throw FileError(shown(file) + ": cannot be written: " + std::strerror(errno));
-  }
-  if (std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() ||
-      std::fflush(stream.get()) != 0) {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    throw FileError(shown(file) + ": cannot be written in full");
-  }
 }
 
 }  // namespace
@@ -57,7 +38,7 @@ int init_command(const InitOptions& options) {
   request.length_unit = options.length_unit;
   request.progress = options.progress;
   const Proposal proposal = propose_scene(request);
-  write_new(options.scene, proposal.text);
+  if (!write_new_file(options.scene, proposal.text)) refuse_existing(options.scene);
   for (const std::string& line : proposal.found) std::cout << line << '\n';
   for (const std::string& line : proposal.decide) std::cout << "decide: " << line << '\n';
   std::cout << shown(options.scene) << '\n';

@@ -12,10 +12,8 @@
 #include <vasorod/version.h>
 
 #include "app/commands.h"
-#include "app/ending.h"
-#include "app/heap.h"
+#include "app/program.h"
 #include "app/stop.h"
-#include "app/streams.h"
 #include "data/sentence.h"
 
 namespace {
@@ -271,13 +269,7 @@ int run(int argc, char** argv) {
               << "\", expected solve, fit, prepare, init, explore, compare or draw\n";
     return 2;
   }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::cerr << "vasorod: " << error.what() << " (vasorod --help says what there is)\n";
-    return 2;
-  }
+  if (const auto ended = parsed(app, "vasorod", argc, argv)) return *ended;
   const bool alone = explore_options.list > 0 || !explore_options.only.empty();
   if (*solve || (*explore && !alone))
     common.command.solve.stop = explore_options.stop = stop_on_signal_or_after(common.time_limit);
@@ -302,14 +294,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  vasorod::keep_freed_memory();
-  vasorod::keep_streams_apart();
-  try {
-    return run(argc, argv);
-  } catch (...) {
-    const int exit_code = vasorod::say_failure();
-    std::cout.flush();
-    // Not exit(): it waits for OpenBLAS's threads, which never end if they find no memory.
-    _exit(exit_code);
-  }
+  return vasorod::as_program("vasorod", [&] { return run(argc, argv); });
 }

@@ -9,6 +9,7 @@
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "surgery/pick_place.h"
+#include "vessel/end_conditions.h"
 #include "vessel/name_ends.h"
 
 namespace vasorod {
@@ -138,22 +139,38 @@ Option with_number(Option option, const std::string& key, double value, const Pi
   return option;
 }
 
+PickSpec cut_by_fraction(const Scene& scene, const FittedVessels& fitted) {
+  const GlennSpec& glenn = *scene.glenn;
+  if (glenn.cut.along) return glenn.cut;
+  const PreparedVessel& vein = fitted.named(glenn.svc);
+  const std::string where = place_in(scene, glenn.line) + ": glenn.cut";
+  const int kept = find_end(vein.vessel, glenn.keep, where + ": keep");
+  for (const int end : other_ends(vein.vessel, kept)) {
+    PickSpec pick = glenn.cut;
+    pick.to = selector_of(vein.vessel, end);
+    const PickPlace place = place_cut(where, pick, vein, kept);
+    if (!place.fraction) continue;
+    PickSpec found;
+    found.along = *place.fraction;
+    found.to = pick.to;
+    return found;
+  }
+  throw InputError(where +
+                   ": found a point that lies on no way from the kept end to another end, "
+                   "expected {along: fraction, to: end}, as it is moved along such a way");
+}
+
 PickSpec incision_by_fraction(const Scene& scene, const FittedVessels& fitted) {
   const GlennSpec& glenn = *scene.glenn;
   if (glenn.incision.along) return glenn.incision;
-  const auto artery =
-      std::find_if(fitted.vessels.begin(), fitted.vessels.end(),
-                   [&](const PreparedVessel& vessel) { return vessel.spec.name == glenn.rpa; });
-  const Vessel& vessel = artery->vessel;
+  const PreparedVessel& artery = fitted.named(glenn.rpa);
+  const Vessel& vessel = artery.vessel;
   const std::string where = place_in(scene, glenn.line) + ": glenn.incision";
-  std::vector<int> ends{farthest_end(vessel, 0)};
-  for (int end = 1; end < static_cast<int>(vessel.ends.size()); ++end)
-    if (end != ends.front()) ends.push_back(end);
-  for (const int end : ends) {
+  for (const int end : other_ends(vessel, 0)) {
     PickSpec pick = glenn.incision;
     pick.from = selector_of(vessel, 0);
     pick.to = selector_of(vessel, end);
-    const PickPlace place = place_incision_pick(where, pick, *artery);
+    const PickPlace place = place_incision_pick(where, pick, artery);
     if (!place.fraction) continue;
     PickSpec found;
     found.along = *place.fraction;
@@ -164,8 +181,8 @@ PickSpec incision_by_fraction(const Scene& scene, const FittedVessels& fitted) {
   }
   throw InputError(where +
                    ": found a point that lies on no way from the artery's start to another end, "
-                   "expected {along: fraction, around_deg: angle, from: end, to: end}, as explore "
-                   "moves it along such a way");
+                   "expected {along: fraction, around_deg: angle, from: end, to: end}, as it is "
+                   "moved along such a way");
 }
 
 std::vector<Option> options_of(const Scene& scene, const PickSpec& incision) {

@@ -41,6 +41,10 @@ std::optional<double> number_of(const Option& option, const std::string& key);
 /// The option with another number of a key that it has. `incision`: as in options_of().
 Option with_number(Option option, const std::string& key, double value, const PickSpec& incision);
 
+/// The scene's cut as a fraction: a picked point becomes its place on the first way from the kept
+/// end (to the farthest end first) that it lies on. Throws InputError where it lies on none.
+PickSpec cut_by_fraction(const Scene& scene, const FittedVessels& fitted);
+
 /// The scene's incision as fractions, so that options may change one of them: a picked point
 /// becomes its place on the first way through the artery (from `start`, to the farthest end first)
 /// that it lies on. Throws InputError where it lies on none.

@@ -22,11 +22,6 @@ using What = Uncertain::What;
 
 constexpr double cut_off = 4;  // standard deviations
 
-const PreparedVessel& vessel_called(const FittedVessels& fitted, const std::string& name) {
-  return *std::find_if(fitted.vessels.begin(), fitted.vessels.end(),
-                       [&](const PreparedVessel& vessel) { return vessel.spec.name == name; });
-}
-
 void scale_wall(What what, double factor, VesselSpec& vessel) {
   Material& material = vessel.wall->material;
   if (what == What::thickness) {
@@ -54,22 +49,14 @@ void move_along(PickSpec& pick, double by, double length, const std::string& whe
   pick.along = to;
 }
 
-void move_cut(GlennSpec& glenn, double by, const FittedVessels& fitted, const std::string& where) {
-  const PreparedVessel& vein = vessel_called(fitted, glenn.svc);
-  const int kept = find_end(vein.vessel, glenn.keep, where + ".keep");
-  if (!glenn.cut.along) {
-    const PickPlace place = place_cut(where + ".cut", glenn.cut, vein, kept);
-    if (!place.fraction)
-      throw InputError(where +
-                       ".cut: found a point off the way between the vein's ends, expected "
-                       "{along: fraction}, as vary moves it along that way");
-    PickSpec pick;
-    pick.along = place.fraction;
-    pick.to = glenn.cut.to;
-    glenn.cut = pick;
-  }
-  move_along(glenn.cut, by, pick_route(where, glenn.cut, vein.vessel, kept).length(),
-             where + ".cut");
+void move_cut(Scene& scene, double by, const FittedVessels& fitted, const std::string& where) {
+  GlennSpec& glenn = *scene.glenn;
+  const Vessel& vein = fitted.named(glenn.svc).vessel;
+  glenn.cut = cut_by_fraction(scene, fitted);
+  move_along(
+      glenn.cut, by,
+      pick_route(where, glenn.cut, vein, find_end(vein, glenn.keep, where + ".keep")).length(),
+      where + ".cut");
 }
 
 }  // namespace
@@ -126,10 +113,10 @@ Scene with_sample(const Scene& scene, const VarySpec& spec, const Sample& sample
   const std::string where = place_in(scene, scene.glenn->line) + ": glenn";
   GlennSpec& glenn = *changed.glenn;
   for (std::size_t d = 0; d < spec.uncertain.size(); ++d) {
-    if (spec.uncertain[d].what == What::cut) move_cut(glenn, sample.values[d], fitted, where);
+    if (spec.uncertain[d].what == What::cut) move_cut(changed, sample.values[d], fitted, where);
     if (spec.uncertain[d].what != What::incision) continue;
-    if (!glenn.incision.along) glenn.incision = incision_by_fraction(changed, fitted);
-    const Vessel& artery = vessel_called(fitted, glenn.rpa).vessel;
+    glenn.incision = incision_by_fraction(changed, fitted);
+    const Vessel& artery = fitted.named(glenn.rpa).vessel;
     move_along(glenn.incision, sample.values[d],
                pick_route(where, glenn.incision, artery, 0).length(), where + ".incision");
   }

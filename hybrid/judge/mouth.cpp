@@ -47,7 +47,7 @@ MouthReport measure_mouth(const PreparedVessel& vein, const Points& vein_now,
   }
   MouthReport mouth;
   mouth.center = section_centroid(loop_of(seam));
-  const double to_mid = vein.mid_offset(), to_lumen = vein.thickness() / 2 - to_mid;
+  const double to_mid = vein.mid_offset(), to_lumen = vein.lumen_offset();
   const SectionLoop now = loop_of(seam), before = loop_of(rest);
   mouth.area = inset_area(now, -to_mid);
   mouth.lumen = inset_area(now, to_lumen);

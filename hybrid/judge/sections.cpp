@@ -36,7 +36,7 @@ struct SectionShape {
 // Mid-wall widths and lumen area of a curve in the section's plane.
 SectionShape shape_of(const PreparedVessel& vessel, const SectionLoop& loop, const Pose& section) {
   return {section_widths(loop, section) + 2 * vessel.mid_offset(),
-          inset_area(loop, vessel.thickness() / 2 - vessel.mid_offset())};
+          inset_area(loop, vessel.lumen_offset())};
 }
 
 // Empty if the section is not one closed curve of about the rod's radius.

@@ -110,6 +110,13 @@ Vec3 Body::vec3(const std::string& key) const {
   return v;
 }
 
+Vec3 Body::direction(const std::string& key) const {
+  const Vec3 v = vec3(key);
+  const double length = v.stableNorm();
+  if (!(length > 0) || !std::isfinite(length)) refuse(key, "a direction, not zero");
+  return v / length;
+}
+
 std::string Body::text(const std::string& key, std::size_t longest) const {
   const std::string expected = "a text of at most " + std::to_string(longest) + " bytes";
   if (!has(key) || !value(key).is_string()) refuse(key, expected);

@@ -38,6 +38,8 @@ class Body {
   int integer(const std::string& key, int low, int high) const;
   /// Three finite numbers of magnitude at most data/limits.h's largest length.
   Vec3 vec3(const std::string& key) const;
+  /// Of unit length.
+  Vec3 direction(const std::string& key) const;
   /// At most `longest` bytes.
   std::string text(const std::string& key, std::size_t longest = 256) const;
   /// The same; empty where the key is absent or null.

@@ -14,9 +14,7 @@
 #include <vasorod/error.h>
 #include <vasorod/version.h>
 
-#include "app/heap.h"
-#include "app/streams.h"
-#include "planner/failure.h"
+#include "app/program.h"
 #include "planner/http_server.h"
 #include "planner/open_browser.h"
 #include "planner/save.h"
@@ -82,13 +80,7 @@ int run(int argc, char** argv) {
   app.add_option("--port", port, "Port of 127.0.0.1; by default a free one")
       ->check(CLI::Range(1, 65535));
   app.add_flag("--open", open, "Open the page in the browser (xdg-open)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::cerr << "vasorod-plan: " << error.what() << " (vasorod-plan --help says what there is)\n";
-    return 2;
-  }
+  if (const auto ended = parsed(app, "vasorod-plan", argc, argv)) return *ended;
 
   catch_signals();
   planner::Session session(named, std::filesystem::current_path());
@@ -105,18 +97,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  vasorod::keep_freed_memory();
-  vasorod::keep_streams_apart();
-  try {
-    return run(argc, argv);
-  } catch (const vasorod::FileError& error) {
-    std::cerr << "vasorod-plan: " << error.what() << std::endl;
-    _exit(3);
-  } catch (const vasorod::InputError& error) {
-    std::cerr << "vasorod-plan: " << error.what() << std::endl;
-    _exit(2);
-  } catch (...) {
-    std::cerr << "vasorod-plan: " << vasorod::planner::failure_now().sentence << std::endl;
-    _exit(3);
-  }
+  return vasorod::as_program("vasorod-plan", [&] { return run(argc, argv); });
 }

@@ -24,7 +24,7 @@ struct OpenedScene {
   std::optional<Plan> plan;
   std::string why_not;  ///< one sentence where there is no plan
   /// Of the joined vessels: where fractions of a plan without routes count.
-  Route cut_route{}, incision_route{};
+  RouteEnds cut_route{}, incision_route{};
 
   /// Index of a vessel; throws Refusal (404).
   std::size_t vessel(const std::string& name) const;
@@ -41,8 +41,8 @@ std::shared_ptr<const OpenedScene> open_scene(const std::string& id,
                                               const std::filesystem::path& file);
 
 /// The routes of a plan in this scene. Throws Refusal for ends that there are not.
-Route cut_route_of(const OpenedScene& opened, const Plan& plan);
-Route incision_route_of(const OpenedScene& opened, const Plan& plan);
+RouteEnds cut_route_of(const OpenedScene& opened, const Plan& plan);
+RouteEnds incision_route_of(const OpenedScene& opened, const Plan& plan);
 
 /// What the file has to say for the plan: only what differs from the plan as it was opened.
 SceneEdit edit_for(const OpenedScene& opened, const Plan& plan,

@@ -22,13 +22,12 @@ void add_place(const OpenedScene& opened, std::size_t vessel, const Vec3& point,
   if (part.empty() || !opened.plan) return;
   const Vessel& geometry = opened.fitted.vessels[vessel].vessel;
   const RodCoordinates at = project(geometry.rod, point);
-  const Route usual = part == "svc" ? opened.cut_route : opened.incision_route;
-  std::vector<Route> routes{usual};
-  for (int end = 0; end < static_cast<int>(geometry.ends.size()); ++end)
-    if (end != usual[0] && end != usual[1]) routes.push_back({usual[0], end});
-  for (const Route& route : routes) {
-    const AxisRoute way(geometry.rod, geometry.ends[index(route[0])].node,
-                        geometry.ends[index(route[1])].node);
+  const RouteEnds usual = part == "svc" ? opened.cut_route : opened.incision_route;
+  std::vector<RouteEnds> routes{usual};
+  for (const int end : other_ends(geometry, usual[0]))
+    if (end != usual[1]) routes.push_back({usual[0], end});
+  for (const RouteEnds& route : routes) {
+    const AxisRoute way(geometry, route);
     const auto distance = way.distance_to({at.element, at.s});
     if (!distance) continue;
     hit["along"] = *distance / way.length();
@@ -38,38 +37,48 @@ void add_place(const OpenedScene& opened, std::size_t vessel, const Vec3& point,
   }
 }
 
+struct Hit {
+  std::size_t vessel = 0;
+  RayHit first;
+};
+
+// The nearest wall before the eye. `wall`: that of a vessel, null where it does not count.
+template <class WallOf>
+std::optional<Hit> first_hit(std::size_t vessels, const Ray& ray, WallOf&& wall) {
+  std::optional<Hit> hit;
+  for (std::size_t v = 0; v < vessels; ++v) {
+    const RayHits* of = wall(v);
+    if (of == nullptr) continue;
+    const auto hits = of->along(ray.origin, ray.direction);
+    if (hits.empty() || (hit && hits.front().distance >= hit->first.distance)) continue;
+    hit = Hit{v, hits.front()};
+  }
+  return hit;
+}
+
+// What the page is told of it at rest and in a result.
+Json told(const std::string& vessel, const Vec3& point, double distance) {
+  return {{"vessel", vessel},     {"part", nullptr},  {"point", json_of(point)},
+          {"distance", distance}, {"along", nullptr}, {"around_deg", nullptr}};
+}
+
 }  // namespace
 
 Ray read_ray(const Body& body) {
-  Ray ray{body.vec3("origin"), body.vec3("direction")};
-  const double length = ray.direction.stableNorm();
-  if (!(length > 0) || !std::isfinite(length)) body.refuse("direction", "a direction, not zero");
-  ray.direction /= length;
-  return ray;
+  return {body.vec3("origin"), body.direction("direction")};
 }
 
 Json pick_at_rest(const OpenedScene& opened, const Ray& ray,
                   const std::vector<std::string>& vessels) {
   for (const std::string& name : vessels) opened.vessel(name);
-  std::size_t nearest = 0;
-  RayHit first;
-  for (std::size_t v = 0; v < opened.walls.size(); ++v) {
-    if (!counts(opened.fitted.vessels[v].spec.name, vessels)) continue;
-    const auto hits = opened.walls[v].along(ray.origin, ray.direction);
-    if (hits.empty() || (first.triangle >= 0 && hits.front().distance >= first.distance)) continue;
-    first = hits.front();
-    nearest = v;
-  }
-  if (first.triangle < 0) return {{"hit", nullptr}};
-  const Vec3 point = ray.origin + first.distance * ray.direction;
-  Json hit;
-  hit["vessel"] = opened.fitted.vessels[nearest].spec.name;
-  const std::string part = opened.part_of(nearest);
-  hit["part"] = part.empty() ? Json() : Json(part);
-  hit["point"] = json_of(point);
-  hit["distance"] = first.distance;
-  hit["along"] = hit["around_deg"] = nullptr;
-  add_place(opened, nearest, point, hit);
+  const auto hit_at = first_hit(opened.walls.size(), ray, [&](std::size_t v) {
+    return counts(opened.fitted.vessels[v].spec.name, vessels) ? &opened.walls[v] : nullptr;
+  });
+  if (!hit_at) return {{"hit", nullptr}};
+  const Vec3 point = ray.origin + hit_at->first.distance * ray.direction;
+  Json hit = told(opened.fitted.vessels[hit_at->vessel].spec.name, point, hit_at->first.distance);
+  if (const std::string part = opened.part_of(hit_at->vessel); !part.empty()) hit["part"] = part;
+  add_place(opened, hit_at->vessel, point, hit);
   return {{"hit", hit}};
 }
 
@@ -78,19 +87,13 @@ Json pick_in_result(const StoredResult& stored, const Ray& ray,
   const Result& result = stored.result;
   for (const std::string& name : vessels) stored.vessel(name);
   const auto& walls = stored.walls();
-  std::size_t nearest = 0;
-  RayHit first;
-  for (std::size_t v = 0; v < walls.size(); ++v) {
-    if (!walls[v] || !counts(result.vessels[v].name, vessels)) continue;
-    const auto hits = walls[v]->along(ray.origin, ray.direction);
-    if (hits.empty() || (first.triangle >= 0 && hits.front().distance >= first.distance)) continue;
-    first = hits.front();
-    nearest = v;
-  }
-  if (first.triangle < 0) return {{"hit", nullptr}};
-  const VesselResult& vessel = result.vessels[nearest];
-  const Vec3 point = ray.origin + first.distance * ray.direction;
-  const auto corner = [&](int k) { return vessel.triangles(first.triangle, k); };
+  const auto hit_at = first_hit(walls.size(), ray, [&](std::size_t v) {
+    return walls[v] && counts(result.vessels[v].name, vessels) ? &*walls[v] : nullptr;
+  });
+  if (!hit_at) return {{"hit", nullptr}};
+  const VesselResult& vessel = result.vessels[hit_at->vessel];
+  const Vec3 point = ray.origin + hit_at->first.distance * ray.direction;
+  const auto corner = [&](int k) { return vessel.triangles(hit_at->first.triangle, k); };
   const Vec3 a = vessel.current.row(corner(0)), b = vessel.current.row(corner(1)),
              c = vessel.current.row(corner(2));
   const Vec3 normal = (b - a).cross(c - a);
@@ -99,13 +102,8 @@ Json pick_in_result(const StoredResult& stored, const Ray& ray,
   if (area > 0)
     weights << normal.dot((c - b).cross(point - b)) / area,
         normal.dot((a - c).cross(point - c)) / area, normal.dot((b - a).cross(point - a)) / area;
-  Json hit;
-  hit["vessel"] = vessel.name;
-  hit["part"] = nullptr;
-  hit["point"] = json_of(point);
-  hit["distance"] = first.distance;
-  hit["along"] = hit["around_deg"] = nullptr;
-  hit["triangle"] = first.triangle;
+  Json hit = told(vessel.name, point, hit_at->first.distance);
+  hit["triangle"] = hit_at->first.triangle;
   hit["weights"] = json_of(weights);
   hit["values"] = Json::object();
   for (const ShownField& field : stored.fields) {

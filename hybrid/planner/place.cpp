@@ -62,9 +62,7 @@ void draw_incision(const OpenedScene& opened, const Plan& plan, const GlennSpec&
   const Vessel& artery = opened.rpa().vessel;
   const double length = glenn.incision_length * mouth / 2;
   Json ends = Json::array();
-  const Route between = incision_route_of(opened, plan);
-  const AxisRoute route(artery.rod, artery.ends[index(between[0])].node,
-                        artery.ends[index(between[1])].node);
+  const AxisRoute route(artery, incision_route_of(opened, plan));
   const RayHits& wall = opened.walls[opened.rpa_at];
   const double at = plan.incision_along * route.length();
   for (const double sense : {-0.5, 0.5}) {

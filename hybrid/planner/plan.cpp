@@ -7,10 +7,10 @@ namespace {
 
 constexpr int most_ends = 1000;
 
-std::optional<Route> read_route(const Body& pick) {
+std::optional<RouteEnds> read_route(const Body& pick) {
   if (!pick.has("route")) return std::nullopt;
   const Json& value = pick.value("route");
-  Route route{};
+  RouteEnds route{};
   bool good = value.is_array() && value.size() == 2;
   for (std::size_t k = 0; good && k < 2; ++k) {
     good = value[k].is_number_integer() && value[k] >= 0 && value[k] < most_ends;
@@ -20,7 +20,7 @@ std::optional<Route> read_route(const Body& pick) {
   return route;
 }
 
-void add_route(const std::optional<Route>& route, Json& pick) {
+void add_route(const std::optional<RouteEnds>& route, Json& pick) {
   if (route) pick["route"] = *route;
 }
 
@@ -37,7 +37,7 @@ Plan read_plan(const Body& body) {
   plan.incision_along = incision.number("along", 0, 1);
   plan.around_deg = incision.number("around_deg", -360, 360);
   plan.incision_route = read_route(incision);
-  plan.cut_tilt_deg = body.number("cut_tilt_deg", cut_tilts[0], cut_tilts[1]);
+  plan.cut_tilt_deg = body.number("cut_tilt_deg", cut_tilts_deg[0], cut_tilts_deg[1]);
   plan.incision_length = body.number("incision_length", incision_lengths[0], incision_lengths[1]);
   if (body.has("shape")) {
     if (body.value("shape").is_object()) {

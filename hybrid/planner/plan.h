@@ -1,19 +1,12 @@
 // The plan that the page changes: the numbers of a Glenn operation, its picks as fractions.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "planner/body.h"
+#include "vessel/axis_route.h"
 
 namespace vasorod::planner {
-
-/// Ranges that scene files have too (docs/scene.md).
-inline constexpr std::array<double, 2> incision_lengths{0.25, 4}, cut_tilts{-75, 75},
-    ellipse_ratios{0.1, 1};
-
-/// Two open ends (indices into Vessel::ends), between which a fraction counts.
-using Route = std::array<int, 2>;
 
 struct Plan {
   double cut_along = 0.5;       ///< fraction of the vein's axis, 0 at the kept end
@@ -24,7 +17,7 @@ struct Plan {
   std::optional<double> ellipse_ratio;  ///< width over length; empty: a slit
   std::optional<double> rotation_deg;   ///< degrees; empty: automatic
   /// Empty: as in the opened scene.
-  std::optional<Route> cut_route, incision_route;
+  std::optional<RouteEnds> cut_route, incision_route;
 
   bool operator==(const Plan&) const = default;
 };

@@ -1,9 +1,6 @@
 #include "planner/save.h"
 
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <unistd.h>
 
 #include <vasorod/error.h>
 #include <vasorod/read_scene.h>
@@ -17,21 +14,6 @@ namespace vasorod::planner {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Written whole under another name first, then linked: a file that is there by then stays.
-void write_new(const fs::path& file, const std::string& bytes) {
-  const fs::path beside =
-      file.parent_path() / ("." + file.filename().string() + ".new-" + std::to_string(getpid()));
-  write_whole_file(beside, bytes);
-  const int linked = link(beside.c_str(), file.c_str());
-  const int cause = errno;
-  unlink(beside.c_str());
-  if (linked == 0) return;
-  if (cause == EEXIST)
-    throw Refusal(409, in_quotes(file.filename().string()) +
-                           " is there already, expected another name or overwrite: true");
-  throw FileError(one_line(file.string()) + ": cannot be written: " + std::strerror(cause));
-}
 
 }  // namespace
 
@@ -64,8 +46,9 @@ Json save_scene(const OpenedScene& opened, const Plan& plan, const std::string& 
     throw Refusal(409, in_quotes(name) + " is a folder, expected another name");
   if (overwrite)
     write_whole_file(file, edited.text);
-  else
-    write_new(file, edited.text);
+  else if (!write_new_file(file, edited.text))
+    throw Refusal(409,
+                  in_quotes(name) + " is there already, expected another name or overwrite: true");
   return {{"file", file.string()}, {"note", edited.note ? Json(*edited.note) : Json()}};
 }
 

@@ -3,6 +3,7 @@
 #include <vasorod/predict.h>
 
 #include "data/index.h"
+#include "data/limits.h"
 #include "report/report_pictures.h"
 #include "vessel/axis_route.h"
 
@@ -14,13 +15,12 @@ constexpr int axis_points = 101;
 
 Json limits() {
   return {{"incision_length", incision_lengths},
-          {"cut_tilt_deg", cut_tilts},
+          {"cut_tilt_deg", cut_tilts_deg},
           {"ellipse_ratio", ellipse_ratios}};
 }
 
-Json axis_json(const Vessel& vessel, const Route& route) {
-  const AxisRoute way(vessel.rod, vessel.ends[index(route[0])].node,
-                      vessel.ends[index(route[1])].node);
+Json axis_json(const Vessel& vessel, const RouteEnds& route) {
+  const AxisRoute way(vessel, route);
   Json axis = Json::array();
   for (int k = 0; k < axis_points; ++k) {
     const double along = static_cast<double>(k) / (axis_points - 1);
@@ -56,14 +56,14 @@ Json vessel_json(const OpenedScene& opened, std::size_t k) {
                            {"radius", vessel.rod.radius[index(end.node)]}});
   }
   if (part.empty() || !opened.plan) return one;
-  const Route usual = part == "svc" ? opened.cut_route : opened.incision_route;
+  const RouteEnds usual = part == "svc" ? opened.cut_route : opened.incision_route;
   one["axis"] = axis_json(vessel, usual);
   one["route"] = usual;
   one["routes"] = Json::array();
   for (int end = 0; end < static_cast<int>(vessel.ends.size()); ++end)
     if (end != usual[0])
       one["routes"].push_back(
-          {{"route", Route{usual[0], end}}, {"axis", axis_json(vessel, {usual[0], end})}});
+          {{"route", RouteEnds{usual[0], end}}, {"axis", axis_json(vessel, {usual[0], end})}});
   return one;
 }
 

@@ -1,7 +1,5 @@
 #include "planner/sections.h"
 
-#include <cmath>
-
 #include "geometry/plane_section.h"
 
 namespace vasorod::planner {
@@ -32,20 +30,14 @@ void add_vessel(const std::string& name, const TriangleSurface& surface, const S
 }  // namespace
 
 SectionPlane read_plane(const Body& body) {
-  SectionPlane plane{body.vec3("point"), body.vec3("normal")};
-  const double length = plane.normal.stableNorm();
-  if (!(length > 0) || !std::isfinite(length)) body.refuse("normal", "a direction, not zero");
-  plane.normal /= length;
-  return plane;
+  return {body.vec3("point"), body.direction("normal")};
 }
 
 Json section_at_rest(const OpenedScene& opened, const SectionPlane& plane) {
   Json vessels = Json::array();
   for (const PreparedVessel& vessel : opened.fitted.vessels)
     add_vessel(vessel.spec.name, vessel.vessel.surface, plane,
-               vessel.spec.wall ? std::optional(vessel.thickness() / 2 - vessel.mid_offset())
-                                : std::nullopt,
-               vessels);
+               vessel.spec.wall ? std::optional(vessel.lumen_offset()) : std::nullopt, vessels);
   return {{"vessels", vessels}};
 }
 

@@ -14,6 +14,7 @@
 #include "planner/save.h"
 #include "planner/scene_answer.h"
 #include "planner/sections.h"
+#include "predict/fidelity.h"
 #include "report/report_pictures.h"
 #include "result/read_folder.h"
 
@@ -24,18 +25,8 @@ constexpr int longest_wait_ms = 10000;
 
 std::string read_fidelity(const Body& body) {
   const std::string fidelity = body.text("fidelity");
-  const std::vector<std::string> names = fidelity_names();
-  if (std::find(names.begin(), names.end(), fidelity) == names.end())
-    body.refuse("fidelity", listed(names));
+  if (find_fidelity(fidelity) == nullptr) body.refuse("fidelity", listed(fidelity_names()));
   return fidelity;
-}
-
-const char* sentence_of(const std::string& fidelity) {
-  if (fidelity == "rod") return "the rods alone, without surfaces";
-  if (fidelity == "skin") return "the rods; sections are carried rigidly";
-  if (fidelity == "paper")
-    return "the rods, then both surfaces with the paper's energies and contact";
-  return "one minimum of walls, seams and contacts";
 }
 
 }  // namespace
@@ -61,8 +52,8 @@ Json Session::about() {
                                  {"name", source.name},
                                  {"path", source.path.string()},
                                  {"group", source.group}});
-  for (const std::string& name : fidelity_names())
-    answer["fidelities"].push_back({{"name", name}, {"sentence", sentence_of(name)}});
+  for (const Fidelity& fidelity : fidelities())
+    answer["fidelities"].push_back({{"name", fidelity.name}, {"sentence", fidelity.sentence}});
   return answer;
 }
 

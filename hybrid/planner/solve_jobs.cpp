@@ -78,10 +78,21 @@ void SolveJobs::drop_locked() {
   for (auto& [number, job] : jobs_) {
     if (job->over()) continue;
     job->asked = job->dropped = true;
-    job->state = "cancelled";
-    job->ended = Clock::now();
-    ++job->changes;
+    end(*job, "cancelled");
   }
+}
+
+void SolveJobs::end(Job& job, const std::string& state,
+                    const std::shared_ptr<const StoredResult>& stored, const std::string& error) {
+  if (stored) {
+    shelf_.put(stored);
+    job.result = stored->id;
+  } else {
+    job.error = error;
+  }
+  job.state = state;
+  job.ended = Clock::now();
+  ++job.changes;
   changed_.notify_all();
 }
 
@@ -111,7 +122,7 @@ std::shared_ptr<const StoredResult> SolveJobs::store(const Job& job, const Opene
   for (std::size_t v = 0; v < stored->result.vessels.size(); ++v)
     for (const PreparedVessel& vessel : opened.fitted.vessels)
       if (vessel.spec.name == stored->result.vessels[v].name && vessel.spec.wall)
-        stored->to_lumen[v] = vessel.thickness() / 2 - vessel.mid_offset();
+        stored->to_lumen[v] = vessel.lumen_offset();
   return stored;
 }
 
@@ -143,17 +154,14 @@ void SolveJobs::solve(Job& job) {
       std::swap(job.kept, state);  // the old state is freed after the lock
     };
   std::shared_ptr<const StoredResult> stored;
-  std::string error;
-  bool early = false;
+  std::string error;  // empty: nobody asks for one
   try {
     live();
     Result result = predict(job.scene, options, opened->fitted);
     stored = store(job, *opened, std::move(result));
   } catch (const Dropped&) {
-    early = true;
   } catch (const StoppedEarly& stopped) {
-    early = job.asked;
-    error = one_line(stopped.what());
+    if (!job.asked) error = one_line(stopped.what());
   } catch (...) {
     error = failure_now().sentence;
   }
@@ -162,16 +170,7 @@ void SolveJobs::solve(Job& job) {
   std::swap(job.kept, kept);
   job.opened.reset();
   if (job.over()) return;  // dropped, or ended with a kept state
-  if (stored) {
-    shelf_.put(stored);
-    job.result = stored->id;
-  } else if (!early) {
-    job.error = error;
-  }
-  job.state = job.asked ? "cancelled" : stored ? "done" : "failed";
-  job.ended = Clock::now();
-  ++job.changes;
-  changed_.notify_all();
+  end(job, job.asked ? "cancelled" : stored ? "done" : "failed", stored, error);
 }
 
 Json SolveJobs::said(Job& job) const {
@@ -219,13 +218,12 @@ Json SolveJobs::cancel(const std::string& id) {
     job->asked = true;
     job->stage = "stopping";
     ++job->changes;
+    changed_.notify_all();
     if (next_ == job) {  // not begun
       next_.reset();
       job->opened.reset();
-      job->state = "cancelled";
-      job->ended = Clock::now();
+      end(*job, "cancelled");
     }
-    changed_.notify_all();
   }
   const Clock::time_point until = Clock::now() + between;
   while (!job->over() && Clock::now() < until) changed_.wait_until(lock, until);
@@ -246,17 +244,7 @@ void SolveJobs::end_if_overdue(Job& job, std::unique_lock<std::mutex>& lock) {
     error = failure_now().sentence;
   }
   lock.lock();
-  if (job.over()) return;
-  if (stored) {
-    shelf_.put(stored);
-    job.result = stored->id;
-  } else {
-    job.error = error;
-  }
-  job.state = "cancelled";
-  job.ended = Clock::now();
-  ++job.changes;
-  changed_.notify_all();
+  if (!job.over()) end(job, "cancelled", stored, error);
 }
 
 }  // namespace vasorod::planner

@@ -46,6 +46,9 @@ class SolveJobs {
 
   void work();
   void drop_locked();  // as drop_all(), by who holds the lock
+  // By who holds the lock: the job is over, with a result, an error or neither.
+  void end(Job& job, const std::string& state,
+           const std::shared_ptr<const StoredResult>& stored = {}, const std::string& error = {});
   void solve(Job& job);
   std::shared_ptr<const StoredResult> store(const Job& job, const OpenedScene& opened,
                                             Result&& result);

@@ -25,9 +25,7 @@ std::vector<ShownField> fields_of(const Result& result) {
   std::vector<ShownField> fields;
   for (const DrawnField& drawn : drawn_fields(result)) {
     ShownField field;
-    field.name = drawn.file == "twist_shear"     ? "TwistShear"
-                 : drawn.file == "axial_stretch" ? "AxialStretch"
-                                                 : "ContactPressure";
+    field.name = drawn.array;
     field.title = without_unit(drawn.scale.title);
     field.unit = drawn.file == "contact_pressure" ? "mmHg" : "";
     field.map = map_name(drawn.scale.map);

@@ -1,6 +1,7 @@
 // The vessels of a scene, read and fitted once for several scenes that differ in their operation.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ namespace vasorod {
 struct FittedVessels {
   std::vector<PreparedVessel> vessels;        ///< in the scene's order; obstacles are only read
   std::map<std::string, std::string> inputs;  ///< InputHashes::hashes()
+
+  /// The vessel of that name, which must be there.
+  const PreparedVessel& named(const std::string& name) const {
+    return *std::find_if(vessels.begin(), vessels.end(),
+                         [&](const PreparedVessel& one) { return one.spec.name == name; });
+  }
 };
 
 /// Reads all vessels and fits those that deform. Of the options only `stop`, `patience` and

@@ -40,8 +40,7 @@ class Score {
   Score(const Vessel& vein, int kept_end)
       : vein_(vein),
         kept_(vein.ends[index(kept_end)].center),
-        route_(vein.rod, vein.ends[index(kept_end)].node,
-               vein.ends[index(farthest_end(vein, kept_end))].node) {}
+        route_(vein, {kept_end, farthest_end(vein, kept_end)}) {}
 
   void operator()(const Vec3& normal, Candidate& candidate) const {
     constexpr double shortest = 0.2, longest = 0.9;  // of the vein, clear of its ends

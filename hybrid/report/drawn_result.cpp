@@ -128,21 +128,22 @@ std::vector<DrawnField> drawn_fields(const Result& result) {
              pressure = fields_of(&VesselResult::contact_pressure);
   const double mmhg = mmhg_per(result.stress_unit);
   std::vector<DrawnField> drawn;
-  const auto add = [&](const std::string& file, const ColourScale& scale, double at_rest,
-                       const Eigen::VectorXd VesselResult::*values) {
+  const auto add = [&](const char* file, const char* array, const ColourScale& scale,
+                       double at_rest, const Eigen::VectorXd VesselResult::*values) {
     if (any_values(fields_of(values)))
-      drawn.push_back(
-          {file, scale, at_rest, found_in(fields_of(values), scale, result.stress_unit), values});
+      drawn.push_back({file, array, scale, at_rest,
+                       found_in(fields_of(values), scale, result.stress_unit), values});
   };
-  add("twist_shear", scale_for(ColourMap::diverging, "twist shear", shear, 0, reach_of_strain), 0,
+  add("twist_shear", "TwistShear",
+      scale_for(ColourMap::diverging, "twist shear", shear, 0, reach_of_strain), 0,
       &VesselResult::twist_shear);
-  add("axial_stretch",
+  add("axial_stretch", "AxialStretch",
       scale_for(ColourMap::diverging, "axial stretch", stretch, 1, reach_of_strain), 1,
       &VesselResult::axial_stretch);
   ColourScale pressures = scale_for(ColourMap::sequential, "contact pressure, mmHg", pressure, 0,
                                     reach_of_pressure_mmhg / mmhg);
   pressures.shown_per = mmhg;
-  add("contact_pressure", pressures, 0, &VesselResult::contact_pressure);
+  add("contact_pressure", "ContactPressure", pressures, 0, &VesselResult::contact_pressure);
   if (!is_solution(result.status))
     for (DrawnField& field : drawn) {
       field.scale.map = ColourMap::grey;

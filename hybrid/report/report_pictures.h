@@ -24,7 +24,8 @@ struct NamedPicture {
 
 /// A field of a result, with the scale that its picture and the view share.
 struct DrawnField {
-  std::string file;  ///< twist_shear, axial_stretch, contact_pressure
+  std::string file,  ///< twist_shear, axial_stretch, contact_pressure
+      array;         ///< its name in NAME.vtp
   ColourScale scale;
   double at_rest = 0;
   std::string found;  ///< the values of this result in words, for the legend

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "data/limits.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -100,10 +101,11 @@ ExploreSpec read_explore(const Field& field, const std::vector<VesselSpec>& vess
   ExploreSpec spec;
   spec.line = field.line();
   spec.cut_along = read_numbers(field, "cut_along", 0, 1);
-  spec.cut_tilt_deg = read_numbers(field, "cut_tilt_deg", -75, 75);
+  spec.cut_tilt_deg = read_numbers(field, "cut_tilt_deg", cut_tilts_deg[0], cut_tilts_deg[1]);
   spec.incision_along = read_numbers(field, "incision_along", 0, 1);
   spec.around_deg = read_numbers(field, "around_deg", -360, 360);
-  spec.incision_length = read_numbers(field, "incision_length", 0.25, 4);
+  spec.incision_length =
+      read_numbers(field, "incision_length", incision_lengths[0], incision_lengths[1]);
   if (const auto shape = field.find("incision_shape"))
     spec.incision_shape = each(*shape, "slit, {ellipse: ...} or a list of them", read_shape);
   spec.rotation_deg = read_rotations(field);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "data/limits.h"
 #include "scene/read_markup.h"
 #include "scene/read_parts.h"
 
@@ -20,7 +21,7 @@ std::string read_operated(const Field& field, const std::vector<VesselSpec>& ves
 IncisionEllipse read_ellipse(const Field& field) {
   IncisionEllipse ellipse;
   if (!field.is_map()) {
-    ellipse.ratio = field.number_in(0.1, 1);
+    ellipse.ratio = field.number_in(ellipse_ratios[0], ellipse_ratios[1]);
     return ellipse;
   }
   field.check_keys({"length", "width"});
@@ -110,7 +111,8 @@ RimSpec read_rim(const Field& field, const std::vector<VesselSpec>& vessels,
                  "cut: a picked point, or end: the open end of the whole vessel that is joined");
   if (cut) {
     rim.cut = read_pick(*cut, vessel, false, folder, units);
-    if (const auto tilt = field.find("cut_tilt_deg")) rim.cut_tilt_deg = tilt->number_in(-75, 75);
+    if (const auto tilt = field.find("cut_tilt_deg"))
+      rim.cut_tilt_deg = tilt->number_in(cut_tilts_deg[0], cut_tilts_deg[1]);
     rim.keep = read_keep(field, vessel, "vessel");
     return rim;
   }
@@ -168,9 +170,10 @@ GlennSpec read_glenn(const Field& field, const std::vector<VesselSpec>& vessels,
   glenn.cut = read_pick(field.at("cut", "a point picked on the svc"), svc, false, folder, units);
   glenn.incision = read_pick(field.at("incision", "a point picked on the rpa"),
                              named_vessel(rpa, vessels), true, folder, units);
-  if (const auto tilt = field.find("cut_tilt_deg")) glenn.cut_tilt_deg = tilt->number_in(-75, 75);
+  if (const auto tilt = field.find("cut_tilt_deg"))
+    glenn.cut_tilt_deg = tilt->number_in(cut_tilts_deg[0], cut_tilts_deg[1]);
   if (const auto length = field.find("incision_length"))
-    glenn.incision_length = length->number_in(0.25, 4);
+    glenn.incision_length = length->number_in(incision_lengths[0], incision_lengths[1]);
   if (const auto shape = field.find("incision_shape")) glenn.ellipse = read_shape(*shape);
   if (glenn.ellipse && glenn.ellipse->length && field.has("incision_length"))
     field.at("incision_length", "a number")

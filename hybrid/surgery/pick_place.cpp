@@ -64,15 +64,20 @@ PickPlace place_along(const PickSpec& pick, const Vessel& vessel, const AxisRout
 
 }  // namespace
 
-AxisRoute pick_route(const std::string& where, const PickSpec& pick, const Vessel& vessel,
-                     int first) {
+RouteEnds pick_ends(const std::string& where, const PickSpec& pick, const Vessel& vessel,
+                    int first) {
   const int from = pick.from ? find_end(vessel, *pick.from, where + ": from") : first;
   const int to = pick.to ? find_end(vessel, *pick.to, where + ": to") : farthest_end(vessel, from);
   if (from == to)
     throw InputError(where + ": found one end of the vessel, at " +
                      place_text(vessel.ends[index(from)].center, 4) +
                      ", as both ends of the way along it, expected two");
-  return {vessel.rod, vessel.ends[index(from)].node, vessel.ends[index(to)].node};
+  return {from, to};
+}
+
+AxisRoute pick_route(const std::string& where, const PickSpec& pick, const Vessel& vessel,
+                     int first) {
+  return {vessel, pick_ends(where, pick, vessel, first)};
 }
 
 PickPlace place_cut(const std::string& where, const PickSpec& pick, const PreparedVessel& vessel,

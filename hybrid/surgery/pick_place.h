@@ -35,9 +35,12 @@ struct PickPlace {
   std::optional<double> fraction;
 };
 
-/// The way along the axis on which `pick.along` counts: between `pick.from` (by default the end
+/// The ends of the way along the axis on which `pick.along` counts: `pick.from` (by default the end
 /// `first`) and `pick.to` (by default the farthest end). Throws InputError, which begins with
 /// `where`, if these are not two ends.
+RouteEnds pick_ends(const std::string& where, const PickSpec& pick, const Vessel& vessel,
+                    int first);
+/// That way.
 AxisRoute pick_route(const std::string& where, const PickSpec& pick, const Vessel& vessel,
                      int first);
 

@@ -36,6 +36,9 @@ AxisRoute::AxisRoute(const RodTree& rod, int from_node, int to_node) : rod_(&rod
     }
 }
 
+AxisRoute::AxisRoute(const Vessel& vessel, const RouteEnds& ends)
+    : AxisRoute(vessel.rod, vessel.ends[index(ends[0])].node, vessel.ends[index(ends[1])].node) {}
+
 AxisPlace AxisRoute::at(double distance) const {
   const double wanted = std::clamp(distance, 0.0, length_);
   const auto after =
@@ -61,14 +64,20 @@ int farthest_end(const Vessel& vessel, int end) {
   double length = -1;
   for (size_t k = 0; k < vessel.ends.size(); ++k) {
     if (static_cast<int>(k) == end) continue;
-    const double here =
-        AxisRoute(vessel.rod, vessel.ends[index(end)].node, vessel.ends[k].node).length();
+    const double here = AxisRoute(vessel, {end, static_cast<int>(k)}).length();
     // Ends that are as far away to rounding: the first one, on every machine.
     if (here <= length * (1 + 1e-9)) continue;
     farthest = static_cast<int>(k);
     length = here;
   }
   return farthest;
+}
+
+std::vector<int> other_ends(const Vessel& vessel, int end) {
+  std::vector<int> others{farthest_end(vessel, end)};
+  for (int k = 0; k < static_cast<int>(vessel.ends.size()); ++k)
+    if (k != end && k != others.front()) others.push_back(k);
+  return others;
 }
 
 }  // namespace vasorod

@@ -1,6 +1,7 @@
 // The way along a vessel's axis from one of its ends to another.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,11 +15,16 @@ struct AxisPlace {
   double s = 0;     ///< arc length within the element, length unit
 };
 
+/// The two ends of a way along a vessel's axis, indices into Vessel::ends: from, to.
+using RouteEnds = std::array<int, 2>;
+
 /// The one way through a rod tree between two of its nodes.
 class AxisRoute {
  public:
   /// `rod` must outlive this.
   AxisRoute(const RodTree& rod, int from_node, int to_node);
+  /// Between two ends of a vessel, which must outlive this.
+  AxisRoute(const Vessel& vessel, const RouteEnds& ends);
 
   double length() const { return length_; }  ///< arc length, length unit
 
@@ -41,5 +47,8 @@ class AxisRoute {
 
 /// The end (index into Vessel::ends) that is farthest along the axis from `end`.
 int farthest_end(const Vessel& vessel, int end);
+
+/// All other ends, the farthest first, then in their order.
+std::vector<int> other_ends(const Vessel& vessel, int end);
 
 }  // namespace vasorod

@@ -26,6 +26,9 @@ struct PreparedVessel {
   /// Distance from the given surface outwards to mid-wall, length: negative if the surface is the
   /// outer face.
   double mid_offset() const;
+  /// Distance from the given surface inwards to the lumen, length: negative if the surface lies
+  /// inside of it.
+  double lumen_offset() const { return thickness() / 2 - mid_offset(); }
 };
 
 /// Reads the vessel's surface. Throws InputError.

@@ -35,5 +35,19 @@ TEST_F(WholeFile, AFileIsWrittenWholeOrNotAtAll) {
             2);
 }
 
+TEST_F(WholeFile, ANewFileIsWrittenOverNothing) {
+  EXPECT_TRUE(write_new_file(folder / "file", "first"));
+  EXPECT_FALSE(write_new_file(folder / "file", "second"));
+  EXPECT_EQ(whole_file(folder / "file"), "first");
+  std::filesystem::create_symlink(folder / "nowhere", folder / "link");
+  EXPECT_FALSE(write_new_file(folder / "link", "through a link that leads nowhere"));
+  std::filesystem::create_directories(folder / "blocked");
+  EXPECT_FALSE(write_new_file(folder / "blocked", "a folder stands there"));
+  EXPECT_THROW(write_new_file(folder / "absent" / "file", "no such folder"), FileError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
+                          std::filesystem::directory_iterator()),
+            3);
+}
+
 }  // namespace
 }  // namespace vasorod

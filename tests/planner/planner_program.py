@@ -18,34 +18,7 @@ PROGRAM = os.environ["VASOROD_PLAN"]
 SOLVER = os.environ["VASOROD_PROGRAM"]
 SOURCE = Path(os.environ["VASOROD_SOURCE"])
 
-# Two tubes: the vein of radius 3.3 stands on the z axis from z = 5 to 45, the artery of radius 4
-# lies on the x axis from -25 to 25. One key a line, so that it is edited line by line.
-SCENE = """\
-# the head of the file
-scene: small
-units: {length: mm, stress: MPa}   # as in the paper
-vessels:
-  - name: svc
-    tube: {length: 40, radius: 3.3, around: 24, along: 50, position: [0, 0, 5]}
-    wall: {thickness: 0.4, young: 0.5, poisson: 0.45}
-  - name: rpa
-    tube: {length: 50, radius: 4, around: 28, along: 60, position: [-25, 0, 0], tangent: [1, 0, 0],
-           normal: [0, 0, 1]}
-    wall: {thickness: 0.45, young: 0.45, poisson: 0.45}
-ends:
-  - {vessel: svc, end: end, hold: true}
-  - {vessel: rpa, end: start, hold: true}
-  - {vessel: rpa, end: end, hold: true}
-surgery:
-  # the operation
-  glenn:
-    svc: svc
-    rpa: rpa
-    cut: [3.3, 0, 10]        # above the artery
-    incision: [0, 0, 4]
-    keep: {near: [0, 0, 45]}
-fidelity: skin   # quick
-"""
+SCENE = (SOURCE / "tests/planner/small.yaml").read_text()
 
 
 class Planner:

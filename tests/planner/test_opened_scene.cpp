@@ -66,15 +66,15 @@ TEST_F(OpenedSceneTest, TheSceneWithAPlanIsWhatTheFileWillBe) {
 TEST_F(OpenedSceneTest, RoutesAreTheScenesOrTheirOwn) {
   const auto scene = opened();
   Plan plan = *scene->plan;
-  plan.incision_route = Route{1, 0};
+  plan.incision_route = RouteEnds{1, 0};
   plan.incision_along = 0.4;
   const Scene planned = with_plan(*scene, plan, std::nullopt);
   ASSERT_TRUE(planned.glenn->incision.from);
   EXPECT_EQ(planned.glenn->incision.from->kind, EndSelector::Kind::end);
-  plan.incision_route = Route{0, 9};
+  plan.incision_route = RouteEnds{0, 9};
   EXPECT_EQ(refusal_of([&] { with_plan(*scene, plan, std::nullopt); }).status, 400);
   plan = *scene->plan;
-  plan.cut_route = Route{scene->cut_route[1], scene->cut_route[0]};
+  plan.cut_route = RouteEnds{scene->cut_route[1], scene->cut_route[0]};
   EXPECT_EQ(refusal_of([&] { with_plan(*scene, plan, std::nullopt); }).status, 400);
 }
 

@@ -10,7 +10,8 @@ Plan read_back(const Plan& plan) {
 TEST(Plan, IsReadAsItWasWritten) {
   Plan plan;
   EXPECT_EQ(read_back(plan), plan);
-  plan = {0.123456789012345678, -12.5, 1.0 / 3, -177.25, 0.3, 0.4, 1e-17, Route{1, 0}, Route{0, 2}};
+  plan = {0.123456789012345678, -12.5,          1.0 / 3, -177.25, 0.3, 0.4, 1e-17,
+          RouteEnds{1, 0},      RouteEnds{0, 2}};
   EXPECT_EQ(read_back(plan), plan);
   EXPECT_EQ(json_of(Plan{})["shape"], "slit");
   EXPECT_TRUE(json_of(Plan{})["rotation_deg"].is_null());

@@ -5,7 +5,13 @@
 namespace vasorod::planner {
 namespace {
 
-using SolveJobsTest = SmallScene;
+class SolveJobsTest : public SmallScene {
+ protected:
+  const std::shared_ptr<const OpenedScene> scene = opened();
+  ResultShelf shelf;
+  SolveJobs jobs{shelf};
+  Plan plan = *scene->plan;
+};
 
 Json ended(SolveJobs& jobs, const std::string& id) {
   Json status = jobs.status(id, std::chrono::milliseconds(0));
@@ -15,10 +21,6 @@ Json ended(SolveJobs& jobs, const std::string& id) {
 }
 
 TEST_F(SolveJobsTest, TheResultIsThatOfTheLibrary) {
-  const auto scene = opened();
-  ResultShelf shelf;
-  SolveJobs jobs(shelf);
-  Plan plan = *scene->plan;
   plan.cut_along = 0.8;
   const Json status = ended(jobs, jobs.begin(scene, plan, "skin"));
   ASSERT_EQ(status["state"], "done") << status;
@@ -36,10 +38,6 @@ TEST_F(SolveJobsTest, TheResultIsThatOfTheLibrary) {
 }
 
 TEST_F(SolveJobsTest, WhatCannotBeSolvedIsASentence) {
-  const auto scene = opened();
-  ResultShelf shelf;
-  SolveJobs jobs(shelf);
-  Plan plan = *scene->plan;
   plan.incision_along = 0.01;
   const Json status = ended(jobs, jobs.begin(scene, plan, "skin"));
   EXPECT_EQ(status["state"], "failed");
@@ -48,9 +46,6 @@ TEST_F(SolveJobsTest, WhatCannotBeSolvedIsASentence) {
 }
 
 TEST_F(SolveJobsTest, TheNewestWins) {
-  const auto scene = opened();
-  ResultShelf shelf;
-  SolveJobs jobs(shelf);
   std::vector<std::string> ids;
   for (int k = 0; k < 20; ++k)
     ids.push_back(jobs.begin(scene, std::nullopt, k % 2 ? "skin" : "coupled"));
@@ -63,9 +58,6 @@ TEST_F(SolveJobsTest, TheNewestWins) {
 }
 
 TEST_F(SolveJobsTest, CancellingKeepsTheLastState) {
-  const auto scene = opened();
-  ResultShelf shelf;
-  SolveJobs jobs(shelf);
   const std::string id = jobs.begin(scene, std::nullopt, "coupled");
   // The rods are solved first; from then on there is a state.
   Json status = jobs.status(id, std::chrono::milliseconds(0));
@@ -83,9 +75,6 @@ TEST_F(SolveJobsTest, CancellingKeepsTheLastState) {
 }
 
 TEST_F(SolveJobsTest, OnlyTheLastJobsAreKnown) {
-  const auto scene = opened();
-  ResultShelf shelf;
-  SolveJobs jobs(shelf);
   const std::string first = jobs.begin(scene, std::nullopt, "rod");
   for (int k = 0; k < 64; ++k) jobs.begin(scene, std::nullopt, "rod");
   for (const std::string& id :

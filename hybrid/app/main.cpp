@@ -52,7 +52,7 @@ void add_solving(CLI::App* app, Common* common) {
       ->check(CLI::IsMember(fidelity_names()));
   app->add_flag("--certify", common->command.solve.certify,
                 "Ask for the sign of the surfaces' smallest curvature too");
-  app->add_option("--threads", common->command.solve.threads, "Threads of the dense kernels")
+  app->add_option("--threads", common->command.solve.threads, "Threads of the solve")
       ->check(CLI::Range(1, 1024));
   app->add_option("--time-limit", common->time_limit,
                   "Seconds after which the best state so far is written")

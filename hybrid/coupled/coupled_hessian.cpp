@@ -4,6 +4,7 @@
 
 #include "coupled/coupled_system.h"
 #include "data/index.h"
+#include "numerics/threads.h"
 
 namespace vasorod {
 namespace {
@@ -107,6 +108,14 @@ void CoupledSystem::add_wall_hessian(size_t w, const Matrix& h, const CoupledSta
     }
 }
 
+void CoupledSystem::add_wall_hessians(const CoupledState& s, Entries& extra) {
+  std::vector<const Matrix*> own(walls_.size());
+  in_parallel(threads(), static_cast<int>(walls_.size()),
+              [&](int w) { own[index(w)] = &walls_[index(w)].energy->hessian(s.q[index(w)]); });
+  std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
+  for (size_t w = 0; w < walls_.size(); ++w) add_wall_hessian(w, *own[w], s, extra);
+}
+
 // Adds the curvature due to rotating poses, from the forces on the vertices and normals that follow
 // them.
 void CoupledSystem::add_pose_curvature(const CoupledState& s, const CoupledForces& f,
@@ -204,9 +213,7 @@ Matrix CoupledSystem::with_extra(const Entries& extra) const {
 Matrix CoupledSystem::hessian(const VectorXd& z) {
   const CoupledState s = state(z);
   Entries extra;
-  std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
-  for (size_t w = 0; w < walls_.size(); ++w)
-    add_wall_hessian(w, walls_[w].energy->hessian(s.q[w]), s, extra);
+  add_wall_hessians(s, extra);
   const bool poses_free = std::any_of(walls_.begin(), walls_.end(), [](const CoupledWall& wall) {
     return std::any_of(wall.sections.begin(), wall.sections.end(),
                        [](const SectionPose& pose) { return pose.unknowns() > 0; });
@@ -231,9 +238,7 @@ Matrix CoupledSystem::rest_hessian() {
     for (const SectionPose& pose : wall.sections) s.placements.back().push_back(pose.at_rest());
   }
   Entries extra;
-  std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
-  for (size_t w = 0; w < walls_.size(); ++w)
-    add_wall_hessian(w, walls_[w].energy->hessian(s.q[w]), s, extra);
+  add_wall_hessians(s, extra);
   add_lumens(s, true, extra);
   return with_extra(extra);
 }

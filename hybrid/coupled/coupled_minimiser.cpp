@@ -218,7 +218,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   inner.stop = summary.counting(options.stop);
   const Preconditioner rest = [this](const VectorXd& g, VectorXd& d) { by_rest(g, d); };
   const Preconditioner hessian = [this](const VectorXd& g, VectorXd& d) {
-    factor_.solve(g.data(), d.data(), 1);
+    factor_.precondition(g.data(), d.data(), 1);
   };
   const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
   if (options.use_rest) {

@@ -5,6 +5,7 @@
 
 #include "data/index.h"
 #include "geometry/rigid_motion.h"
+#include "numerics/threads.h"
 
 namespace vasorod {
 namespace {
@@ -252,31 +253,42 @@ void CoupledSystem::evaluate(const CoupledState& s, const VectorXd& z, CoupledFo
   f.wall.resize(walls_.size());
   f.pose.resize(walls_.size());
   f.joining = f.contact = f.ties = f.pressure = Points::Zero(vertices_, 3);
-  for (size_t w = 0; w < walls_.size(); ++w) {
-    const CoupledWall& wall = walls_[w];
-    terms.wall += wall.energy->gradient(s.q[w], f.wall[w]);
-    f.pose[w].assign(wall.sections.size(), Vec6::Zero());
-    const int vertices = wall.energy->vertices();
-    if (wall.lumen) {
-      Points pressed = Points::Zero(vertices, 3);
-      terms.pressure -= wall.lumen->now * wall.lumen->volume.add_gradient(
-                                              s.positions.middleRows(wall.first_vertex, vertices),
-                                              -wall.lumen->now, pressed);
-      f.pressure.middleRows(wall.first_vertex, vertices) = pressed;
-    }
-    Points tied;
-    for (size_t k = 0; k < wall.sections.size(); ++k) {
-      const SectionPlacement& at = s.placements[w][k];
-      terms.load += wall.sections[k].load(at, z.data() + wall.pose_unknown[k], f.pose[w][k]);
-      if (!wall.ties[k]) continue;
-      if (tied.rows() == 0) tied.setZero(vertices, 3);
-      terms.ties += wall.ties[k]->gradient(at, s.positions.middleRows(wall.first_vertex, vertices),
-                                           tied, f.pose[w][k]);
-    }
-    if (tied.rows() > 0) f.ties.middleRows(wall.first_vertex, vertices) = tied;
+  std::vector<CoupledTerms> of_wall(walls_.size());
+  in_parallel(threads(), static_cast<int>(walls_.size()),
+              [&](int w) { evaluate_wall(index(w), s, z, f, of_wall[index(w)]); });
+  for (const CoupledTerms& own : of_wall) {
+    terms.wall += own.wall;
+    terms.pressure += own.pressure;
+    terms.load += own.load;
+    terms.ties += own.ties;
   }
   if (!joins.empty()) terms.joining = joining_energy_gradient(k_j, joins, s.positions, f.joining);
   if (!contacts.empty()) terms.contact = contact_energy_gradient(contacts, s.positions, f.contact);
+}
+
+void CoupledSystem::evaluate_wall(size_t w, const CoupledState& s, const VectorXd& z,
+                                  CoupledForces& f, CoupledTerms& terms) const {
+  const CoupledWall& wall = walls_[w];
+  terms.wall = wall.energy->gradient(s.q[w], f.wall[w]);
+  f.pose[w].assign(wall.sections.size(), Vec6::Zero());
+  const int vertices = wall.energy->vertices();
+  if (wall.lumen) {
+    Points pressed = Points::Zero(vertices, 3);
+    terms.pressure = -wall.lumen->now * wall.lumen->volume.add_gradient(
+                                            s.positions.middleRows(wall.first_vertex, vertices),
+                                            -wall.lumen->now, pressed);
+    f.pressure.middleRows(wall.first_vertex, vertices) = pressed;
+  }
+  Points tied;
+  for (size_t k = 0; k < wall.sections.size(); ++k) {
+    const SectionPlacement& at = s.placements[w][k];
+    terms.load += wall.sections[k].load(at, z.data() + wall.pose_unknown[k], f.pose[w][k]);
+    if (!wall.ties[k]) continue;
+    if (tied.rows() == 0) tied.setZero(vertices, 3);
+    terms.ties += wall.ties[k]->gradient(at, s.positions.middleRows(wall.first_vertex, vertices),
+                                         tied, f.pose[w][k]);
+  }
+  if (tied.rows() > 0) f.ties.middleRows(wall.first_vertex, vertices) = tied;
 }
 
 GroupTurns CoupledSystem::turns(const std::vector<Mat3>& frames,

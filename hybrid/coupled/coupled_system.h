@@ -160,10 +160,13 @@ class CoupledSystem {
   using Entries = std::vector<Eigen::Triplet<double>>;
   void evaluate(const CoupledState& s, const Eigen::VectorXd& z, CoupledForces& f,
                 CoupledTerms& terms) const;
+  void evaluate_wall(size_t wall, const CoupledState& s, const Eigen::VectorXd& z, CoupledForces& f,
+                     CoupledTerms& terms) const;
   Eigen::SparseMatrix<double> with_extra(const Entries& extra) const;
   static void scatter(const Reach& p, const Reach& q, bool diagonal, double value, Entries& extra);
   void add_wall_hessian(size_t wall, const Eigen::SparseMatrix<double>& h, const CoupledState& s,
                         Entries& extra);
+  void add_wall_hessians(const CoupledState& s, Entries& extra);
   void add_pose_curvature(const CoupledState& s, const CoupledForces& f, Entries& extra) const;
   void add_ties(const CoupledState& s, Entries& extra) const;
   // Adds -p V''; `at_rest`: with the pressure of time 0.

@@ -58,6 +58,11 @@ void set_blas_threads(int threads) {
   openblas_set_num_threads(std::max(threads, 1));
 }
 
+void require_blas_buffers(int threads) {
+  make_buffer();
+  if (threads > 1) require_buffers(threads - 1);
+}
+
 OneCholmodThread::OneCholmodThread() : before_(omp_get_max_active_levels()) {
   make_buffer();
   std::call_once(threads_chosen, [] { openblas_set_num_threads(1); });

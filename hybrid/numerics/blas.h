@@ -9,10 +9,13 @@ namespace vasorod {
 /// SkylakeX MAX_THREADS=64".
 std::string blas_name();
 
-/// Sets the number of BLAS threads (at least 1). The default is one thread, because the supernodes
-/// of a tube are too small to share. Throws std::bad_alloc where the BLAS's buffers do not fit into
-/// the memory.
+/// Sets the number of threads of the BLAS itself (at least 1). The default is one thread, because
+/// the supernodes of a tube are too small to share (threads.h shares the tree instead). Throws
+/// std::bad_alloc where the BLAS's buffers do not fit into the memory.
 void set_blas_threads(int threads);
+
+/// Throws std::bad_alloc where the memory does not suffice for calls from so many threads at once.
+void require_blas_buffers(int threads);
 
 /// While an object of this class exists, CHOLMOD's own parallel regions run on the calling thread
 /// only. CHOLMOD 3.0 as built by Debian 12 opens four threads whatever OMP_NUM_THREADS says, which

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "numerics/blas.h"
-#include "numerics/single_factor.h"
+#include "numerics/fronts.h"
+#include "numerics/triangular_solves.h"
 
 namespace vasorod {
 namespace {
@@ -27,15 +28,20 @@ using Matrix = Eigen::SparseMatrix<double>;
 struct Cholesky::Data {
   Work* done = nullptr;  // of the owner; null: not counted
   cholmod_common common{};
-  cholmod_factor* factor = nullptr;
-  cholmod_dense *solution = nullptr, *work = nullptr, *work_e = nullptr;
+  cholmod_factor* symbolic = nullptr;
+  std::optional<Supernodes> nodes;
+  std::optional<Fronts> fronts;
+  std::unique_ptr<double[]> factor;  // the entries of all supernodes
+  TriangularSolves<double> solves;
   // The matrix in the order of elimination, and the place of each of its entries in the matrix as
   // given: with them a new matrix of the same pattern is sorted in one pass.
   cholmod_sparse* sorted = nullptr;
   std::vector<int> place;
   bool factorised = false;
-  bool tried = false;  // whether `single` has been decided on
-  std::optional<SingleFactor> single;
+  // The factor in single precision: not yet tried, good enough, or not.
+  enum class Single { untried, good, rough } single_is = Single::untried;
+  std::vector<float> single;
+  TriangularSolves<float> single_solves;
 
   Data() {
     cholmod_start(&common);
@@ -50,10 +56,7 @@ struct Cholesky::Data {
     common.error_handler = nullptr;
   }
   ~Data() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&work, &common);
-    cholmod_free_dense(&work_e, &common);
-    cholmod_free_factor(&factor, &common);
+    cholmod_free_factor(&symbolic, &common);
     cholmod_free_sparse(&sorted, &common);
     cholmod_finish(&common);
   }
@@ -162,16 +165,20 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   const FactorTime time(data_->done);
   const OneCholmodThread one_thread;
   Data& d = *data_;
-  cholmod_free_factor(&d.factor, &d.common);
+  cholmod_free_factor(&d.symbolic, &d.common);
+  cholmod_free_sparse(&d.sorted, &d.common);
   d.factorised = false;
+  d.factor.reset();
+  d.place.clear();
   cholmod_sparse view = view_of(matrix);
   d.common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
-  d.factor = order.empty()
-                 ? cholmod_analyze(&view, &d.common)
-                 : cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &d.common);
-  if (!d.factor) fail(d.common, "analysed");
-  cholmod_free_sparse(&d.sorted, &d.common);
-  d.place.clear();
+  d.symbolic = order.empty() ? cholmod_analyze(&view, &d.common)
+                             : cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0,
+                                                 &d.common);
+  if (!d.symbolic) fail(d.common, "analysed");
+  d.fronts.reset();
+  d.nodes.emplace(*d.symbolic);
+  d.fronts.emplace(*d.nodes);
 }
 
 // Entries of the lower triangle in the order of elimination, column by column, as the supernodal
@@ -183,7 +190,7 @@ void Cholesky::sort(const Matrix& matrix) {
     std::iota(number.begin(), number.end(), 0.0);
     cholmod_sparse view = view_of(matrix);
     view.x = number.data();
-    auto* perm = static_cast<int*>(d.factor->Perm);
+    auto* perm = static_cast<int*>(d.symbolic->Perm);
     cholmod_sparse* upper = cholmod_ptranspose(&view, 1, perm, nullptr, 0, &d.common);
     if (!upper) fail(d.common, "sorted");
     d.sorted = cholmod_ptranspose(upper, 1, nullptr, nullptr, 0, &d.common);
@@ -207,59 +214,54 @@ bool Cholesky::factorise(const Matrix& matrix) {
     counts.factor_nonzeros =
         std::max(counts.factor_nonzeros, static_cast<std::int64_t>(d.common.lnz));
   }
-  d.tried = false;
-  d.single.reset();
+  d.single_is = Data::Single::untried;
   d.common.status = CHOLMOD_OK;
   sort(matrix);
-  double no_shift[2] = {0, 0};
-  cholmod_super_numeric(d.sorted, nullptr, no_shift, d.factor, &d.common);
-  if (d.common.status < CHOLMOD_OK) fail(d.common, "factorised");
-  d.factorised = d.common.status == CHOLMOD_OK && d.factor->minor == d.factor->n;
+  if (!d.factor) d.factor.reset(new double[d.nodes->entries()]);
+  d.factorised = d.fronts->factorise(*d.sorted, d.factor.get());
   return d.factorised;
 }
 
 void Cholesky::solve(const double* b, double* x, int columns) {
-  const OneCholmodThread one_thread;
   Data& d = *data_;
   if (d.done) ++d.done->counts.solves;
-  cholmod_dense rhs{};
-  rhs.nrow = rhs.d = d.factor->n;
-  rhs.ncol = static_cast<size_t>(columns);
-  rhs.nzmax = rhs.nrow * rhs.ncol;
-  rhs.x = const_cast<double*>(b);
-  rhs.xtype = CHOLMOD_REAL;
-  rhs.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, d.factor, &rhs, nullptr, &d.solution, nullptr, &d.work, &d.work_e,
-                      &d.common))
-    fail(d.common, "solved");
-  std::copy_n(static_cast<const double*>(d.solution->x), rhs.nzmax, x);
+  d.solves.solve(*d.nodes, d.factor.get(), b, x, columns);
 }
 
 void Cholesky::precondition(const double* b, double* x, int columns) {
   Data& d = *data_;
-  if (!d.tried) {
-    d.tried = true;
-    d.single.emplace(*d.factor);
-    const auto size = static_cast<Eigen::Index>(d.factor->n) * columns;
-    Eigen::VectorXd exact(size);
+  if (d.single_is == Data::Single::rough) return solve(b, x, columns);
+  const bool untried = d.single_is == Data::Single::untried;
+  const auto size = static_cast<Eigen::Index>(d.symbolic->n) * columns;
+  Eigen::VectorXd exact;
+  if (untried) {
+    exact.resize(size);
     solve(b, exact.data(), columns);
-    d.single->solve(b, x, columns);
-    if (d.done) ++d.done->counts.solves;
-    const Eigen::Map<Eigen::VectorXd> single(x, size);
-    if (!((single - exact).norm() < largest_difference * exact.norm())) {
-      d.single.reset();
-      std::copy_n(exact.data(), size, x);
-    }
-  } else if (d.single) {
-    d.single->solve(b, x, columns);
-    if (d.done) ++d.done->counts.solves;
-  } else {
-    solve(b, x, columns);
+    copy_to_single();
   }
+  if (d.done) ++d.done->counts.solves;
+  d.single_solves.solve(*d.nodes, d.single.data(), b, x, columns);
+  if (!untried) return;
+  const Eigen::Map<Eigen::VectorXd> single(x, size);
+  d.single_is = (single - exact).norm() < largest_difference * exact.norm() ? Data::Single::good
+                                                                            : Data::Single::rough;
+  if (d.single_is == Data::Single::rough) std::copy_n(exact.data(), size, x);
+}
+
+void Cholesky::copy_to_single() {
+  Data& d = *data_;
+  const size_t count = d.nodes->entries(), part = size_t{1} << 20;
+  d.single.resize(count);
+  in_parallel(threads(), static_cast<int>((count + part - 1) / part), [&](int p) {
+    const size_t first = index(p) * part, size = std::min(part, count - first);
+    const double* from = d.factor.get() + first;
+    std::transform(from, from + size, d.single.begin() + static_cast<std::ptrdiff_t>(first),
+                   [](double value) { return static_cast<float>(value); });
+  });
 }
 
 bool Cholesky::analysed() const {
-  return data_->factor != nullptr;
+  return data_->symbolic != nullptr;
 }
 bool Cholesky::factorised() const {
   return data_->factorised;

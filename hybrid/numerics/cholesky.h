@@ -1,7 +1,7 @@
-// Sparse Cholesky factorisation of a symmetric positive definite matrix: a small wrapper around
-// CHOLMOD's supernodal L L^T. The symbolic analysis is kept while the pattern stays the same, and
-// workspaces are kept between solves. All of it throws std::bad_alloc where the memory does not
-// suffice.
+// Sparse Cholesky factorisation of a symmetric positive definite matrix: CHOLMOD's supernodal
+// analysis, and its numbers on the threads of threads.h. The analysis is kept while the pattern
+// stays the same, and workspaces are kept between solves. All of it throws std::bad_alloc where the
+// memory does not suffice.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -49,9 +49,9 @@ class Cholesky {
   /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns);
 
-  /// The same for use as a preconditioner: in single precision (single_factor.h), provided that the
-  /// first solve with a new factor differs from the double-precision solve by less than a
-  /// thousandth.
+  /// The same for use as a preconditioner: in single precision, which halves the data it reads,
+  /// provided that the first solve with a new factor differs from the double-precision solve by
+  /// less than a thousandth.
   void precondition(const double* b, double* x, int columns);
 
   bool analysed() const;
@@ -63,6 +63,7 @@ class Cholesky {
   friend std::vector<int> elimination_order(const Eigen::SparseMatrix<double>&,
                                             const std::vector<int>&, Ordering, Work*);
   void sort(const Eigen::SparseMatrix<double>& matrix);
+  void copy_to_single();
 
   struct Data;
   std::unique_ptr<Data> data_;

@@ -8,7 +8,7 @@
 #include "data/sentence.h"
 #include "judge/choose_fidelity.h"
 #include "judge/criteria.h"
-#include "numerics/blas.h"
+#include "numerics/threads.h"
 #include "predict/fidelity.h"
 #include "predict/fitted_vessels.h"
 #include "predict/input_hashes.h"
@@ -298,7 +298,7 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
   std::vector<double> sizes = stated_sizes(scene);
   require_memory(scene, fidelity->name, sizes);
   InputHashes inputs(scene);
-  set_blas_threads(options.threads);
+  set_threads(options.threads);
   if (has_bare_rods(scene)) {
     Result result = solve_rod_scene(scene, options);
     result.environment.inputs = inputs.hashes();
@@ -371,7 +371,7 @@ FittedVessels fit_vessels(const Scene& scene, const SolveOptions& given) {
   const SolveOptions options = checked(given);
   check_vessels(scene);
   InputHashes inputs(scene);
-  set_blas_threads(options.threads);
+  set_threads(options.threads);
   EarlyStages stages(options);
   FittedVessels fitted;
   for (const VesselSpec& spec : scene.vessels) {

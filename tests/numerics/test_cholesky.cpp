@@ -106,7 +106,7 @@ TEST(Cholesky, PreconditionsAlmostAsItSolves) {
   EXPECT_GT(products.diagonal().minCoeff(), 0);
   Eigen::VectorXd alone(400);
   cholesky.precondition(rhs.data(), alone.data(), 1);
-  EXPECT_EQ(alone, x.col(0));
+  EXPECT_TRUE(alone.isApprox(x.col(0), 1e-6)) << "the BLAS sums one column in another order";
 }
 
 // A clamped beam of 3,000 finite differences, condition 1e13: single precision would solve a

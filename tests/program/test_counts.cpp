@@ -21,15 +21,21 @@ std::string bent_tube(const std::string& fidelity, const std::string& unit, doub
          "  - {vessel: tube, end: end, move: [" + mm(4) + ", 0, 0]}\nfidelity: " + fidelity + "\n";
 }
 
-// In other units the last bits differ: a line search may then end a few evaluations sooner.
+// In other units the last bits differ: a line search may then end a few evaluations sooner. `paper`
+// ends its iteration far above rounding, and may end an outer iteration sooner or later.
 void expect_like(const Json& counts, Json first, const std::string& fidelity) {
   Json same = counts;
+  const bool paper = fidelity == "paper";
   for (const char* name : {"gradients", "solves"}) {
     const double expected = first.at(name).get<double>();
-    EXPECT_NEAR(counts.at(name).get<double>(), expected, 0.05 * expected)
+    EXPECT_NEAR(counts.at(name).get<double>(), expected, (paper ? 0.6 : 0.05) * expected)
         << fidelity << ' ' << name;
     same.erase(name);
     first.erase(name);
+  }
+  if (paper) {
+    same.erase("outer");
+    first.erase("outer");
   }
   EXPECT_EQ(same, first) << fidelity;
 }

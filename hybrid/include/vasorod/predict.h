@@ -24,7 +24,7 @@ struct SolveOptions {
   std::optional<std::string> fidelity;
   /// Also compute the inertia of the surfaces' exact Hessian. Costs one factorisation.
   bool certify = false;
-  /// Number of threads. With 1, two runs on one machine agree in everything but their times.
+  /// Number of threads. The numbers do not depend on it.
   int threads = 1;
   /// Called often; returning true ends the solve with the best state so far. Asked between vessels,
   /// stages, iterations and factorisations, not inside them. May be empty.

@@ -1,0 +1,100 @@
+// The BLAS's and LAPACK's operations on dense column-major blocks of a factor, in both precisions.
+// `stride` is the distance of two columns. Declared here instead of including OpenBLAS's cblas.h,
+// because other BLAS packages install a header of the same name.
+#pragma once
+
+#include <cstddef>
+
+extern "C" {
+void dpotrf_(const char*, const int*, double*, const int*, int*);
+void dsyrk_(const char*, const char*, const int*, const int*, const double*, const double*,
+            const int*, const double*, double*, const int*);
+void dtrsm_(const char*, const char*, const char*, const char*, const int*, const int*,
+            const double*, const double*, const int*, double*, const int*);
+void strsm_(const char*, const char*, const char*, const char*, const int*, const int*,
+            const float*, const float*, const int*, float*, const int*);
+void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*,
+            const double*, const int*, const double*, const int*, const double*, double*,
+            const int*);
+void sgemm_(const char*, const char*, const int*, const int*, const int*, const float*,
+            const float*, const int*, const float*, const int*, const float*, float*, const int*);
+void dtrsv_(const char*, const char*, const char*, const int*, const double*, const int*, double*,
+            const int*);
+void strsv_(const char*, const char*, const char*, const int*, const float*, const int*, float*,
+            const int*);
+void dgemv_(const char*, const int*, const int*, const double*, const double*, const int*,
+            const double*, const int*, const double*, double*, const int*);
+void sgemv_(const char*, const int*, const int*, const float*, const float*, const int*,
+            const float*, const int*, const float*, float*, const int*);
+}
+
+namespace vasorod::dense {
+
+/// A = L L^T of the lower triangle, in place; false where A is not positive definite. OpenBLAS goes
+/// on with what is not a number; it reaches the last pivot.
+inline bool cholesky(int size, double* a, int stride) {
+  int info = 0;
+  dpotrf_("L", &size, a, &stride, &info);
+  const auto last = static_cast<std::ptrdiff_t>(size - 1);
+  return info == 0 && a[last * stride + last] > 0;
+}
+
+/// B = B L^-T for `rows` rows.
+inline void divide_rows(int rows, int columns, const double* l, int stride, double* b) {
+  const double one = 1;
+  dtrsm_("R", "L", "T", "N", &rows, &columns, &one, l, &stride, b, &stride);
+}
+
+/// The lower triangle of C = -A A^T.
+inline void minus_square(int size, int columns, const double* a, int stride, double* c,
+                         int stride_c) {
+  const double minus = -1, zero = 0;
+  dsyrk_("L", "N", &size, &columns, &minus, a, &stride, &zero, c, &stride_c);
+}
+
+/// C = -A B^T.
+inline void minus_product(int rows_a, int rows_b, int columns, const double* a, const double* b,
+                          int stride, double* c, int stride_c) {
+  const double minus = -1, zero = 0;
+  dgemm_("N", "T", &rows_a, &rows_b, &columns, &minus, a, &stride, b, &stride, &zero, c, &stride_c);
+}
+
+template <class Scalar>
+struct Blas;
+template <>
+struct Blas<double> {
+  static constexpr auto trsm = dtrsm_, gemm = dgemm_, trsv = dtrsv_, gemv = dgemv_;
+};
+template <>
+struct Blas<float> {
+  static constexpr auto trsm = strsm_, gemm = sgemm_, trsv = strsv_, gemv = sgemv_;
+};
+
+/// X = L^-1 X, or L^-T X, for `count` right-hand sides.
+template <class Scalar>
+void divide(bool transposed, int size, int count, const Scalar* l, int stride, Scalar* x,
+            int stride_x) {
+  const char* t = transposed ? "T" : "N";
+  const Scalar one = 1;
+  const int step = 1;
+  if (count == 1)
+    Blas<Scalar>::trsv("L", t, "N", &size, l, &stride, x, &step);
+  else
+    Blas<Scalar>::trsm("L", "L", t, "N", &size, &count, &one, l, &stride, x, &stride_x);
+}
+
+/// Y -= A X, or A^T X, for `count` columns of X; A has `rows` rows and `columns` columns.
+template <class Scalar>
+void subtract_product(bool transposed, int rows, int columns, int count, const Scalar* a,
+                      int stride, const Scalar* x, int stride_x, Scalar* y, int stride_y) {
+  const char* t = transposed ? "T" : "N";
+  const Scalar one = 1, minus = -1;
+  const int step = 1, *out = transposed ? &columns : &rows, *in = transposed ? &rows : &columns;
+  if (count == 1)
+    Blas<Scalar>::gemv(t, &rows, &columns, &minus, a, &stride, x, &step, &one, y, &step);
+  else
+    Blas<Scalar>::gemm(t, "N", out, &count, in, &minus, a, &stride, x, &stride_x, &one, y,
+                       &stride_y);
+}
+
+}  // namespace vasorod::dense

@@ -1,0 +1,126 @@
+#include "numerics/fronts.h"
+
+#include <algorithm>
+#include <cholmod.h>
+#include <cstddef>
+
+#include "numerics/dense_blocks.h"
+
+namespace vasorod {
+namespace {
+
+// Rows of a panel: enough for the BLAS, few enough to share a front.
+constexpr int panel = 192;
+
+template <class Task>
+void for_panels(int threads, int size, Task task) {
+  in_parallel(threads, (size + panel - 1) / panel, [&](int p) {
+    const int first = p * panel;
+    task(first, std::min(panel, size - first));
+  });
+}
+
+}  // namespace
+
+// What the children changed in the supernode's own columns.
+void Fronts::add_own(int k, double* columns) const {
+  const Supernode node = nodes_[k];
+  nodes_.for_children(k, [&](int c) {
+    const Supernode child = nodes_[c];
+    const double* from = changes_[index(c)].get();
+    for (int j = 0; j < child.below && child.place[j] < node.columns; ++j, from += child.below) {
+      double* to = columns + std::ptrdiff_t{child.place[j]} * node.rows;
+      for (int i = j; i < child.below; ++i) to[child.place[i]] += from[i];
+    }
+  });
+}
+
+// What they changed in the columns after them.
+void Fronts::add_below(int k, double* change) {
+  const Supernode node = nodes_[k];
+  nodes_.for_children(k, [&](int c) {
+    const Supernode child = nodes_[c];
+    const auto first = static_cast<int>(
+        std::lower_bound(child.place, child.place + child.below, node.columns) - child.place);
+    const double* from = changes_[index(c)].get() + std::ptrdiff_t{first} * child.below;
+    for (int j = first; j < child.below; ++j, from += child.below) {
+      double* to = change + std::ptrdiff_t{child.place[j] - node.columns} * node.below;
+      for (int i = j; i < child.below; ++i) to[child.place[i] - node.columns] += from[i];
+    }
+    changes_[index(c)].reset();
+  });
+}
+
+bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Places& places,
+                       int threads) {
+  const Supernode node = nodes_[k];
+  double* columns = factor + node.entry;
+  for (int i = 0; i < node.rows; ++i) places[index(node.row[i])] = i;
+  const auto* begin = static_cast<const int*>(matrix.p);
+  const auto* row = static_cast<const int*>(matrix.i);
+  const auto* entry = static_cast<const double*>(matrix.x);
+  for (int j = 0; j < node.columns; ++j) {
+    double* to = columns + std::ptrdiff_t{j} * node.rows;
+    std::fill(to + j, to + node.rows, 0.0);
+    for (int p = begin[node.start + j]; p < begin[node.start + j + 1]; ++p)
+      to[places[index(row[p])]] = entry[p];
+  }
+  add_own(k, columns);
+  if (!dense::cholesky(node.columns, columns, node.rows)) return false;
+  if (node.below == 0) {
+    nodes_.for_children(k, [&](int c) { changes_[index(c)].reset(); });
+    return true;
+  }
+  double* below = columns + node.columns;
+  for_panels(threads, node.below, [&](int first, int size) {
+    dense::divide_rows(size, node.columns, columns, node.rows, below + first);
+  });
+  changes_[index(k)].reset(new double[index(node.below) * index(node.below)]);
+  double* change = changes_[index(k)].get();
+  for_panels(threads, node.below, [&](int first, int size) {
+    double* to = change + std::ptrdiff_t{first} * node.below + first;
+    dense::minus_square(size, node.columns, below + first, node.rows, to, node.below);
+    if (const int rest = node.below - first - size; rest > 0)
+      dense::minus_product(rest, size, node.columns, below + first + size, below + first, node.rows,
+                           to + size, node.below);
+  });
+  add_below(k, change);
+  return true;
+}
+
+bool Fronts::factorise(const cholmod_sparse& matrix, double* factor) {
+  const int count = threads();
+  std::vector<Places> places(index(count), Places(index(nodes_.unknowns())));
+  std::atomic<int> failed = -1;
+  const auto eliminate_one = [&](int k, int thread, int share) {
+    if (failed < 0 && !eliminate(k, matrix, factor, places[index(thread)], share)) failed = k;
+  };
+  const auto eliminate_all = [&](const std::vector<int>& tops, const std::vector<int>& above) {
+    nodes_.for_subtrees(tops, count, [&](int thread, int first, int last) {
+      for (int k = first; k <= last; ++k) eliminate_one(k, thread, 1);
+    });
+    for (const int k : above) eliminate_one(k, 0, count);
+  };
+  // First what leads to the supernode that failed.
+  std::vector<int> tops, above, other_tops, other_above;
+  const int first = nodes_.first_descendant(failed_);
+  for (const int k : nodes_.above())
+    (first <= k && k <= failed_ ? above : other_above).push_back(k);
+  for (const int k : nodes_.tops()) {
+    const bool within = nodes_.first_descendant(k) <= failed_ && failed_ <= k;
+    (within || (first <= k && k <= failed_) ? tops : other_tops).push_back(k);
+  }
+  if (above.empty()) {
+    tops.insert(tops.end(), other_tops.begin(), other_tops.end());
+    eliminate_all(tops, other_above);
+  } else {
+    eliminate_all(tops, above);
+    eliminate_all(other_tops, other_above);
+  }
+  if (failed < 0) return true;
+  failed_ = failed;
+  for (std::unique_ptr<double[]>& change : changes_) change.reset();
+  return false;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,47 @@
+// The numbers of a supernodal Cholesky factor, computed front by front (Duff and Reid 1983; Liu,
+// The multifrontal method, SIAM Review 34, 1992): the columns of a supernode and what they change
+// in later columns are one dense matrix, its front, to which the fronts of the children add what
+// they changed. Independent subtrees are on different threads, and so are panels of the large
+// fronts above them. CHOLMOD 3.0 computes the same from left to right on one thread; no library of
+// Debian 12 shares the tree between threads.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "numerics/supernodes.h"
+
+struct cholmod_sparse_struct;
+
+namespace vasorod {
+
+/// Factorises matrices of one pattern. It does not move: it keeps a reference to `nodes`.
+class Fronts {
+ public:
+  explicit Fronts(const Supernodes& nodes) : nodes_(nodes), changes_(index(nodes.size())) {}
+
+  /// Fills `factor`, nodes.entries() numbers, from the lower triangle of a matrix in the order of
+  /// elimination. Returns false where the matrix is not positive definite; the factor is incomplete
+  /// then. The numbers do not depend on the number of threads (threads()). Throws std::bad_alloc.
+  bool factorise(const cholmod_sparse_struct& matrix, double* factor);
+
+ private:
+  // Of one thread, per row of the matrix: its place in the front at hand.
+  using Places = std::vector<int>;
+
+  bool eliminate(int k, const cholmod_sparse_struct& matrix, double* factor, Places& places,
+                 int threads);
+  void add_own(int k, double* columns) const;
+  void add_below(int k, double* change);
+
+  const Supernodes& nodes_;
+  // Per supernode, from its elimination to that of its parent: what it changes in later columns,
+  // the lower triangle of a square, column-major.
+  std::vector<std::unique_ptr<double[]>> changes_;
+  // The supernode where the last matrix was not positive definite; the next is likely not to be
+  // there either.
+  int failed_ = 0;
+};
+
+}  // namespace vasorod

@@ -1,0 +1,80 @@
+// The elimination tree of a supernodal Cholesky factor. A supernode is a set of successive columns
+// with the same rows below them: a dense trapezoid of the factor. It changes columns of its
+// ancestors only, so subtrees that do not hold each other are independent.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "data/index.h"
+#include "numerics/threads.h"
+
+struct cholmod_factor_struct;
+
+namespace vasorod {
+
+/// One trapezoid of the factor: `rows` rows, of which the first `columns` are the columns' own.
+struct Supernode {
+  int start;                 ///< first column
+  int columns, rows, below;  ///< below = rows - columns
+  const int* row;            ///< row indices, ascending
+  const int* place;      ///< of the rows below: their place among the rows of the parent, ascending
+  std::ptrdiff_t entry;  ///< first entry in the factor, column-major with stride `rows`
+  std::ptrdiff_t first_row;  ///< number of the first row index below among all
+};
+
+/// The supernodes of a factor, numbered so that a subtree's are successive and its top is the last.
+class Supernodes {
+ public:
+  /// Reads an analysed supernodal factor of CHOLMOD.
+  explicit Supernodes(const cholmod_factor_struct& symbolic);
+
+  int size() const { return static_cast<int>(parent_.size()); }
+  int unknowns() const { return first_.back(); }
+  std::size_t entries() const { return entries_; }          ///< of the factor
+  std::size_t row_indices() const { return rows_.size(); }  ///< of all supernodes
+  int tallest() const { return tallest_; }                  ///< most rows of a supernode
+  const std::vector<int>& order() const { return order_; }  ///< unknown of each column
+  Supernode operator[](int k) const;
+
+  /// Calls `task` with each child of a supernode, in ascending order.
+  template <class Task>
+  void for_children(int k, Task task) const {
+    for (int c = child_[index(k)]; c >= 0; c = sibling_[index(c)]) task(c);
+  }
+
+  /// The first of a supernode's descendants; from it to the supernode is its subtree.
+  int first_descendant(int k) const { return descendant_[index(k)]; }
+
+  /// The tops of independent subtrees of about the same work, ascending.
+  const std::vector<int>& tops() const { return tops_; }
+  /// The supernodes above these subtrees, ascending.
+  const std::vector<int>& above() const { return above_; }
+
+  /// Calls `task(thread, first, last)` with the first and the last supernode of each subtree of
+  /// `tops`, on up to `threads` threads.
+  template <class Task>
+  void for_subtrees(const std::vector<int>& tops, int threads, Task task) const {
+    std::atomic<size_t> next = 0;
+    const int count = std::min(threads, static_cast<int>(tops.size()));
+    in_parallel(count, count, [&](int thread) {
+      for (size_t k; (k = next++) < tops.size();) task(thread, first_descendant(tops[k]), tops[k]);
+    });
+  }
+
+ private:
+  void divide_into_subtrees();
+
+  std::vector<int> first_;  // per supernode, plus an end entry: first column
+  std::vector<int> row_;    // per supernode, plus an end entry: first row index
+  std::vector<int> entry_;  // per supernode: first entry
+  std::vector<int> rows_, order_;
+  std::vector<int> place_;  // per row index below the columns: place among the parent's rows
+  std::vector<int> parent_, child_, sibling_;  // parent, first child, next sibling; -1: none
+  std::vector<int> descendant_, tops_, above_;
+  std::size_t entries_ = 0;
+  int tallest_ = 0;
+};
+
+}  // namespace vasorod

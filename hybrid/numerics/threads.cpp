@@ -1,0 +1,21 @@
+#include "numerics/threads.h"
+
+#include "numerics/blas.h"
+
+namespace vasorod {
+namespace {
+
+thread_local int chosen = 1;
+
+}  // namespace
+
+void set_threads(int count) {
+  require_blas_buffers(std::max(count, 1));
+  chosen = std::max(count, 1);
+}
+
+int threads() {
+  return chosen;
+}
+
+}  // namespace vasorod

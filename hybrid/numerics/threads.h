@@ -1,0 +1,52 @@
+// The threads of a solve, and work shared between them.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace vasorod {
+
+/// Sets how many threads the solves use that the calling thread begins, at least 1; 1 by default.
+/// Throws std::bad_alloc where the BLAS's buffers for them do not fit into the memory.
+void set_threads(int count);
+int threads();
+
+/// Calls `task` with 0 ... `count` - 1, on up to `threads` threads, of which the calling one is
+/// one. Rethrows the first exception of a task after all threads have ended.
+template <class Task>
+void in_parallel(int threads, int count, Task task) {
+  threads = std::min(threads, count);
+  if (threads <= 1) {
+    for (int i = 0; i < count; ++i) task(i);
+    return;
+  }
+  std::atomic<int> next = 0;
+  std::exception_ptr failure;
+  std::mutex one;
+  const auto work = [&] {
+    try {
+      for (int i; (i = next++) < count;) task(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard<std::mutex> alone(one);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    try {
+      for (int t = 1; t < threads; ++t) others.emplace_back(work);
+    } catch (
+        const std::system_error&) {  // the system gives no more: those that are there do it all
+    }
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace vasorod

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "numerics/threads.h"
+
+namespace vasorod {
+namespace {
+
+TEST(Threads, EachTaskIsDoneOnce) {
+  for (const int threads : {-1, 0, 1, 2, 5, 40}) {
+    std::vector<std::atomic<int>> done(23);
+    in_parallel(threads, 23, [&](int k) { ++done[static_cast<size_t>(k)]; });
+    for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1) << threads << " threads";
+  }
+  in_parallel(3, 0, [](int) { FAIL() << "there is nothing to do"; });
+}
+
+TEST(Threads, TheFirstFailureIsThrownAfterAllHaveEnded) {
+  for (const int threads : {1, 4}) {
+    std::atomic<int> working = 0, most = 0;
+    const auto task = [&](int k) {
+      ++working;
+      most = std::max<int>(most, k);
+      const bool bad = k == 5;
+      --working;
+      if (bad) throw std::runtime_error("five");
+    };
+    EXPECT_THROW(in_parallel(threads, 1000000, task), std::runtime_error);
+    EXPECT_EQ(working, 0);
+    EXPECT_LT(most, 999999) << "the rest is not begun";
+  }
+}
+
+TEST(Threads, AreThoseOfTheThreadThatAsks) {
+  EXPECT_EQ(threads(), 1);
+  set_threads(3);
+  EXPECT_EQ(threads(), 3);
+  std::thread([] { EXPECT_EQ(threads(), 1); }).join();
+  set_threads(0);
+  EXPECT_EQ(threads(), 1);
+}
+
+}  // namespace
+}  // namespace vasorod

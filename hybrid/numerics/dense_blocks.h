@@ -63,11 +63,17 @@ template <class Scalar>
 struct Blas;
 template <>
 struct Blas<double> {
-  static constexpr auto trsm = dtrsm_, gemm = dgemm_, trsv = dtrsv_, gemv = dgemv_;
+  static constexpr auto trsm = dtrsm_;
+  static constexpr auto gemm = dgemm_;
+  static constexpr auto trsv = dtrsv_;
+  static constexpr auto gemv = dgemv_;
 };
 template <>
 struct Blas<float> {
-  static constexpr auto trsm = strsm_, gemm = sgemm_, trsv = strsv_, gemv = sgemv_;
+  static constexpr auto trsm = strsm_;
+  static constexpr auto gemm = sgemm_;
+  static constexpr auto trsv = strsv_;
+  static constexpr auto gemv = sgemv_;
 };
 
 /// X = L^-1 X, or L^-T X, for `count` right-hand sides.

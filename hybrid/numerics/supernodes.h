@@ -59,7 +59,8 @@ class Supernodes {
     std::atomic<size_t> next = 0;
     const int count = std::min(threads, static_cast<int>(tops.size()));
     in_parallel(count, count, [&](int thread) {
-      for (size_t k; (k = next++) < tops.size();) task(thread, first_descendant(tops[k]), tops[k]);
+      for (size_t k = next++; k < tops.size(); k = next++)
+        task(thread, first_descendant(tops[k]), tops[k]);
     });
   }
 

@@ -30,7 +30,7 @@ void in_parallel(int threads, int count, Task task) {
   std::mutex one;
   const auto work = [&] {
     try {
-      for (int i; (i = next++) < count;) task(i);
+      for (int i = next++; i < count; i = next++) task(i);
     } catch (...) {
       next = count;
       const std::lock_guard<std::mutex> alone(one);

@@ -17,27 +17,27 @@ constexpr double piece = 65536;
 template <class Task>
 void for_pieces(int threads, int size, int others, Task task) {
   const double entries = static_cast<double>(size) * others;
-  const int count = std::clamp(static_cast<int>(entries / piece), 1, std::max(1, size / 16));
-  const auto begin = [&](int p) { return static_cast<int>(std::int64_t{size} * p / count); };
-  in_parallel(threads, count, [&](int p) { task(begin(p), begin(p + 1) - begin(p)); });
+  const int parts = std::clamp(static_cast<int>(entries / piece), 1, std::max(1, size / 16));
+  const auto begin = [&](int p) { return static_cast<int>(std::int64_t{size} * p / parts); };
+  in_parallel(threads, parts, [&](int p) { task(begin(p), begin(p + 1) - begin(p)); });
 }
 
 }  // namespace
 
 template <class Scalar>
-void TriangularSolves<Scalar>::up(const Supernodes& nodes, int k, const Scalar* factor, int columns,
+void TriangularSolves<Scalar>::up(const Supernodes& nodes, int k, const Scalar* factor, int count,
                                   int threads) {
   const Supernode node = nodes[k];
   const int n = nodes.unknowns();
   Scalar* here = values_.data() + node.start;
-  Scalar* below = passed_.data() + node.first_row * columns;
-  std::fill_n(below, std::ptrdiff_t{node.below} * columns, Scalar{0});
+  Scalar* below = passed_.data() + node.first_row * count;
+  std::fill_n(below, std::ptrdiff_t{node.below} * count, Scalar{0});
   nodes.for_children(k, [&](int c) {
     const Supernode child = nodes[c];
     const auto own = static_cast<int>(
         std::lower_bound(child.place, child.place + child.below, node.columns) - child.place);
-    const Scalar* from = passed_.data() + child.first_row * columns;
-    for (int r = 0; r < columns; ++r, from += child.below) {
+    const Scalar* from = passed_.data() + child.first_row * count;
+    for (int r = 0; r < count; ++r, from += child.below) {
       Scalar* to = here + std::ptrdiff_t{n} * r;
       for (int i = 0; i < own; ++i) to[child.place[i]] += from[i];
       to = below + std::ptrdiff_t{node.below} * r;
@@ -45,59 +45,59 @@ void TriangularSolves<Scalar>::up(const Supernodes& nodes, int k, const Scalar* 
     }
   });
   const Scalar* block = factor + node.entry;
-  dense::divide(false, node.columns, columns, block, node.rows, here, n);
+  dense::divide(false, node.columns, count, block, node.rows, here, n);
   if (node.below == 0) return;
   for_pieces(threads, node.below, node.columns, [&](int first, int size) {
-    dense::subtract_product(false, size, node.columns, columns, block + node.columns + first,
+    dense::subtract_product(false, size, node.columns, count, block + node.columns + first,
                             node.rows, here, n, below + first, node.below);
   });
 }
 
 template <class Scalar>
-void TriangularSolves<Scalar>::down(const Supernodes& nodes, int k, const Scalar* factor,
-                                    int columns, int threads, std::vector<Scalar>& below) {
+void TriangularSolves<Scalar>::down(const Supernodes& nodes, int k, const Scalar* factor, int count,
+                                    int threads, std::vector<Scalar>& below) {
   const Supernode node = nodes[k];
   const int n = nodes.unknowns();
   Scalar* here = values_.data() + node.start;
   const Scalar* block = factor + node.entry;
   if (node.below > 0) {
-    for (int r = 0; r < columns; ++r) {
+    for (int r = 0; r < count; ++r) {
       const Scalar* from = values_.data() + std::ptrdiff_t{n} * r;
       Scalar* to = below.data() + std::ptrdiff_t{node.below} * r;
       for (int i = 0; i < node.below; ++i) to[i] = from[node.row[node.columns + i]];
     }
     for_pieces(threads, node.columns, node.below, [&](int first, int size) {
-      dense::subtract_product(true, node.below, size, columns,
+      dense::subtract_product(true, node.below, size, count,
                               block + std::ptrdiff_t{first} * node.rows + node.columns, node.rows,
                               below.data(), node.below, here + first, n);
     });
   }
-  dense::divide(true, node.columns, columns, block, node.rows, here, n);
+  dense::divide(true, node.columns, count, block, node.rows, here, n);
 }
 
 template <class Scalar>
 void TriangularSolves<Scalar>::solve(const Supernodes& nodes, const Scalar* factor, const double* b,
-                                     double* x, int columns) {
-  const int count = threads();
+                                     double* x, int count) {
+  const int team = threads();
   const auto n = index(nodes.unknowns());
   const std::vector<int>& order = nodes.order();
-  values_.resize(n * index(columns));
-  passed_.resize(nodes.row_indices() * index(columns));
-  for (size_t r = 0; r < index(columns); ++r)
+  values_.resize(n * index(count));
+  passed_.resize(nodes.row_indices() * index(count));
+  for (size_t r = 0; r < index(count); ++r)
     for (size_t i = 0; i < n; ++i)
       values_[r * n + i] = static_cast<Scalar>(b[r * n + index(order[i])]);
-  nodes.for_subtrees(nodes.tops(), count, [&](int, int first, int last) {
-    for (int k = first; k <= last; ++k) up(nodes, k, factor, columns, 1);
+  nodes.for_subtrees(nodes.tops(), team, [&](int, int first, int last) {
+    for (int k = first; k <= last; ++k) up(nodes, k, factor, count, 1);
   });
   std::vector<std::vector<Scalar>> below(
-      index(count), std::vector<Scalar>(index(nodes.tallest()) * index(columns)));
+      index(team), std::vector<Scalar>(index(nodes.tallest()) * index(count)));
   const std::vector<int>& above = nodes.above();
-  for (const int k : above) up(nodes, k, factor, columns, count);
-  for (size_t k = above.size(); k-- > 0;) down(nodes, above[k], factor, columns, count, below[0]);
-  nodes.for_subtrees(nodes.tops(), count, [&](int thread, int first, int last) {
-    for (int k = last; k >= first; --k) down(nodes, k, factor, columns, 1, below[index(thread)]);
+  for (const int k : above) up(nodes, k, factor, count, team);
+  for (size_t k = above.size(); k-- > 0;) down(nodes, above[k], factor, count, team, below[0]);
+  nodes.for_subtrees(nodes.tops(), team, [&](int thread, int first, int last) {
+    for (int k = last; k >= first; --k) down(nodes, k, factor, count, 1, below[index(thread)]);
   });
-  for (size_t r = 0; r < index(columns); ++r)
+  for (size_t r = 0; r < index(count); ++r)
     for (size_t i = 0; i < n; ++i)
       x[r * n + index(order[i])] = static_cast<double>(values_[r * n + i]);
 }

@@ -13,15 +13,14 @@ namespace vasorod {
 template <class Scalar>
 class TriangularSolves {
  public:
-  /// x = A^-1 b for `columns` right-hand sides, stored column-major; x may be b. `factor`: A's, as
+  /// x = A^-1 b for `count` right-hand sides, stored column-major; x may be b. `factor`: A's, as
   /// Fronts::factorise() fills it, in either precision. The numbers do not depend on the number of
   /// threads (threads()).
-  void solve(const Supernodes& nodes, const Scalar* factor, const double* b, double* x,
-             int columns);
+  void solve(const Supernodes& nodes, const Scalar* factor, const double* b, double* x, int count);
 
  private:
-  void up(const Supernodes& nodes, int k, const Scalar* factor, int columns, int threads);
-  void down(const Supernodes& nodes, int k, const Scalar* factor, int columns, int threads,
+  void up(const Supernodes& nodes, int k, const Scalar* factor, int count, int threads);
+  void down(const Supernodes& nodes, int k, const Scalar* factor, int count, int threads,
             std::vector<Scalar>& below);
 
   // Right-hand sides, then solutions, in the order of elimination; and what each supernode passes

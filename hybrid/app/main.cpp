@@ -1,11 +1,9 @@
 // The program `vasorod`: command-line options and exit codes.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
 #include <string>
-#include <thread>
 #include <unistd.h>
 
 #include <vasorod/error.h>
@@ -15,6 +13,7 @@
 #include "app/program.h"
 #include "app/stop.h"
 #include "data/sentence.h"
+#include "numerics/threads.h"
 
 namespace {
 
@@ -245,8 +244,7 @@ int run(int argc, char** argv) {
   init->add_flag("-q,--quiet", common.quiet, "No progress");
 
   ExploreCommandOptions explore_options;
-  explore_options.threads =
-      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  explore_options.threads = processors();
   auto* explore = app.add_subcommand(
       "explore",
       "Solves the options of a scene's operation and ranks them; goes on where it stopped");

@@ -18,4 +18,8 @@ int threads() {
   return chosen;
 }
 
+int processors() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+}
+
 }  // namespace vasorod

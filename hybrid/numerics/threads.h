@@ -16,6 +16,9 @@ namespace vasorod {
 void set_threads(int count);
 int threads();
 
+/// The processors of this machine, 1 to 64.
+int processors();
+
 /// Calls `task` with 0 ... `count` - 1, on up to `threads` threads, of which the calling one is
 /// one. Rethrows the first exception of a task after all threads have ended.
 template <class Task>

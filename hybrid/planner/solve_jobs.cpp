@@ -6,6 +6,7 @@
 #include <vasorod/predict.h>
 
 #include "data/sentence.h"
+#include "numerics/threads.h"
 #include "planner/failure.h"
 #include "result/sha256.h"
 
@@ -138,6 +139,7 @@ void SolveJobs::solve(Job& job) {
   SolveOptions options;
   options.fidelity = job.fidelity;
   options.patience = 0;
+  options.threads = processors();
   options.stop = [&] { return job.asked.load(); };
   options.progress = [&](const std::string& stage) {
     live();

@@ -18,12 +18,12 @@ if(VASOROD_SANITIZE)
   add_link_options(${sanitizers})
 endif()
 if(VASOROD_FUZZ)
-  # The readers are checked for addresses and undefined behaviour. The solvers are optimised and
-  # only tell libFuzzer which branches an input took, not what was compared there, so that more
-  # scenes are solved in the same time; the tests under VASOROD_SANITIZE check them.
+  # The readers are checked for addresses and undefined behaviour. Geometry and solvers only tell
+  # libFuzzer which branches an input took, not what was compared there, so that more scenes are
+  # solved in the same time; the tests under VASOROD_SANITIZE check them.
   set(VASOROD_FUZZ_CHECKS -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
-    -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  set(VASOROD_FUZZ_READERS data geometry surface_file scene result prepare)
+    -fno-sanitize-recover=all -fno-omit-frame-pointer -O2)
+  set(VASOROD_FUZZ_READERS data surface_file scene result prepare)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(VASOROD_PYTHON)

@@ -1,5 +1,5 @@
 // Plans that are kept beside the current one, with their main numbers.
-import { byId, make } from "./dom.js";
+import { byId, columnHead, make, scrolling, tableOf } from "./dom.js";
 import { fidelityText, isSolution, numberText, stateOf } from "./words.js";
 
 const criterion = (json, name) => json.criteria?.find((one) => one.name === name);
@@ -85,26 +85,12 @@ export function showComparison(rows, on) {
           { class: "soft" },
           "Nothing to compare yet. “Keep this plan” puts the current one here as A, B, C…",
         )
-      : make(
-          "div",
-          { class: "scroll", role: "region", tabindex: "0", "aria-label": "Plans side by side" },
-          make(
-            "table",
-            {},
-            make(
-              "thead",
-              {},
-              make(
-                "tr",
-                {},
-                heads.map((text, k) =>
-                  text
-                    ? make("th", { scope: "col", class: k > 2 ? "number" : "" }, text)
-                    : make("td", {}),
-                ),
-              ),
-            ),
-            make("tbody", {}, lines),
+      : scrolling(
+          "Plans side by side",
+          {},
+          tableOf(
+            heads.map((text, k) => columnHead(text, k > 2)),
+            lines,
           ),
         ),
   );

@@ -18,6 +18,22 @@ export function make(name, attributes = {}, ...children) {
   return node;
 }
 
+/** The head of a column; an empty one is a plain cell. */
+export const columnHead = (text, number = false) =>
+  text ? make("th", { scope: "col", class: number ? "number" : null }, text) : make("td");
+
+/** A table of column heads and rows. */
+export const tableOf = (heads, rows) =>
+  make("table", {}, make("thead", {}, make("tr", {}, heads)), make("tbody", {}, rows));
+
+/** What is wider than the page scrolls in itself, also by keyboard. */
+export const scrolling = (label, attributes, ...children) =>
+  make(
+    "div",
+    { class: "scroll", role: "region", tabindex: "0", "aria-label": label, ...attributes },
+    ...children,
+  );
+
 /** Colours of the style sheet, for what is drawn on a canvas; they follow light and dark. */
 export function themeColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();

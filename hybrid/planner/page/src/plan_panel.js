@@ -5,7 +5,7 @@ import { numberText } from "./words.js";
 const wrap = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
 
 // A slider and a number for the same value; both carry the same label.
-function both({ id, title, unit, min, max, step, live, done }) {
+function both({ id, title, unit, limits: [min, max], step, live, done }) {
   const range = make("input", {
     type: "range",
     id: `${id}-slider`,
@@ -66,87 +66,51 @@ function both({ id, title, unit, min, max, step, live, done }) {
   };
 }
 
-/** Fills the panel; `state` is the PlanState. Returns show(plan, place, scene). */
+/** Fills the panel; `state` is the PlanState. Returns show(plan, place, veinLength). */
 export function planPanel(state, { limits, units, vessels }) {
   const unit = units.length;
   const box = byId("plan-controls");
-  const done = () => state.commit();
-  const live = (change) => (value) => state.preview(change(value, state.plan));
-  const [shortest, longest] = limits.incision_length;
   const [flattest, roundest] = limits.ellipse_ratio;
-  const [least, most] = limits.cut_tilt_deg;
   let ratio = Math.min(roundest, Math.max(flattest, 0.5)); // of the ellipse, while a slit is chosen
 
-  const cut = both({
-    id: "cut-along",
-    title: "Place on the vein",
-    unit: "%",
-    min: 0,
-    max: 100,
-    step: 0.5,
-    done,
-    live: live((value, plan) => ({ cut: { ...plan.cut, along: value / 100 } })),
-  });
-  const tilt = both({
-    id: "cut-tilt",
-    title: "Tilt of the cut",
-    unit: "°",
-    min: least,
-    max: most,
-    step: 1,
-    done,
-    live: live((value) => ({ cut_tilt_deg: value })),
-  });
-  const along = both({
-    id: "incision-along",
-    title: "Place on the artery",
-    unit: "%",
-    min: 0,
-    max: 100,
-    step: 0.5,
-    done,
-    live: live((value, plan) => ({ incision: { ...plan.incision, along: value / 100 } })),
-  });
-  const around = both({
-    id: "incision-around",
-    title: "Around the artery",
-    unit: "°",
-    min: -180,
-    max: 180,
-    step: 1,
-    done,
-    live: live((value, plan) => ({ incision: { ...plan.incision, around_deg: value } })),
-  });
-  const length = both({
-    id: "incision-length",
-    title: "Length",
-    unit: "× fit",
-    min: shortest,
-    max: longest,
-    step: 0.05,
-    done,
-    live: live((value) => ({ incision_length: value })),
-  });
-  const ellipse = both({
-    id: "ellipse-ratio",
-    title: "Width of the ellipse",
-    unit: "× length",
-    min: flattest,
-    max: roundest,
-    step: 0.05,
-    done,
-    live: live((value) => ({ shape: { ellipse: (ratio = value) } })),
-  });
-  const turn = both({
-    id: "vein-turn",
-    title: "Turn added",
-    unit: "°",
-    min: -180,
-    max: 180,
-    step: 1,
-    done,
-    live: live((value) => ({ rotation_deg: value })),
-  });
+  const share = { unit: "%", limits: [0, 100], step: 0.5 };
+  const angle = { unit: "°", limits: [-180, 180], step: 1 };
+  const control = (id, title, kind, change) =>
+    both({
+      id,
+      title,
+      ...kind,
+      live: (value) => state.preview(change(value, state.plan)),
+      done: () => state.commit(),
+    });
+  const cut = control("cut-along", "Place on the vein", share, (value, plan) => ({
+    cut: { ...plan.cut, along: value / 100 },
+  }));
+  const tilt = control(
+    "cut-tilt",
+    "Tilt of the cut",
+    { ...angle, limits: limits.cut_tilt_deg },
+    (value) => ({ cut_tilt_deg: value }),
+  );
+  const along = control("incision-along", "Place on the artery", share, (value, plan) => ({
+    incision: { ...plan.incision, along: value / 100 },
+  }));
+  const around = control("incision-around", "Around the artery", angle, (value, plan) => ({
+    incision: { ...plan.incision, around_deg: value },
+  }));
+  const length = control(
+    "incision-length",
+    "Length",
+    { unit: "× fit", limits: limits.incision_length, step: 0.05 },
+    (value) => ({ incision_length: value }),
+  );
+  const ellipse = control(
+    "ellipse-ratio",
+    "Width of the ellipse",
+    { unit: "× length", limits: limits.ellipse_ratio, step: 0.05 },
+    (value) => ({ shape: { ellipse: (ratio = value) } }),
+  );
+  const turn = control("vein-turn", "Turn added", angle, (value) => ({ rotation_deg: value }));
   const artery = vessels.find(({ part }) => part === "rpa");
   const ways = artery?.routes ?? [];
   const branch = make(
@@ -217,7 +181,7 @@ export function planPanel(state, { limits, units, vessels }) {
 
   return (plan, place, veinLength) => {
     const editable = Boolean(plan) && !state.locked;
-    for (const control of [cut, tilt, along, around, length]) control.enable(editable);
+    for (const one of [cut, tilt, along, around, length]) one.enable(editable);
     for (const input of box.querySelectorAll("input[type=radio], select"))
       input.disabled = !editable;
     if (!plan) return;

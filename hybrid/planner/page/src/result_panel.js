@@ -1,5 +1,5 @@
 // What a prediction says of itself: status, validity, warnings and criteria, as report.html does.
-import { byId, make } from "./dom.js";
+import { byId, columnHead, make, scrolling, tableOf } from "./dom.js";
 import {
   criterionText,
   fidelityText,
@@ -10,7 +10,6 @@ import {
   statusText,
   thresholdText,
   verdictMark,
-  verdictText,
   whyUnknown,
 } from "./words.js";
 
@@ -90,7 +89,7 @@ function criteriaTable({ criteria, status }) {
         make("strong", {}, value),
         badge(
           verdictMark(unknown ? "unknown" : one.verdict),
-          verdictText(unknown ? "unknown" : one.verdict),
+          plainName(unknown ? "unknown" : one.verdict),
         ),
       ),
     );
@@ -103,30 +102,10 @@ function criteriaTable({ criteria, status }) {
     ),
   ];
   return [
-    make(
-      "div",
-      {
-        class: `scroll${isSolution(status) ? "" : " unsolved"}`,
-        role: "region",
-        tabindex: "0",
-        "aria-label": "Criteria",
-        id: "criteria",
-      },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "col" }, "Criterion"),
-            make("th", { scope: "col", class: "number" }, "Value and verdict"),
-          ),
-        ),
-        make("tbody", {}, rows),
-      ),
+    scrolling(
+      "Criteria",
+      { class: `scroll${isSolution(status) ? "" : " unsolved"}`, id: "criteria" },
+      tableOf([columnHead("Criterion"), columnHead("Value and verdict", true)], rows),
     ),
     sources.length > 0
       ? make(

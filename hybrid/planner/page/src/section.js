@@ -1,5 +1,5 @@
 // The cutting plane across a vessel: its outline in the views, and the areas it cuts.
-import { byId, make } from "./dom.js";
+import { byId, columnHead, make, tableOf } from "./dom.js";
 import { tubeAbout } from "./geometry.js";
 import { newest } from "./newest.js";
 import { across, cross, dot, sub, times, unit } from "./vectors.js";
@@ -112,41 +112,29 @@ export class Sections {
         make("h3", {}, title),
         flatOutline(cut, plane, cssOf),
         cut.vessels.some(({ loops }) => loops.length > 0)
-          ? make(
-              "table",
-              {},
-              make(
-                "thead",
-                {},
-                make(
-                  "tr",
-                  {},
-                  make("th", { scope: "col" }, "Vessel"),
-                  make("th", { scope: "col", class: "number" }, `Area, ${unitLength}²`),
-                  make("th", { scope: "col", class: "number" }, `Lumen, ${unitLength}²`),
-                ),
-              ),
-              make(
-                "tbody",
-                {},
-                cut.vessels
-                  .filter(({ loops }) => loops.length > 0)
-                  .map(({ name, area, lumen }) =>
+          ? tableOf(
+              [
+                columnHead("Vessel"),
+                columnHead(`Area, ${unitLength}²`, true),
+                columnHead(`Lumen, ${unitLength}²`, true),
+              ],
+              cut.vessels
+                .filter(({ loops }) => loops.length > 0)
+                .map(({ name, area, lumen }) =>
+                  make(
+                    "tr",
+                    {},
                     make(
-                      "tr",
-                      {},
-                      make(
-                        "th",
-                        { scope: "row" },
-                        make("span", { class: "dot", style: `background:${cssOf(name)}` }),
-                        " ",
-                        plainName(name),
-                      ),
-                      make("td", { class: "number" }, numberText(area)),
-                      make("td", { class: "number" }, numberText(lumen)),
+                      "th",
+                      { scope: "row" },
+                      make("span", { class: "dot", style: `background:${cssOf(name)}` }),
+                      " ",
+                      plainName(name),
                     ),
+                    make("td", { class: "number" }, numberText(area)),
+                    make("td", { class: "number" }, numberText(lumen)),
                   ),
-              ),
+                ),
             )
           : make("p", { class: "soft" }, "The plane meets no vessel."),
       ),

@@ -1,10 +1,16 @@
 // What the page calls things, in the words of report.html.
 
+/** Names of vessels, stages and verdicts as words. */
+export const plainName = (name) => String(name).replaceAll("_", " ");
+
 /** Whether the vessels would stay in the state: the rule of report.html. */
 export const isSolution = (status) =>
   !["iteration_limit", "interrupted", "unstable"].includes(status);
 
-const statusWords = {
+// A function from a name to its words; a name that is not listed stands for itself.
+const wordsFrom = (words) => (name) => words[name] ?? plainName(name);
+
+export const statusText = wordsFrom({
   converged: "converged",
   equilibrium_only: "in equilibrium, minimum not certified",
   unstable: "unstable: an equilibrium that does not last",
@@ -13,8 +19,7 @@ const statusWords = {
   self_intersecting: "walls pass through themselves or each other",
   iteration_limit: "stopped at the iteration limit",
   interrupted: "interrupted: the best state so far",
-};
-export const statusText = (status) => statusWords[status] ?? status;
+});
 
 /** "good", "warn" or "bad": only a converged result is shown as good. */
 export function statusMark(status) {
@@ -23,18 +28,11 @@ export function statusMark(status) {
 }
 
 /** The shortest form, for the head of a view. */
-export function statusShort(status) {
-  const short = {
-    converged: "converged",
-    equilibrium_only: "not certified",
-    unstable: "unstable",
-    self_intersecting: "walls cross",
-    not_unique: "not unique",
-    iteration_limit: "unfinished",
-    interrupted: "interrupted",
-  };
-  return short[status] ?? status;
-}
+const statusShort = wordsFrom({
+  equilibrium_only: "not certified",
+  self_intersecting: "walls cross",
+  iteration_limit: "unfinished",
+});
 
 /** The state of a prediction in a few words, with its mark: nothing with a warning is "good". */
 export function stateOf({ status, validity, criteria, self_intersections: crossings }) {
@@ -52,41 +50,27 @@ export function stateOf({ status, validity, criteria, self_intersections: crossi
   ];
 }
 
-export const fidelityText = (name) =>
-  ({
-    rod: "Axes only",
-    skin: "Quick",
-    paper: "Paper model",
-    coupled: "Full model",
-    fit: "Fitted",
-    solid: "Solid elements",
-    shell: "Shell elements",
-  })[name] ?? name;
+export const fidelityText = wordsFrom({
+  rod: "Axes only",
+  skin: "Quick",
+  paper: "Paper model",
+  coupled: "Full model",
+  fit: "Fitted",
+  solid: "Solid elements",
+  shell: "Shell elements",
+});
 
-export const criterionText = (name) =>
-  ({
-    lumen: "Smallest lumen, of that at rest",
-    mouth: "Opening of the join, of the cut vein's lumen",
-    twist: "Largest twist along a vessel",
-    twist_shear: "Largest twist shear",
-    stretch: "Stretch furthest from 1",
-    contact_pressure: "Largest contact pressure",
-  })[name] ?? plainName(name);
-
-export const verdictText = (verdict) =>
-  ({
-    fine: "fine",
-    warning: "warning",
-    strong_warning: "strong warning",
-    not_judged: "not judged",
-    unknown: "unknown",
-  })[verdict] ?? verdict;
+export const criterionText = wordsFrom({
+  lumen: "Smallest lumen, of that at rest",
+  mouth: "Opening of the join, of the cut vein's lumen",
+  twist: "Largest twist along a vessel",
+  twist_shear: "Largest twist shear",
+  stretch: "Stretch furthest from 1",
+  contact_pressure: "Largest contact pressure",
+});
 
 export const verdictMark = (verdict) =>
   ({ fine: "good", warning: "warn", strong_warning: "bad" })[verdict] ?? "plain";
-
-/** Names of vessels and stages as words. */
-export const plainName = (name) => String(name).replaceAll("_", " ");
 
 /** A number with three digits that matter; a dash where there is none. */
 export function numberText(value, digits = 3) {

@@ -44,6 +44,12 @@ class Planner:
         self.port = int(self.url.split(":")[2].split("/")[0])
         self.token = self.url.split("/")[3]
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
     def close(self, sent=signal.SIGTERM):
         """Ends the program; its exit code and what it said last."""
         if self.process.poll() is None:
@@ -71,19 +77,20 @@ class Planner:
         finally:
             connection.close()
 
-    def get(self, path):
-        """The JSON of a request that is answered."""
-        status, _, body = self.ask("GET", path)
+    def answered(self, method, path, body=None):
+        """The bytes of a request that is answered."""
+        status, _, answer = self.ask(method, path, body)
         if status != 200:
-            raise AssertionError(f"GET {path}: {status} {body[:300]!r}")
-        return json.loads(body)
+            raise AssertionError(f"{method} {path}: {status} {answer[:300]!r}")
+        return answer
+
+    def get(self, path):
+        """The JSON of a GET."""
+        return json.loads(self.answered("GET", path))
 
     def post(self, path, body):
-        """The same of a POST."""
-        status, _, answer = self.ask("POST", path, json.dumps(body))
-        if status != 200:
-            raise AssertionError(f"POST {path}: {status} {answer[:300]!r}")
-        return json.loads(answer)
+        """The JSON of a POST."""
+        return json.loads(self.answered("POST", path, json.dumps(body)))
 
     def refused(self, path, body):
         """Status and sentence of a POST that is refused."""
@@ -107,10 +114,12 @@ class Planner:
 
     def mesh(self, path):
         """The arrays of a mesh: {name: list of rows}."""
-        status, _, data = self.ask("GET", path)
-        if status != 200:
-            raise AssertionError(f"GET {path}: {status} {data[:300]!r}")
-        return read_mesh(data)
+        return read_mesh(self.answered("GET", path))
+
+    def head(self, method, path):
+        """First lines of a request for `raw`; other headers and the empty line may follow."""
+        kind = "Content-Type: application/json\r\n" if method == "POST" else ""
+        return f"{method} /{self.token}/{path} HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n{kind}"
 
     def raw(self, data, seconds=5):
         """What comes back for these bytes."""

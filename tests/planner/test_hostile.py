@@ -54,12 +54,9 @@ class Strangers(WithPlanner):
         self.is_refused(status, body)
 
     def test_a_token_is_new_each_time(self):
-        other = Planner()
-        try:
+        with Planner() as other:
             self.assertRegex(other.token, "^[0-9a-f]{32}$")
             self.assertNotEqual(other.token, self.planner.token)
-        finally:
-            other.close()
 
     def test_another_host(self):
         port = self.planner.port
@@ -84,9 +81,8 @@ class Strangers(WithPlanner):
                 self.is_refused(status, body)
         status, _, _ = self.planner.ask("GET", "api/session", headers={"Host": f"localhost:{port}"})
         self.assertEqual(status, 200)
-        twice = (
-            f"GET /{self.planner.token}/api/session HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n"
-            f"Host: evil.example\r\nConnection: close\r\n\r\n"
+        twice = self.planner.head("GET", "api/session") + (
+            "Host: evil.example\r\nConnection: close\r\n\r\n"
         )
         self.assertIn(b" 403 ", self.planner.raw(twice.encode()))
         none = f"GET /{self.planner.token}/api/session HTTP/1.1\r\nConnection: close\r\n\r\n"
@@ -224,12 +220,9 @@ class Bodies(WithPlanner):
         status, _, body = self.planner.ask("POST", "api/pick", b" " * (1 << 20))
         self.assertEqual(status, 400, body)
         # It is the stated length that counts, before anything is read.
-        head = (
-            f"POST /{self.planner.token}/api/pick HTTP/1.1\r\n"
-            f"Host: 127.0.0.1:{self.planner.port}\r\nContent-Type: application/json\r\n"
-        )
+        head = self.planner.head("POST", "api/pick")
         answer = self.planner.raw(
-            (head + "Connection: close\r\nContent-Length: 99999999999999\r\n" "\r\n{}").encode(), 10
+            f"{head}Connection: close\r\nContent-Length: 99999999999999\r\n\r\n{{}}".encode(), 10
         )
         self.assertTrue(b" 413 " in answer or b" 400 " in answer or answer == b"", answer)
 
@@ -243,10 +236,7 @@ class Bodies(WithPlanner):
             status, _, body = self.planner.ask("POST", "api/pick", "{}", headers)
             self.assertEqual(status, wanted, body)
             self.assertIn("error", json.loads(body))
-        head = (
-            f"POST /{self.planner.token}/api/pick HTTP/1.1\r\n"
-            f"Host: 127.0.0.1:{self.planner.port}\r\nContent-Type: application/json\r\n"
-        )
+        head = self.planner.head("POST", "api/pick")
         chunked = head + "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"
         self.assertIn(b" 415 ", self.planner.raw(chunked.encode()))
         self.assertIn(b" 411 ", self.planner.raw((head + "\r\n").encode()))
@@ -264,11 +254,8 @@ class Bodies(WithPlanner):
 
     def test_bytes_that_are_no_http(self):
         generator = random.Random(1)
-        good = (
-            f"POST /{self.planner.token}/api/pick HTTP/1.1\r\nHost: 127.0.0.1:"
-            f"{self.planner.port}\r\nContent-Type: application/json\r\nContent-Length: 2\r\n"
-            f"Connection: close\r\n\r\n{{}}"
-        ).encode()
+        head = self.planner.head("POST", "api/pick")
+        good = f"{head}Content-Length: 2\r\nConnection: close\r\n\r\n{{}}".encode()
         for k in range(150):
             data = bytearray(good)
             for _ in range(generator.randint(1, 6)):
@@ -335,6 +322,11 @@ class Bodies(WithPlanner):
 class Ending(unittest.TestCase):
     """The program ends when it is told to, and leaves nothing behind."""
 
+    def keep_folder(self, planner):
+        """Its folder outlives the program, to be looked into."""
+        planner.made = False
+        self.addCleanup(shutil.rmtree, planner.folder, ignore_errors=True)
+
     def test_signals(self):
         for sent in (signal.SIGINT, signal.SIGTERM):
             planner = Planner()
@@ -346,8 +338,7 @@ class Ending(unittest.TestCase):
         plan = planner.get("api/scene")["plan"]
         planner.post("api/solve", {"plan": plan, "fidelity": "coupled"})
         before = time.monotonic()
-        planner.made = False
-        self.addCleanup(shutil.rmtree, planner.folder, ignore_errors=True)
+        self.keep_folder(planner)
         self.assertEqual(planner.close()[0], 0)
         self.assertLess(time.monotonic() - before, 5)
         self.assertEqual([p.name for p in planner.folder.iterdir()], ["small.yaml"])
@@ -358,14 +349,10 @@ class Ending(unittest.TestCase):
         rid = planner.solved(plan)["result"]
         with socket.create_connection(("127.0.0.1", planner.port)) as connection:
             body = json.dumps({"result": rid, "name": "kept"})
-            connection.sendall(
-                f"POST /{planner.token}/api/keep HTTP/1.1\r\nHost: 127.0.0.1:{planner.port}\r\n"
-                f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n"
-                f"{body}".encode()
-            )
+            head = planner.head("POST", "api/keep")
+            connection.sendall(f"{head}Content-Length: {len(body)}\r\n\r\n{body}".encode())
             time.sleep(0.3)
-            planner.made = False
-            self.addCleanup(shutil.rmtree, planner.folder, ignore_errors=True)
+            self.keep_folder(planner)
             self.assertEqual(planner.close()[0], 0)
         left = {p.name for p in planner.folder.iterdir()}
         self.assertLessEqual(left, {"small.yaml", "kept"})
@@ -379,10 +366,7 @@ class Ending(unittest.TestCase):
             job = planner.post("api/solve", {"plan": plan, "fidelity": "skin"})["job"]
             for path in (f"api/job/{job}?wait=5000", "api/mesh/svc", "app.js"):
                 with socket.create_connection(("127.0.0.1", planner.port)) as connection:
-                    connection.sendall(
-                        f"GET /{planner.token}/{path} HTTP/1.1\r\nHost: 127.0.0.1:"
-                        f"{planner.port}\r\n\r\n".encode()
-                    )
+                    connection.sendall(f"{planner.head('GET', path)}\r\n".encode())
             self.assertEqual(planner.ended(job)["state"], "done")
         finally:
             self.assertEqual(planner.close()[0], 0)
@@ -395,14 +379,11 @@ class Ending(unittest.TestCase):
         return run.returncode, run.stdout, run.stderr
 
     def test_a_port_that_is_taken(self):
-        planner = Planner()
-        try:
+        with Planner() as planner:
             code, said, complained = self.run_program("--port", str(planner.port))
             self.assertEqual((code, said), (3, ""))
             self.assertEqual(complained.count("\n"), 1)
             self.assertIn(str(planner.port), complained)
-        finally:
-            planner.close()
 
     def test_wrong_input(self):
         for arguments, word in (

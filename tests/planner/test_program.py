@@ -169,11 +169,8 @@ class Solving(WithPlanner):
             rotation_deg=-15.5,
         )
         _, saved = self.same_as_the_solver(plan, "skin", "changed.yaml")
-        again = Planner(saved["file"], scene=None, folder=self.planner.folder)
-        try:
+        with Planner(saved["file"], scene=None, folder=self.planner.folder) as again:
             self.assertEqual(again.get("api/scene")["plan"], plan)
-        finally:
-            again.close()
 
     def test_another_fidelity(self):
         self.same_as_the_solver(self.plan, "rod", "rod.yaml")
@@ -319,8 +316,7 @@ class Files(WithPlanner):
             one.pop("seconds")
         self.assertEqual(ours, theirs)
         self.assertEqual(self.planner.refused("api/keep", {"result": rid, "name": "kept"})[0], 409)
-        again = Planner(str(folder), scene=None, folder=self.planner.folder)
-        try:
+        with Planner(str(folder), scene=None, folder=self.planner.folder) as again:
             scene = again.get("api/scene")
             self.assertEqual((scene["kind"], scene["editable"]), ("result", False))
             opened = again.get("api/result/" + scene["result"])
@@ -336,21 +332,16 @@ class Files(WithPlanner):
                 ours = self.planner.mesh(f"api/result/{rid}/mesh/{name}")
                 theirs = again.mesh(f"api/result/{scene['result']}/mesh/{name}")
                 self.assertEqual(ours, {key: theirs[key] for key in ours})
-        finally:
-            again.close()
 
     def test_other_scenes_of_the_folder_can_be_opened(self):
         (self.planner.folder / "zz_other.yaml").write_text(SCENE.replace("small", "other"))
-        other = Planner(
+        with Planner(
             str(self.planner.folder / "small.yaml"), scene=None, folder=self.planner.folder
-        )
-        try:
+        ) as other:
             sources = {one["name"]: one for one in other.get("api/session")["sources"]}
             scene = other.post("api/open", {"id": sources["zz_other"]["id"]})
             self.assertEqual(scene["name"], "other")
             self.assertEqual(other.get("api/session")["current"], sources["zz_other"]["id"])
-        finally:
-            other.close()
 
 
 class Bundled(unittest.TestCase):
@@ -358,8 +349,7 @@ class Bundled(unittest.TestCase):
 
     def test_a_branched_artery_can_be_picked_on_every_branch(self):
         scene = SOURCE / "benchmarks" / "cases" / "glenn" / "infant.yaml"
-        planner = Planner(str(scene), scene=None)
-        try:
+        with Planner(str(scene), scene=None) as planner:
             opened = planner.get("api/scene")
             self.assertTrue(opened["editable"])
             artery = next(one for one in opened["vessels"] if one["part"] == "rpa")
@@ -379,8 +369,6 @@ class Bundled(unittest.TestCase):
                 for mine, theirs in zip(drawn["incision"]["point"], hit["point"]):
                     self.assertAlmostEqual(mine, theirs, delta=0.1)
             self.assertEqual(len(routes), 2)
-        finally:
-            planner.close()
 
 
 if __name__ == "__main__":

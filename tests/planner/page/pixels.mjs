@@ -63,3 +63,40 @@ export function middleAt(found, share) {
   const columns = found.filter(([, y]) => y === row).map(([x]) => x);
   return [columns[Math.floor(columns.length / 2)], row];
 }
+
+// Whether there is ink at 24 x 24 places of the box around what was found, and how slim the box is.
+function shapeOf(found) {
+  const low = [0, 1].map((k) => Math.min(...found.map((one) => one[k])));
+  const size = [0, 1].map((k) => Math.max(...found.map((one) => one[k])) + 1 - low[k]);
+  const ink = new Set(found.map(String));
+  const places = Array.from({ length: 576 }, (_, i) => [i % 24, Math.floor(i / 24)]);
+  return {
+    ink: places.map((at) =>
+      ink.has(String(at.map((one, k) => low[k] + Math.floor(((one + 0.5) / 24) * size[k])))),
+    ),
+    slim: size[0] / size[1],
+  };
+}
+
+/** Which of the words is written where a picture was found to have ink: bold, upright. */
+export async function wordOf(page, found, words) {
+  const reader = await page.context().newPage();
+  try {
+    const style = "font: bold 40px Arial; color: black; background: white; padding: 4px";
+    await reader.setContent(
+      "<meta name=viewport content=width=device-width><body style=background:white>" +
+        words.map((word, k) => `<span id="w${k}" style="${style}">${word}</span>`).join(" "),
+    );
+    const seen = shapeOf(found);
+    const unlike = [];
+    for (const k of words.keys()) {
+      const written = shapeOf(find(await pixelsOf(reader, `#w${k}`), {}, (r) => r < 128));
+      unlike[k] =
+        written.ink.filter((ink, i) => ink !== seen.ink[i]).length +
+        300 * Math.abs(written.slim - seen.slim);
+    }
+    return words[unlike.indexOf(Math.min(...unlike))];
+  } finally {
+    await reader.close();
+  }
+}

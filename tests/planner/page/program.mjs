@@ -7,7 +7,7 @@ import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 
 /** A folder with the bundled Glenn shunt, which the program may write into. */
 export async function sceneFolder() {
@@ -18,6 +18,29 @@ export async function sceneFolder() {
     text.replaceAll("../../../meshes", join(root, "meshes")),
   );
   return folder;
+}
+
+/** A scene SPACE.yaml of the vein alone, whose surface names LPS, RAS or no space (""). */
+export async function writeVein(folder, space) {
+  const name = space || "no_space";
+  const text = await readFile(join(root, "meshes/infant/svc.vtp"), "utf8");
+  const codes = [...space, "\0"].map((letter) => letter.charCodeAt(0)).join(" ");
+  const data =
+    '<PolyData>\n<FieldData><Array type="String" Name="SPACE" NumberOfTuples="1" format="ascii">' +
+    `${codes}</Array></FieldData>`;
+  await writeFile(join(folder, `${name}.vtp`), space ? text.replace("<PolyData>", data) : text);
+  await writeFile(
+    join(folder, `${name}.yaml`),
+    `scene: ${name}
+fidelity: skin
+units: {length: mm, stress: MPa}
+vessels:
+  - {name: svc, surface: ${name}.vtp, wall: {thickness: 0.4, young: 0.5, poisson: 0.45}}
+ends:
+  - {vessel: svc, end: {near: [-9.2, 2.7, 31]}, hold: true}
+  - {vessel: svc, end: {near: [-8.9, 1.9, -8]}, hold: true}
+`,
+  );
 }
 
 /** The program on sources; {address, stop()}. */
@@ -75,7 +98,7 @@ export async function openPage(browser, address, { width = 1400, height = 900, .
   const page = await context.newPage();
   const faults = [];
   page.on("console", (message) => {
-    if (message.type() === "error") faults.push(message.text());
+    if (message.type() === "error") faults.push(`${message.text()} ${message.location().url}`);
   });
   page.on("pageerror", (error) => faults.push(error.stack ?? String(error)));
   page.on("request", (request) => {

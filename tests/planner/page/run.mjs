@@ -6,69 +6,30 @@ import assert from "node:assert/strict";
 import { access, readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
+import "./folders.mjs";
+import "./following.mjs";
 import { changed, find, middleAt, pixelsOf } from "./pixels.mjs";
-import { openPage, removeFolder, sceneFolder, startBrowser, startProgram } from "./program.mjs";
-
-let folder, program, browser;
-
-before(async () => {
-  folder = await sceneFolder();
-  program = await startProgram(folder);
-  browser = await startBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await program?.stop();
-  if (folder) await removeFolder(folder);
-});
-
-// A test with a page of its own, which must not have left a fault behind.
-function pageTest(name, options, work) {
-  test(name, { timeout: 240000 }, async () => {
-    const opened = await openPage(browser, program.address, options);
-    try {
-      await work(opened.page, opened);
-      assert.deepEqual(opened.faults, []);
-    } finally {
-      await opened.close();
-    }
-  });
-}
-
-const wide = { width: 1400, height: 900 };
-const value = async (page, id) => Number(await page.locator(`#${id}`).inputValue());
-const badge = (page, view = 1) => page.locator(`#head-${view} .badge`);
-
-/** Waits until the prediction of the present plan is shown. */
-async function predicted(page, model = "Quick") {
-  await page.waitForFunction(
-    (words) =>
-      [...document.querySelectorAll(".head .badge")].some(
-        (one) => !one.hidden && one.textContent.startsWith(words),
-      ),
-    `${model}:`,
-    { timeout: 120000 },
-  );
-}
-
-// The vessels before the operation are in the first view, the prediction in the second.
-async function halves(page) {
-  const { width, height } = await page.locator("#stage").boundingBox();
-  return [
-    { x: 0, y: 0, width: width / 2, height },
-    { x: width / 2, y: 0, width: width / 2, height },
-  ];
-}
-
-const isVein = (r, g, b) => g > r + 15 && b > g + 25;
-const isArtery = (r, g, b) => r > g + 2 && b > r + 22 && b > 90;
-const isCutMarker = (r, g, b) => r > 240 && g > 160 && g < 190 && b < 30;
-
-async function clickStage(page, [x, y]) {
-  await page.locator("#surface").click({ position: { x, y } });
-}
+import { openPage, startProgram } from "./program.mjs";
+import {
+  badge,
+  browser,
+  changedFrom,
+  clickStage,
+  colouredPixels,
+  folder,
+  halves,
+  isArtery,
+  isCutMarker,
+  isVein,
+  narrow,
+  openSource,
+  pageTest,
+  predicted,
+  setNumber,
+  value,
+  wide,
+} from "./steps.mjs";
 
 pageTest("the scene is shown and its plan predicted", wide, async (page) => {
   assert.equal(await page.locator("#scene-name").textContent(), "infant");
@@ -98,10 +59,7 @@ pageTest(
     const [cut, along] = [await value(page, "cut-along"), await value(page, "incision-along")];
     // A third from the head down, between the kept end (0 %) and the heart (100 %).
     await clickStage(page, middleAt(find(picture, left, isVein), 0.33));
-    await page.waitForFunction(
-      (was) => document.getElementById("cut-along").value !== was,
-      String(cut),
-    );
+    await changedFrom(page, "cut-along", cut);
     const placed = await value(page, "cut-along");
     assert.ok(placed > 15 && placed < 55, `the cut is where it was clicked: ${placed} %`);
     assert.equal(await value(page, "incision-along"), along);
@@ -110,10 +68,7 @@ pageTest(
     const artery = find(picture, left, isArtery);
     const far = artery.filter(([x]) => x < Math.min(...artery.map(([column]) => column)) + 30);
     await clickStage(page, middleAt(far, 0.5));
-    await page.waitForFunction(
-      (was) => document.getElementById("incision-along").value !== was,
-      String(along),
-    );
+    await changedFrom(page, "incision-along", along);
     assert.equal(await value(page, "cut-along"), placed);
   },
 );
@@ -198,8 +153,7 @@ pageTest(
   wide,
   async (page) => {
     await predicted(page);
-    await page.locator("#incision-along").fill("99.5");
-    await page.locator("#incision-along").press("Tab");
+    await setNumber(page, "incision-along", "99.5");
     await page.locator("#problem").waitFor({ state: "visible" });
     assert.ok((await page.locator("#problem").textContent()).length > 10);
     await page.getByText("No prediction for this plan").waitFor();
@@ -263,22 +217,14 @@ pageTest("an interrupted result is grey and its numbers unknown", wide, async (p
   );
   assert.match(await page.locator("#result").textContent(), /No equilibrium was found/);
   assert.equal(await page.locator("#criteria tbody td strong").first().textContent(), "unknown");
-  const picture = await pixelsOf(page, "#stage");
-  const [, right] = await halves(page);
-  const coloured = find(
-    picture,
-    { ...right, y: 70, height: right.height - 70 },
-    (r, g, b) => Math.max(r, g, b) - Math.min(r, g, b) > 40,
-  );
-  assert.deepEqual(coloured, [], "no colour says anything");
+  assert.deepEqual(await colouredPixels(page), [], "no colour says anything");
   assert.match(await page.locator("#comparison tbody tr").first().textContent(), /–/);
 });
 
 pageTest("walls that pass through each other are never shown as good", wide, async (page) => {
   await predicted(page);
   // The vein is then so short that it is drawn into the aorta.
-  await page.locator("#cut-along").fill("70");
-  await page.locator("#cut-along").press("Tab");
+  await setNumber(page, "cut-along", "70");
   await page.locator("#head-1 .badge", { hasText: "walls pass through each other" }).waitFor();
   assert.ok(await badge(page).evaluate((one) => one.classList.contains("bad")));
   assert.equal(await page.locator(".badges .badge.good").count(), 0);
@@ -288,8 +234,7 @@ pageTest("walls that pass through each other are never shown as good", wide, asy
 pageTest("plans are kept and compared in two views with one camera", wide, async (page) => {
   await predicted(page);
   await page.locator("#keep-plan").click();
-  await page.locator("#cut-along").fill("60");
-  await page.locator("#cut-along").press("Tab");
+  await setNumber(page, "cut-along", "60");
   await page.waitForFunction(
     () =>
       !document.getElementById("keep-plan").disabled &&
@@ -345,8 +290,7 @@ pageTest(
     );
     await page.locator("#range-auto").uncheck();
     await page.locator("#range-low").fill("-0.005");
-    await page.locator("#range-high").fill("0.005");
-    await page.locator("#range-high").press("Tab");
+    await setNumber(page, "range-high", "0.005");
     await page.waitForTimeout(300);
     const narrow = await pixelsOf(page, "#stage");
     assert.ok(changed(twist, narrow, right) > 0.01, "the fixed range shows more");
@@ -446,12 +390,10 @@ pageTest(
   wide,
   async (page, { faults }) => {
     await predicted(page);
-    await page.locator("#cut-along").fill("65");
-    await page.locator("#cut-along").press("Tab");
+    await setNumber(page, "cut-along", "65");
     await page.locator("#vein-turn").waitFor({ state: "hidden" });
     await page.getByLabel("By hand").check();
-    await page.locator("#vein-turn").fill("20");
-    await page.locator("#vein-turn").press("Tab");
+    await setNumber(page, "vein-turn", "20");
     await predicted(page);
     const save = async () => {
       await page.locator("#save").click();
@@ -477,8 +419,7 @@ pageTest(
       "converged",
     );
 
-    await page.locator("#open").click();
-    await page.locator("#sources button", { hasText: /again/ }).click();
+    await openSource(page, /again/);
     await page.waitForFunction(
       () =>
         document.getElementById("cut-along").value === "65" &&
@@ -487,18 +428,13 @@ pageTest(
     assert.equal(await value(page, "vein-turn"), 20);
     await predicted(page);
 
-    await page.locator("#open").click();
-    await page.locator("#sources button", { hasText: /kept/ }).click();
+    await openSource(page, /kept/);
     await page.waitForFunction(
       () => document.getElementById("result-title").textContent === "Result",
     );
     await predicted(page);
     assert.ok(await page.locator("#save").isDisabled(), "a result has no plan to change");
-    await page.locator("#open").click();
-    await page
-      .locator("#sources button", { hasText: /^infant/ })
-      .first()
-      .click();
+    await openSource(page, /^infant/);
     await page.waitForFunction(
       () => document.getElementById("result-title").textContent !== "Result",
     );
@@ -551,34 +487,65 @@ pageTest("everything of a plan works by keyboard alone", wide, async (page) => {
   assert.ok(await page.locator("#help-dialog").isHidden());
 });
 
-pageTest(
-  "a narrow page overflows nowhere and works by touch",
-  { width: 390, height: 844, hasTouch: true, isMobile: true },
-  async (page) => {
-    await predicted(page);
-    const overflow = () =>
-      page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-    assert.equal(await overflow(), 0);
-    const picture = await pixelsOf(page, "#stage");
-    const scale = picture.width / (await page.locator("#stage").boundingBox()).width;
-    const begin = await value(page, "cut-along");
-    // The two views lie above each other.
-    const above = { height: picture.height / 2 };
-    const [x, y] = middleAt(find(picture, above, isVein), 0.3);
-    await page.locator("#surface").tap({ position: { x: x / scale, y: y / scale } });
-    await page.waitForFunction(
-      (was) => document.getElementById("cut-along").value !== was,
-      String(begin),
+pageTest("a narrow page overflows nowhere and works by touch", narrow, async (page) => {
+  await predicted(page);
+  const overflow = () =>
+    page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );
-    await predicted(page);
-    for (const id of ["tab-curves", "tool-section", "one-view", "keep-plan"]) {
-      await page.locator(`#${id}`).click();
-      assert.equal(await overflow(), 0, id);
-    }
-  },
-);
+  assert.equal(await overflow(), 0);
+  const picture = await pixelsOf(page, "#stage");
+  const scale = picture.width / (await page.locator("#stage").boundingBox()).width;
+  const begin = await value(page, "cut-along");
+  // The two views lie above each other.
+  const above = { height: picture.height / 2 };
+  const [x, y] = middleAt(find(picture, above, isVein), 0.3);
+  await page.locator("#surface").tap({ position: { x: x / scale, y: y / scale } });
+  await changedFrom(page, "cut-along", begin);
+  await predicted(page);
+  for (const id of ["tab-curves", "tool-section", "one-view", "keep-plan"]) {
+    await page.locator(`#${id}`).click();
+    assert.equal(await overflow(), 0, id);
+  }
+});
+
+pageTest("two fingers zoom and move, and place nothing", narrow, async (page, { context }) => {
+  await predicted(page);
+  const begin = await value(page, "cut-along");
+  const { x, y, width, height } = await page.locator("#surface").boundingBox();
+  const touches = await context.newCDPSession(page);
+  const touch = (type, apart, aside = 0) => {
+    const middle = [x + width / 2 + aside, y + height / 4];
+    const touchPoints = [-apart, apart].map((away, id) => ({
+      id,
+      x: middle[0] + away,
+      y: middle[1],
+    }));
+    return touches.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: type === "touchEnd" ? [] : touchPoints,
+    });
+  };
+  const pinch = async (from, to, aside = 0) => {
+    await touch("touchStart", from);
+    for (let k = 1; k <= 5; k++)
+      await touch("touchMove", from + (k / 5) * (to - from), (k / 5) * aside);
+    await touch("touchEnd");
+    await page.waitForTimeout(300);
+    const upper = { x: 4, y: 4, width: width - 8, height: height / 2 - 8 }; // within the focus ring
+    return find(await pixelsOf(page, "#stage"), upper, isVein);
+  };
+  const middleOf = (found) => found.reduce((sum, [column]) => sum + column, 0) / found.length;
+  const asOpened = await pinch(40, 40);
+  const nearer = await pinch(40, 60);
+  assert.ok(nearer.length > 1.3 * asOpened.length, "apart is nearer");
+  const further = await pinch(60, 30);
+  assert.ok(further.length < 0.6 * nearer.length, "together is further away");
+  const moved = await pinch(40, 40, 50);
+  const way = middleOf(moved) - middleOf(further);
+  assert.ok(Math.abs(way - 50) < 10, `moved by ${way} of 50 pixels`);
+  assert.equal(await value(page, "cut-along"), begin);
+});
 
 for (const [name, options] of [
   ["light", { ...wide, colorScheme: "light" }],
@@ -626,20 +593,21 @@ test(
       await page.locator("#keep-plan").click();
       // For a while only: the page goes on by itself.
       await context.setOffline(true);
-      await page.locator("#cut-along").fill("66");
-      await page.locator("#cut-along").press("Tab");
+      await setNumber(page, "cut-along", "66");
       await page.locator("#lost").waitFor({ state: "visible" });
       assert.match(await page.locator("#lost").textContent(), /The program does not answer\./);
       await context.setOffline(false);
       // Unless the page has gone on by itself before.
-      await page.locator("#retry").click({ timeout: 2000 }).catch(() => {});
+      await page
+        .locator("#retry")
+        .click({ timeout: 2000 })
+        .catch(() => {});
       await page.locator("#lost").waitFor({ state: "hidden" });
       await predicted(page);
       assert.equal(await value(page, "cut-along"), 66);
       // For good.
       await own.stop();
-      await page.locator("#cut-along").fill("58");
-      await page.locator("#cut-along").press("Tab");
+      await setNumber(page, "cut-along", "58");
       await page.locator("#lost").waitFor({ state: "visible" });
       assert.equal(await value(page, "cut-along"), 58, "the plan can still be changed");
       await page.locator("#undo").click();

@@ -23,8 +23,9 @@ export const letterOf = (count) => {
 };
 
 /**
- * `rows`: [{name, subject, kept}]; `on` has use(row): its plan becomes the current one, drop(row),
- * beside(row): it is shown in the second view.
+ * `rows`: [{name, subject, kept, instead}], the words `instead` of its state where given. `on` has
+ * use(row): its plan becomes the current one, drop(row), beside(row): it is shown in the second
+ * view.
  */
 export function showComparison(rows, on) {
   const heads = [
@@ -49,17 +50,13 @@ export function showComparison(rows, on) {
       );
     return make(
       "tr",
-      { class: isSolution(json.status) ? "" : "unsolved" },
+      { class: isSolution(json.status) && !row.instead ? "" : "unsolved" },
       make("th", { scope: "row" }, row.name),
       make("td", {}, fidelityText(json.fidelity)),
       make(
         "td",
         {},
-        make(
-          "span",
-          { class: `badge ${row.stale ? "plain" : mark}` },
-          row.stale ? "earlier plan" : words,
-        ),
+        make("span", { class: `badge ${row.instead ? "plain" : mark}` }, row.instead ?? words),
       ),
       numbersOf(json).map((text) => make("td", { class: "number" }, text)),
       make(

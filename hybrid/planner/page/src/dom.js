@@ -4,7 +4,7 @@ export const byId = (id) => document.getElementById(id);
 
 /** An element with attributes, listeners (values that are functions) and children. */
 export function make(name, attributes = {}, ...children) {
-  const drawn = ["svg", "path", "g", "circle"].includes(name);
+  const drawn = ["svg", "path"].includes(name);
   const node = drawn
     ? document.createElementNS("http://www.w3.org/2000/svg", name)
     : document.createElement(name);

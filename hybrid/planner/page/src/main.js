@@ -6,6 +6,7 @@ import { letterOf, showComparison } from "./compare.js";
 import { announce, byId, make } from "./dom.js";
 import { askName, fileOf, showSources } from "./files.js";
 import { nearestNode } from "./geometry.js";
+import { newest } from "./newest.js";
 import { download, pictureOf } from "./picture.js";
 import { PlanState } from "./plan.js";
 import { planPanel } from "./plan_panel.js";
@@ -19,7 +20,7 @@ import { loadRest, loadResult } from "./subjects.js";
 import { Tools } from "./tools.js";
 import { distance, norm, sub } from "./vectors.js";
 import { Views } from "./views.js";
-import { isSolution, plainName } from "./words.js";
+import { plainName } from "./words.js";
 
 const keys = [
   ["Click the vein, the artery", "place the cut, the incision"],
@@ -79,6 +80,10 @@ class App {
     return this.predicting.stale;
   }
 
+  get outdated() {
+    return this.predicting.outdated;
+  }
+
   get cssOf() {
     return this.views.cssOf;
   }
@@ -119,7 +124,10 @@ class App {
     }
   }
 
-  async open(source) {
+  // One after the other: the program has one scene open, and its vessels are asked for by name.
+  open = newest((source) => this.#open(source));
+
+  async #open(source) {
     byId("loading").hidden = false;
     byId("loading").textContent = `Reading ${source.name}…`;
     try {
@@ -165,7 +173,6 @@ class App {
     byId("plan-controls").hidden = !scene.plan;
     if (scene.plan) this.#showPlan = planPanel(this.state, scene);
     byId("predict").hidden = scene.kind === "result";
-    byId("plan").classList.toggle("idle", scene.kind === "result");
     this.predicting.start();
     this.state.start(scene.plan);
     if (current) this.predicting.opened(current);
@@ -179,20 +186,14 @@ class App {
   // --- what follows from changes ---
 
   planChanged() {
-    const { state, scene } = this;
+    const { state } = this;
     byId("undo").disabled = !state.canUndo;
     byId("redo").disabled = !state.canRedo;
     byId("lock").disabled = !this.editable;
     byId("lock").setAttribute("aria-pressed", String(state.locked));
     byId("lock").textContent = state.locked ? "Unlock plan" : "Lock plan";
     byId("save").disabled = !this.editable;
-    this.#showPlan(
-      scene?.editable ? state.plan : state.plan && { ...state.plan },
-      this.placed,
-      this.#veinLength(),
-    );
-    if (scene && !scene.editable)
-      for (const input of byId("plan-controls").querySelectorAll("input")) input.disabled = true;
+    this.#showPlan(state.plan, this.placed, this.#veinLength());
     this.tools.showHint();
     this.stage.draw();
   }
@@ -239,7 +240,7 @@ class App {
         name: opened ? "This result" : "This plan",
         choice: "current",
         subject: current,
-        stale: stale && !busy,
+        instead: stale ? (busy ? "predicting…" : "earlier plan") : null,
       });
     showComparison(rows, {
       locked: this.state.locked || !this.editable,
@@ -252,6 +253,7 @@ class App {
     this.#drawCurves();
     this.views.drawPlan();
     this.tools.refreshSection();
+    this.tools.refreshRuler();
   }
 
   #showBeside(choice) {
@@ -399,7 +401,7 @@ class App {
       .map(({ choice, subject }) => ({
         name: this.views.titleOf(choice),
         line: this.axisPath(subject)?.line,
-        solved: isSolution(subject.json.status),
+        solved: this.views.meansSomething(subject),
       }))
       .filter(({ line }) => line);
     if (byId("curves").hidden) return;
@@ -437,11 +439,10 @@ class App {
   }
 
   #save() {
-    const base = this.scene.name.replace(/\.yaml$/, "").replace(/[^A-Za-z0-9_.-]+/g, "_");
     askName({
       title: "Save plan",
       label: "File name",
-      name: `${base}_plan.yaml`,
+      name: `${this.#plainTitle()}_plan.yaml`,
       mayOverwrite: true,
       fidelities: this.session.fidelities,
       fidelity: this.current?.fidelity ?? this.scene.fidelity,
@@ -459,13 +460,14 @@ class App {
   }
 
   #keepResult() {
-    const base = this.scene.name.replace(/\.yaml$/, "").replace(/[^A-Za-z0-9_.-]+/g, "_");
+    // The one that is shown now: another prediction may end while the name is typed.
+    const { id, fidelity } = this.current;
     askName({
       title: "Save result",
       label: "Folder name",
-      name: `${base}_${this.current.fidelity}`,
+      name: `${this.#plainTitle()}_${fidelity}`,
       save: async (name) => {
-        const { folder } = await this.api.post("api/keep", { result: this.current.id, name });
+        const { folder } = await this.api.post("api/keep", { result: id, name });
         this.say(`Saved in ${folder}, with its report.html.`);
       },
     });
@@ -480,7 +482,12 @@ class App {
     });
     const note = `${scene.name}. ${this.session.program}. Research software, not for clinical use.`;
     const blob = await pictureOf(stage, camera, views.theme, views.overlay(), heads, note);
-    download(blob, `${scene.name.replace(/[^A-Za-z0-9_.-]+/g, "_")}.png`);
+    download(blob, `${this.#plainTitle()}.png`);
+  }
+
+  /** The scene's name as a part of a file's name. */
+  #plainTitle() {
+    return this.scene.name.replace(/\.yaml$/, "").replace(/[^A-Za-z0-9_.-]+/g, "_");
   }
 
   // --- controls ---
@@ -570,7 +577,7 @@ class App {
     } else if ((ctrlKey || metaKey) && key.toLowerCase() === "y" && !typing) this.state.redo();
     else if (ctrlKey || metaKey || altKey || typing) return;
     else if (key === "Escape") {
-      if (this.solving.running) this.solving.cancel();
+      if (this.solving.running) this.predicting.cancel();
       else this.tools.choose("plan");
     } else if (target.matches("input[type=range]") && /^\d$/.test(key)) return;
     else if ("123".includes(key)) this.views.lookFrom(Number(key) - 1);

@@ -13,7 +13,7 @@ const curves = (unit) => [
   { key: "curvature", title: `Curvature, 1/${unit}` },
 ];
 
-/** `marked(line, node)` is called when the cursor moves over a plot, with null when it leaves. */
+/** `marked(arc)` is called when the cursor moves over a plot, with null when it leaves. */
 export class Plots {
   #plots = [];
   #marked;
@@ -25,10 +25,6 @@ export class Plots {
     this.#marked = marked;
     new ResizeObserver(() => this.#fit()).observe(byId("plots"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#make());
-  }
-
-  get lines() {
-    return this.#lines;
   }
 
   /** `lines`: [{name, line, solved}]; the first one has the cursor. */

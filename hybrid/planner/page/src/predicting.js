@@ -2,6 +2,7 @@
 import { Unreachable } from "./api.js";
 import { announce, byId, make } from "./dom.js";
 import { newest } from "./newest.js";
+import { quick } from "./solving.js";
 import { loadResult } from "./subjects.js";
 import { fidelityText, plainName, statusText } from "./words.js";
 
@@ -17,6 +18,7 @@ export class Predicting {
   #seen = null; // the plan that was last placed and asked for
   #detail = null; // {plan, fidelity}: what follows the quick prediction of a plan
   #loading = false;
+  #told = false; // whether the page was last told that what it shows is outdated
   #clock = 0;
 
   constructor(app) {
@@ -34,7 +36,7 @@ export class Predicting {
     solving.addEventListener("failed", ({ detail }) => this.#failed(detail));
     solving.addEventListener("idle", () => this.#showBusy());
     state.addEventListener("change", ({ detail }) => this.#planChanged(detail.settled));
-    byId("cancel").addEventListener("click", () => solving.cancel());
+    byId("cancel").addEventListener("click", () => this.cancel());
     this.place = newest((plan) => this.#place(plan));
   }
 
@@ -87,6 +89,21 @@ export class Predicting {
 
   get busy() {
     return this.#loading || Boolean(this.#app.solving.running);
+  }
+
+  /**
+   * What is shown is of an earlier plan, and no quick prediction is about to replace it: a marker
+   * that is dragged would else make the colours flicker.
+   */
+  get outdated() {
+    const { fidelity } = this.#app.solving.running ?? {};
+    return this.stale && !this.#loading && !quick.includes(fidelity);
+  }
+
+  /** Ends the running prediction and what would have followed it. */
+  cancel() {
+    this.#detail = null;
+    this.#app.solving.cancel();
   }
 
   solve(fidelity) {
@@ -160,13 +177,14 @@ export class Predicting {
   }
 
   #showBusy() {
-    const { busy } = this;
+    const { busy, outdated } = this;
     if (!this.#app.solving.running) {
       clearInterval(this.#clock);
       byId("progress").hidden = true;
     }
-    if (busy === this.#app.busy) return;
+    if (busy === this.#app.busy && outdated === this.#told) return;
     this.#app.busy = busy;
+    this.#told = outdated;
     this.#app.resultChanged();
   }
 
@@ -182,6 +200,8 @@ export class Predicting {
     if (scene !== this.#app.scene) return; // another one was opened meanwhile
     const key = keyOf(plan);
     this.#remember(key, subject);
+    // The plan went back to one whose prediction is shown while this one was on its way.
+    if (key !== keyOf(this.#app.state.plan) && this.#app.current && !this.stale) return;
     this.#app.current = subject;
     this.#app.noResult = null;
     this.#shownPlan = key;

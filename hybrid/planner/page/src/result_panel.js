@@ -3,6 +3,7 @@ import { byId, columnHead, make, scrolling, tableOf } from "./dom.js";
 import {
   criterionText,
   fidelityText,
+  isFit,
   isSolution,
   numberText,
   plainName,
@@ -46,7 +47,9 @@ function notice(json) {
   ].filter(Boolean);
   if (warnings.length === 0) return "";
   const fine =
-    isSolution(json.status) && !json.self_intersections?.length && json.validity.in_range;
+    isSolution(json.status) &&
+    !json.self_intersections?.length &&
+    (isFit(json) || json.validity.in_range);
   return make(
     "div",
     { class: `notice ${fine ? "warn" : "bad"}` },
@@ -63,7 +66,7 @@ function notice(json) {
   );
 }
 
-function criteriaTable({ criteria, status }) {
+function criteriaTable({ criteria, status, self_intersections: crossed }) {
   if (!criteria?.length) return "";
   const rows = criteria.map((one) => {
     const unknown = one.verdict === "unknown" || !isSolution(status);
@@ -88,8 +91,11 @@ function criteriaTable({ criteria, status }) {
         { class: "number" },
         make("strong", {}, value),
         badge(
-          verdictMark(unknown ? "unknown" : one.verdict),
-          plainName(unknown ? "unknown" : one.verdict),
+          // Nothing is good about walls that cross.
+          unknown || (crossed?.length > 0 && one.verdict === "fine")
+            ? "plain"
+            : verdictMark(one.verdict),
+          unknown ? "unknown" : plainName(one.verdict),
         ),
       ),
     );
@@ -152,9 +158,21 @@ function facts({ json }) {
   return list.length > 0 ? make("dl", { class: "facts" }, list) : "";
 }
 
+function badges(json) {
+  if (isFit(json)) return [badge("plain", "Fitted at rest, nothing solved")];
+  // No vessel can be so, whatever the solver found.
+  const crossed = json.self_intersections?.length > 0;
+  return [
+    badge(crossed ? "bad" : statusMark(json.status), headline(json)),
+    validityBadge(json.status, json.validity),
+    badge("plain", `${fidelityText(json.fidelity)} (${json.fidelity})`),
+  ];
+}
+
 /** Shows a prediction, or the sentence why there is none. */
 export function showResult({ subject, title, stale, sentence, busy }) {
   const box = byId("result");
+  box.classList.toggle("earlier", stale);
   byId("result-title").textContent = title;
   const parts = [];
   if (sentence)
@@ -162,7 +180,11 @@ export function showResult({ subject, title, stale, sentence, busy }) {
       make(
         "div",
         { class: "notice bad", role: "alert" },
-        make("strong", {}, "No prediction for this plan"),
+        make(
+          "strong",
+          {},
+          subject && !stale ? "The last prediction failed" : "No prediction for this plan",
+        ),
         sentence,
       ),
     );
@@ -177,16 +199,8 @@ export function showResult({ subject, title, stale, sentence, busy }) {
     );
   if (subject) {
     const { json } = subject;
-    // No vessel can be so, whatever the solver found.
-    const crossed = json.self_intersections?.length > 0;
     parts.push(
-      make(
-        "div",
-        { class: "badges" },
-        badge(crossed ? "bad" : statusMark(json.status), headline(json)),
-        validityBadge(json.status, json.validity),
-        badge("plain", `${fidelityText(json.fidelity)} (${json.fidelity})`),
-      ),
+      make("div", { class: "badges" }, badges(json)),
       notice(json),
       facts(subject),
       ...[criteriaTable(json)].flat(),

@@ -2,9 +2,11 @@
 // given up for a newer plan.
 import { Refused, Unreachable } from "./api.js";
 
+export const quick = ["rod", "skin"];
+
 /**
  * Emits "progress" with {fidelity, stage, seconds}, "done" with {plan, fidelity, result}, "failed"
- * with {sentence, plan} and "idle".
+ * with {sentence, plan, cancelled} and "idle".
  */
 export class Solving extends EventTarget {
   #api;
@@ -30,7 +32,7 @@ export class Solving extends EventTarget {
       return;
     }
     this.#waiting = { plan, fidelity, asked, begun: performance.now() };
-    const long = current && !["rod", "skin"].includes(current.fidelity);
+    const long = current && !quick.includes(current.fidelity);
     if (long || (current && fidelity !== "skin")) this.#giveUp(current);
     this.#loop ??= this.#run();
   }
@@ -61,22 +63,27 @@ export class Solving extends EventTarget {
   }
 
   async #run() {
-    while (this.#waiting) {
-      const task = this.#waiting;
-      this.#waiting = null;
-      this.#current = task;
-      try {
-        await this.#solve(task);
-      } catch (error) {
-        if (error instanceof Unreachable || error instanceof Refused) {
-          if (!task.stale) this.#tell("failed", { ...task, sentence: error.message });
-        } else throw error;
-      } finally {
-        this.#current = null;
-      }
+    // Also after an answer that nobody expected the next plan is predicted.
+    try {
+      while (this.#waiting) await this.#attempt();
+    } finally {
+      this.#loop = null;
+      this.#tell("idle");
     }
-    this.#loop = null;
-    this.#tell("idle");
+  }
+
+  async #attempt() {
+    const task = this.#waiting;
+    this.#waiting = null;
+    this.#current = task;
+    try {
+      await this.#solve(task);
+    } catch (error) {
+      if (!task.stale) this.#tell("failed", { ...task, sentence: error.message });
+      if (!(error instanceof Unreachable || error instanceof Refused)) throw error;
+    } finally {
+      this.#current = null;
+    }
   }
 
   async #solve(task) {

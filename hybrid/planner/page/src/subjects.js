@@ -42,14 +42,13 @@ function inOrder(meshes, vessels) {
   return new Map([...meshes].sort(([a], [b]) => (order.get(a) ?? 99) - (order.get(b) ?? 99)));
 }
 
-function addField(subject, vessel, { name, title, unit, map, neutral, range }, values) {
+function addField(subject, vessel, { name, title, unit, map, range }, values) {
   if (!values) return;
   const known = subject.fields.get(name) ?? {
     name,
     title,
     unit,
     map,
-    neutral,
     range: [...range],
     values: new Map(),
   };
@@ -74,7 +73,6 @@ function addLumen(subject, unit) {
     title: "lumen area",
     unit: `${unit}²`,
     map: "sequential",
-    neutral: 0,
     range,
     get values() {
       made ??= lumenValues(subject, new Set(lines.map((line) => line.vessel)));

@@ -21,7 +21,8 @@ const hints = {
 export class Tools {
   #app;
   tool = "plan";
-  #section = null; // {vessel, branch, arc}
+  #section = null; // {arc}
+  #inside = false; // whether the pointer is over the views and turns nothing
 
   constructor(app) {
     this.#app = app;
@@ -42,8 +43,14 @@ export class Tools {
         if (name) this.#heat(null);
       },
       click: (pane, x, y) => this.#click(pane, x, y),
-      hover: (pane, x, y) => hover(pane, x, y),
-      leave: () => this.#leave(),
+      hover: (pane, x, y) => {
+        this.#inside = true;
+        hover(pane, x, y);
+      },
+      leave: () => {
+        this.#inside = false;
+        this.#leave();
+      },
     });
     for (const name of ["plan", "ruler", "section"])
       byId(`tool-${name}`).addEventListener("click", () => this.choose(name));
@@ -116,7 +123,7 @@ export class Tools {
       this.#app.complain(error);
       return;
     }
-    if (!hit) return;
+    if (!hit || scene !== this.#app.scene) return;
     if (!hit.part) {
       this.#app.say(
         `That is the ${plainName(hit.vessel)}. ` +
@@ -160,6 +167,15 @@ export class Tools {
     this.#app.stage.draw();
   }
 
+  /** A length between points that are no longer shown would be one of nothing. */
+  refreshRuler() {
+    const app = this.#app;
+    app.ruler = app.ruler.filter(({ subject }) =>
+      app.stage.shown.some((pane) => pane.subject === subject),
+    );
+    this.#showRuler();
+  }
+
   #showRuler() {
     const { ruler, unitLength } = this.#app;
     const [a, b] = ruler;
@@ -191,7 +207,7 @@ export class Tools {
   }
 
   refreshSection() {
-    const { app } = this;
+    const app = this.#app;
     const longest = app.axisPath(app.axisSubject());
     const on = this.tool === "section" && longest && this.#section;
     if (on) {
@@ -218,15 +234,12 @@ export class Tools {
     );
   }
 
-  get app() {
-    return this.#app;
-  }
-
   // --- the pointer over a vessel ---
 
   async #hover(pane, x, y) {
     // One look for each frame: a mouse may move far more often.
     await new Promise(requestAnimationFrame);
+    if (!this.#inside) return;
     const { stage, views, state, editable } = this.#app;
     const surface = byId("surface");
     this.#heat(null);

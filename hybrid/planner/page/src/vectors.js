@@ -11,7 +11,6 @@ export const cross = (a, b) => [
 ];
 export const norm = (a) => Math.hypot(a[0], a[1], a[2]);
 export const distance = (a, b) => norm(sub(a, b));
-export const mix = (a, b, t) => add(times(1 - t, a), times(t, b));
 
 /** The unit vector; zero stays zero. */
 export function unit(a) {

@@ -214,7 +214,7 @@ export class Views {
     const { stage, kept, scene, rest } = this.#app;
     const choices = [
       ...(rest ? ["rest"] : []),
-      ...(scene?.kind === "result" || scene ? ["current"] : []),
+      ...(scene ? ["current"] : []),
       ...kept.map(({ name }) => name),
     ];
     stage.panes.forEach((pane, k) => {
@@ -223,14 +223,6 @@ export class Views {
       const shown = k < stage.count;
       const head = byId(`head-${k}`);
       head.hidden = !shown;
-      if (shown) {
-        const { rect } = pane;
-        Object.assign(head.style, {
-          left: `${rect.x + 8}px`,
-          top: `${rect.y + 8}px`,
-          maxWidth: `${rect.width - 16}px`,
-        });
-      }
       head.firstElementChild.replaceChildren(
         ...choices.map((choice) =>
           make(
@@ -271,11 +263,12 @@ export class Views {
   /** What a view's head says of the state of what it shows: [mark, words] or null. */
   stateText(k) {
     const { busy, stale, current, noResult } = this.#app;
+    const missing = noResult && (stale || !current);
     const choice = this.chosen[k];
     const subject = this.subjectOf(choice);
     if (choice === "rest") return null;
     if (choice === "current" && busy) return ["plain", "predicting…"];
-    if (choice === "current" && noResult)
+    if (choice === "current" && missing)
       return ["bad", current ? "no prediction; earlier plan shown" : "no prediction"];
     if (choice === "current" && stale && current) return ["warn", "earlier plan"];
     if (!subject) return ["plain", "no prediction yet"];
@@ -333,12 +326,15 @@ export class Views {
     byId("range-unit").textContent = field.unit ?? "";
   }
 
-  // Numbers of a state that is no solution, or of an earlier plan, say nothing: they are grey.
+  /** Not of a state that is no solution, and not of an earlier plan. */
+  meansSomething(subject) {
+    const { current, outdated } = this.#app;
+    return isSolution(subject.json.status) && !(subject === current && outdated);
+  }
+
+  // Numbers that say nothing are grey.
   mapOf(subject, field) {
-    const { current, stale, busy } = this.#app;
-    return !isSolution(subject.json.status) || (subject === current && stale && !busy)
-      ? "grey"
-      : field.map;
+    return this.meansSomething(subject) ? field.map : "grey";
   }
 
   paint() {

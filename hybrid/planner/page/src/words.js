@@ -34,20 +34,21 @@ const statusShort = wordsFrom({
   iteration_limit: "unfinished",
 });
 
+/** Whether a result is that of `vasorod fit`: a vessel at rest. */
+export const isFit = ({ fidelity }) => fidelity === "fit";
+
 /** The state of a prediction in a few words, with its mark: nothing with a warning is "good". */
-export function stateOf({ status, validity, criteria, self_intersections: crossings }) {
-  const solved = isSolution(status);
-  if (solved && crossings?.length > 0) return ["bad", "walls pass through each other"];
-  if (solved && validity.in_range === false)
-    return ["bad", `${statusShort(status)}, outside the model's range`];
-  const warned = criteria?.some(
-    ({ verdict }) => verdict === "warning" || verdict === "strong_warning",
-  );
-  if (!solved || !warned) return [statusMark(status), statusShort(status)];
-  return [
-    statusMark(status) === "good" ? "warn" : statusMark(status),
-    `${statusShort(status)}, with warnings`,
-  ];
+export function stateOf(json) {
+  const { status, validity, criteria, self_intersections: crossings } = json;
+  const [mark, words] = [statusMark(status), statusShort(status)];
+  if (isFit(json)) return ["plain", "nothing solved"];
+  if (!isSolution(status)) return [mark, words];
+  if (crossings?.length > 0) return ["bad", "walls pass through each other"];
+  if (!validity.in_range) return ["bad", `${words}, outside the model's range`];
+  const warned =
+    validity.warnings.length > 0 ||
+    criteria?.some(({ verdict }) => verdict === "warning" || verdict === "strong_warning");
+  return warned ? [mark === "good" ? "warn" : mark, `${words}, with warnings`] : [mark, words];
 }
 
 export const fidelityText = wordsFrom({

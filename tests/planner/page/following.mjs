@@ -14,21 +14,24 @@ import {
   wide,
 } from "./steps.mjs";
 
-/** The models that the page asked for, in their order. */
-function askedModels(page) {
+/**
+ * Changes the plan with the paper model to follow; the program's jobs answer late. Gives the models
+ * that the page asks for, in their order.
+ */
+async function changeWithDetail(page, milliseconds) {
   const models = [];
   page.on("request", (request) => {
     if (request.url().endsWith("api/solve")) models.push(request.postDataJSON().fidelity);
   });
+  await page.selectOption("#follow", { label: "Quick, then Paper model" });
+  await delay(page, /api\/job\//, milliseconds);
+  await setNumber(page, "cut-along", "72");
   return models;
 }
 
 pageTest("a quick prediction is followed by the detailed one", wide, async (page) => {
   await predicted(page);
-  const models = askedModels(page);
-  await page.selectOption("#follow", { label: "Quick, then Paper model" });
-  await delay(page, /api\/job\//, 300);
-  await setNumber(page, "cut-along", "72");
+  const models = await changeWithDetail(page, 1000);
   await page.locator("#progress-text", { hasText: /^Paper model:/ }).waitFor();
   // The quick one is already there.
   assert.match(await page.locator(".badges").textContent(), /Quick \(skin\)/);
@@ -45,10 +48,7 @@ pageTest("a quick prediction is followed by the detailed one", wide, async (page
 
 pageTest("Esc during the quick prediction ends the detailed one as well", wide, async (page) => {
   await predicted(page);
-  const models = askedModels(page);
-  await page.selectOption("#follow", { label: "Quick, then Paper model" });
-  await delay(page, /api\/job\//, 700);
-  await setNumber(page, "cut-along", "72");
+  const models = await changeWithDetail(page, 2000);
   await page.locator("#progress").waitFor({ state: "visible" });
   await page.locator("#surface").focus();
   await page.keyboard.press("Escape");
@@ -58,7 +58,7 @@ pageTest("Esc during the quick prediction ends the detailed one as well", wide, 
 });
 
 pageTest(
-  "a detailed prediction that fails takes nothing from the quick one",
+  "a detailed prediction that fails leaves the quick one",
   wide,
   async (page, { faults }) => {
     await predicted(page);
@@ -78,54 +78,46 @@ pageTest(
   },
 );
 
-pageTest(
-  "an answer that is late does not replace the present plan's prediction",
-  wide,
-  async (page) => {
-    await predicted(page);
-    const begin = await value(page, "cut-along");
-    await delay(page, /api\/result\/[^/]+$/, 1500);
-    const asked = page.waitForRequest(/api\/result\/[^/]+$/);
-    await setNumber(page, "cut-along", "72");
-    await asked;
-    await page.locator("#undo").click();
-    assert.equal(await value(page, "cut-along"), begin);
-    await page.waitForTimeout(2500);
-    assert.match(await badge(page).textContent(), /^Quick: /);
-    assert.ok(await page.locator("#keep-plan").isEnabled());
-  },
-);
+pageTest("an answer that comes late changes nothing", wide, async (page) => {
+  await predicted(page);
+  const begin = await value(page, "cut-along");
+  await delay(page, /api\/result\/[^/]+$/, 1500);
+  const asked = page.waitForRequest(/api\/result\/[^/]+$/);
+  await setNumber(page, "cut-along", "72");
+  await asked;
+  await page.locator("#undo").click();
+  assert.equal(await value(page, "cut-along"), begin);
+  await page.waitForTimeout(2500);
+  assert.match(await badge(page).textContent(), /^Quick: /);
+  assert.ok(await page.locator("#keep-plan").isEnabled());
+});
 
-pageTest(
-  "a plan's old prediction is grey while a detailed one is on its way",
-  wide,
-  async (page) => {
-    await predicted(page);
-    await page.selectOption("#follow", { label: "Nothing" });
-    await page.selectOption("#colour", "TwistShear");
-    await page.waitForTimeout(300);
-    assert.ok((await colouredPixels(page)).length > 500);
-    await delay(page, /api\/job\//, 4000);
-    await setNumber(page, "cut-along", "72");
-    await page.locator("#head-1 .badge", { hasText: "earlier plan" }).waitFor();
-    await page.locator("#solve-paper").click();
-    await page.locator("#head-1 .badge", { hasText: "predicting" }).waitFor();
-    await page.waitForTimeout(300);
-    assert.deepEqual(await colouredPixels(page), [], "no colour says anything");
-    const status = page.locator("#comparison tbody .badge");
-    assert.equal(await status.textContent(), "predicting…");
-    assert.ok(await status.evaluate((one) => one.classList.contains("plain")));
-    const [said, plain] = await page.evaluate(() =>
-      ["#result .badge", "#comparison .badge.plain"].map(
-        (one) => getComputedStyle(document.querySelector(one)).color,
-      ),
-    );
-    assert.equal(said, plain, "its state is grey");
-    await predicted(page, "Paper model");
-    await page.waitForTimeout(300);
-    assert.ok((await colouredPixels(page)).length > 500);
-  },
-);
+pageTest("an old prediction is grey while a detailed one runs", wide, async (page) => {
+  await predicted(page);
+  await page.selectOption("#follow", { label: "Nothing" });
+  await page.selectOption("#colour", "TwistShear");
+  await page.waitForTimeout(300);
+  assert.ok((await colouredPixels(page)).length > 500);
+  await delay(page, /api\/job\//, 4000);
+  await setNumber(page, "cut-along", "72");
+  await page.locator("#head-1 .badge", { hasText: "earlier plan" }).waitFor();
+  await page.locator("#solve-paper").click();
+  await page.locator("#head-1 .badge", { hasText: "predicting" }).waitFor();
+  await page.waitForTimeout(300);
+  assert.deepEqual(await colouredPixels(page), [], "no colour says anything");
+  const status = page.locator("#comparison tbody .badge");
+  assert.equal(await status.textContent(), "predicting…");
+  assert.ok(await status.evaluate((one) => one.classList.contains("plain")));
+  const [said, plain] = await page.evaluate(() =>
+    ["#result .badge", "#comparison .badge.plain"].map(
+      (one) => getComputedStyle(document.querySelector(one)).color,
+    ),
+  );
+  assert.equal(said, plain, "its state is grey");
+  await predicted(page, "Paper model");
+  await page.waitForTimeout(300);
+  assert.ok((await colouredPixels(page)).length > 500);
+});
 
 pageTest("the value under the pointer goes when the pointer goes", wide, async (page) => {
   await predicted(page);

@@ -7,6 +7,7 @@ import { access, readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { test } from "node:test";
+import "./cube.mjs";
 import "./folders.mjs";
 import "./following.mjs";
 import { changed, find, middleAt, pixelsOf } from "./pixels.mjs";

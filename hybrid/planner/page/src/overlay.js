@@ -1,5 +1,5 @@
-// What is drawn over the 3D picture: markers, ruler, axes of the patient, scale bar and legend. The
-// same drawing goes into saved pictures.
+// What is drawn over the 3D picture: markers, ruler, scale bar and legend. The same drawing goes into
+// saved pictures.
 import { cssColour, maps, ticksOf } from "./colours.js";
 import { distance } from "./vectors.js";
 import { numberText } from "./words.js";
@@ -93,37 +93,6 @@ function putApart(stage, pane, markers) {
   });
 }
 
-const letters = { LPS: ["LR", "PA", "SI"], RAS: ["RL", "AP", "SI"] };
-
-/** The axes of the patient, or x, y, z where the space is not known. */
-function drawAxes(context, pane, camera, space, theme) {
-  const { rect } = pane;
-  const arm = 22;
-  const middle = [rect.x + 46, rect.y + rect.height - 46];
-  const ways = [];
-  for (let k = 0; k < 3; k++)
-    for (const sign of letters[space] ? [1, -1] : [1]) {
-      const name = letters[space]?.[k][sign > 0 ? 0 : 1] ?? "xyz"[k];
-      ways.push({
-        name,
-        x: sign * camera.right[k],
-        y: -sign * camera.up[k],
-        z: sign * camera.eye[k],
-      });
-    }
-  ways.sort((a, b) => a.z - b.z);
-  for (const { name, x, y } of ways) {
-    const length = Math.hypot(x, y);
-    if (length < 0.35) continue; // it points along the line of sight
-    line(context, middle, [middle[0] + arm * x, middle[1] + arm * y], theme.soft, 1.5);
-    const out = (arm * length + 9) / length;
-    label(context, name, middle[0] + out * x, middle[1] + out * y, theme, {
-      weight: 600,
-      align: "center",
-    });
-  }
-}
-
 // A round length about a fifth of the view's width.
 function drawScaleBar(context, pane, camera, unit, theme) {
   const { rect } = pane;
@@ -175,7 +144,7 @@ function drawLegend(context, pane, legend, theme) {
 
 /**
  * Draws everything. `shown` has, for each pane: markers [{point, label, colour, hot}], ruler
- * (points), legend or null; and the unit of length and the space of the scene.
+ * (points), legend or null; and the unit of length.
  */
 export function drawOverlay(context, stage, camera, theme, shown) {
   stage.shown.forEach((pane, k) => {
@@ -185,7 +154,6 @@ export function drawOverlay(context, stage, camera, theme, shown) {
     context.rect(pane.rect.x, pane.rect.y, pane.rect.width, pane.rect.height);
     context.clip();
     drawScaleBar(context, pane, camera, shown.unit, theme);
-    drawAxes(context, pane, camera, shown.space, theme);
     if (legend) drawLegend(context, pane, legend, theme);
     putApart(stage, pane, markers);
     for (const marker of markers) drawMarker(context, stage, pane, marker, theme);

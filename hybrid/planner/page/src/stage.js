@@ -2,10 +2,12 @@
 import "@kitware/vtk.js/Rendering/OpenGL/Profiles/Geometry.js";
 import vtkOpenGLRenderWindow from "@kitware/vtk.js/Rendering/OpenGL/RenderWindow.js";
 import vtkPlane from "@kitware/vtk.js/Common/DataModel/Plane.js";
+import vtkInteractor from "@kitware/vtk.js/Rendering/Core/RenderWindowInteractor.js";
 import vtkRenderWindow from "@kitware/vtk.js/Rendering/Core/RenderWindow.js";
 import vtkRenderer from "@kitware/vtk.js/Rendering/Core/Renderer.js";
 import { Body } from "./body.js";
 import { viewAngle } from "./camera.js";
+import { Cube } from "./cube.js";
 import { hitOfRay } from "./geometry.js";
 
 /** One view: what it shows, the surfaces of its vessels and the lines drawn over them. */
@@ -73,6 +75,7 @@ export class Stage {
   count = 1;
   #window = vtkRenderWindow.newInstance();
   #view;
+  #cubes;
   #container;
   #camera;
   #drawOver;
@@ -89,6 +92,11 @@ export class Stage {
       this.#window.addRenderer(renderer);
       renderer.setActiveCamera(this.panes[0].renderer.getActiveCamera());
     }
+    // The cubes ask it for the view; the pointers are followed by the page itself.
+    const interactor = vtkInteractor.newInstance();
+    interactor.setView(this.#view);
+    interactor.initialize();
+    this.#cubes = this.panes.map(({ renderer }) => new Cube(interactor, renderer));
     this.#view.getCanvas().setAttribute("aria-hidden", "true");
     new ResizeObserver(() => this.resize()).observe(container);
   }
@@ -138,6 +146,7 @@ export class Stage {
         1 - row / rows,
       );
     });
+    this.#cubes.forEach((cube, k) => cube.place(k < count, window.devicePixelRatio || 1));
     this.draw();
   }
 
@@ -162,6 +171,11 @@ export class Stage {
 
   setBackground(colour) {
     for (const { renderer } of this.panes) renderer.setBackground(...colour);
+  }
+
+  /** The cubes' names and colours. */
+  setCubes(space, colours) {
+    for (const cube of this.#cubes) cube.name(space, colours);
   }
 
   draw() {

@@ -24,9 +24,9 @@ const viewsOf = {
     ["Top", [0, 0, 1], [0, 1, 0]],
   ],
   "": [
-    ["x", [1, 0, 0], [0, 0, 1]],
-    ["y", [0, -1, 0], [0, 0, 1]],
-    ["z", [0, 0, 1], [0, 1, 0]],
+    ["+X", [1, 0, 0], [0, 0, 1]],
+    ["−Y", [0, -1, 0], [0, 0, 1]],
+    ["+Z", [0, 0, 1], [0, 1, 0]],
   ],
 };
 
@@ -79,7 +79,13 @@ export class Views {
     ].map(themeColour);
     this.theme = { ground, ink, soft, line, accent };
     stage.setBackground(parts(parseInt(ground.slice(1), 16)));
+    this.#nameCubes();
     stage.draw();
+  }
+
+  #nameCubes() {
+    const [paper, ink, edge] = ["--card", "--ink", "--edge"].map(themeColour);
+    this.#app.stage.setCubes(this.#app.scene?.space ?? "", { paper, ink, edge });
   }
 
   /** A scene was opened: its vessels, their colours and the first view. */
@@ -95,6 +101,7 @@ export class Views {
       byId(`view-${k}`).textContent = title;
       byId(`view-${k}`).setAttribute("aria-label", `View: ${title}`);
     });
+    this.#nameCubes();
     this.#listVessels(scene);
     this.chosen = scene.kind === "result" ? ["current", "rest"] : ["rest", "current"];
     this.refresh();
@@ -499,10 +506,9 @@ export class Views {
   }
 
   overlay() {
-    const { stage, scene, unitLength, ruler } = this.#app;
+    const { stage, unitLength, ruler } = this.#app;
     return {
       unit: unitLength,
-      space: scene?.space ?? "",
       panes: stage.panes.map((pane) => ({
         markers: this.markersIn(pane),
         ruler: ruler.filter((one) => one.subject === pane.subject).map(({ point }) => point),

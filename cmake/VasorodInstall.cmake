@@ -2,6 +2,7 @@
 # find_package(vasorod).
 include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY VASOROD_LIBRARIES)
+list(REMOVE_ITEM libraries vasorod_planner)  # a part of its program alone
 install(TARGETS ${libraries} EXPORT vasorodTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/hybrid/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vasorod)
@@ -26,11 +27,10 @@ install(FILES ${CMAKE_SOURCE_DIR}/schema/scene.schema.json
   ${CMAKE_SOURCE_DIR}/schema/result.schema.json DESTINATION ${shared}/schema)
 install(FILES ${CMAKE_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# One completion for both programs: bash looks for a file of the command's name.
-set(completions ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${CMAKE_SOURCE_DIR}/packaging/completion/vasorod.bash
-  DESTINATION ${completions} RENAME vasorod)
-if(VASOROD_REFERENCE_FEM)
-  install(FILES ${CMAKE_SOURCE_DIR}/packaging/completion/vasorod.bash
-    DESTINATION ${completions} RENAME vasorod-fem)
-endif()
+# One completion for all programs: bash looks for a file of the command's name.
+foreach(program vasorod vasorod-fem vasorod-plan)
+  if(TARGET ${program})
+    install(FILES ${CMAKE_SOURCE_DIR}/packaging/completion/vasorod.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
+  endif()
+endforeach()

@@ -1,5 +1,5 @@
-# bash completion of vasorod and vasorod-fem. Commands, options and their values are read from the
-# program's own --help, so a new one needs no change here.
+# bash completion of vasorod, vasorod-fem and vasorod-plan. Commands, options and their values are
+# read from the program's own --help, so a new one needs no change here.
 
 # The lines of one section (Options, Subcommands) of a help text on standard input.
 _vasorod_section() {
@@ -36,13 +36,14 @@ _vasorod_values() {
 
 _vasorod() {
   local program=$1 current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local command='' words=''
+  local command='' commands words=''
+  commands=$(_vasorod_commands "$program" | tr '\n' ' ')
   if [ "$COMP_CWORD" -gt 1 ]; then
-    words=" $(_vasorod_commands "$program" | tr '\n' ' ')"
-    [[ $words == *" ${COMP_WORDS[1]} "* ]] && command=${COMP_WORDS[1]}
+    [[ " $commands" == *" ${COMP_WORDS[1]} "* ]] && command=${COMP_WORDS[1]}
   fi
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    words="$(_vasorod_commands "$program") $(_vasorod_options "$program" '')"
+  # A program without commands takes files from the first word on.
+  if [ "$COMP_CWORD" -eq 1 ] && [ -n "$commands" ]; then
+    words="$commands $(_vasorod_options "$program" '')"
   elif [[ $current == -* ]]; then
     words=$(_vasorod_options "$program" "$command")
   elif [[ $previous == -* ]]; then
@@ -54,4 +55,4 @@ _vasorod() {
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
 }
 
-complete -o bashdefault -o default -F _vasorod vasorod vasorod-fem
+complete -o bashdefault -o default -F _vasorod vasorod vasorod-fem vasorod-plan

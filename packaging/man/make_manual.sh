@@ -29,9 +29,9 @@ TEXT
     --include "$scratch/see_also.h2m" --output "$folder/$1.1" "$scratch/$1"
 }
 
-# The pages of this program but one, and the other program's, as man shows them.
+# The pages of this program but one, and the other programs', as man shows them.
 others() {
-  for other in "$name" $(commands | sed "s/\t.*//; s/^/$name-/") "$companion"; do
+  for other in "$name" $(commands | sed "s/\t.*//; s/^/$name-/") "${companions[@]}"; do
     [ "$other" = "$1" ] || printf '%s(1), ' "$other"
   done | sed 's/, $//'
 }
@@ -45,11 +45,15 @@ commands() {
 
 case "$name" in
   vasorod)
-    companion=vasorod-fem
+    companions=(vasorod-fem vasorod-plan)
     summary='predict how blood vessels deform when they are re-joined'
     ;;
+  vasorod-plan)
+    companions=(vasorod)
+    summary='plan how blood vessels are re-joined, in the browser'
+    ;;
   *)
-    companion=vasorod
+    companions=(vasorod)
     summary='finite-element reference of vasorod'
     ;;
 esac

@@ -20,9 +20,9 @@ def output(*command, **options):
 
 
 def commands(program):
-    """The names of a program's commands."""
-    text = output(program, "--help").split("Subcommands:\n", 1)[1]
-    return re.findall(r"^  (\w+)", text, re.MULTILINE)
+    """The names of a program's commands; vasorod-plan has none."""
+    parts = output(program, "--help").split("Subcommands:\n", 1)
+    return re.findall(r"^  (\w+)", parts[1], re.MULTILINE) if len(parts) > 1 else []
 
 
 def options(program, *command):

@@ -5,6 +5,8 @@ import unittest
 
 from programs import PROGRAMS, SOURCE, commands, options
 
+WITH_COMMANDS = [program for program in PROGRAMS if program.name != "vasorod-plan"]
+WITHOUT_COMMANDS = [program for program in PROGRAMS if program.name == "vasorod-plan"]
 SCRIPT = SOURCE / "packaging" / "completion" / "vasorod.bash"
 # What bash does on Tab: the function that is registered for the program's name fills COMPREPLY.
 COMPLETE = """
@@ -31,7 +33,7 @@ def offered(program, *words):
 
 class Completion(unittest.TestCase):
     def test_first_word_is_a_command_or_an_option(self):
-        for program in PROGRAMS:
+        for program in WITH_COMMANDS:
             there = commands(program)
             self.assertIn("solve", there)
             self.assertEqual(offered(program, ""), sorted(there + options(program)))
@@ -46,12 +48,22 @@ class Completion(unittest.TestCase):
                 long = sorted(name for name in there if name.startswith("--"))
                 self.assertEqual(offered(program, command, "x", "--"), long)
 
+    def test_without_commands_words_are_files_or_options(self):
+        for program in WITHOUT_COMMANDS:
+            there = options(program)
+            self.assertIn("--port", there)
+            for words in ([""], ["p"], ["x", ""], ["--port", ""], ["--open", "p"]):
+                self.assertEqual(offered(program, *words), [], words)
+            for words in (["-"], ["x", "-"], ["--open", "-"]):
+                self.assertEqual(offered(program, *words), sorted(there), words)
+            self.assertEqual(offered(program, "--p"), ["--port"])
+
     def test_values_that_an_option_takes(self):
         fidelities = ["coupled", "paper", "rod", "skin"]
         self.assertEqual(offered(PROGRAMS[0], "solve", "--fidelity", ""), fidelities)
         self.assertEqual(offered(PROGRAMS[0], "solve", "--fidelity", "c"), ["coupled"])
         self.assertEqual(offered(PROGRAMS[0], "fit", "--length-unit", ""), ["cm", "m", "mm"])
-        for program in PROGRAMS[1:]:
+        for program in WITH_COMMANDS[1:]:
             self.assertEqual(offered(program, "solve", "--model", ""), ["shell", "solid"])
 
     def test_other_words_are_files(self):

@@ -25,7 +25,10 @@ class Manual(unittest.TestCase):
     def test_every_command_has_its_page_with_every_option(self):
         for program in PROGRAMS:
             whole = self.page(program.name)
+            self.assertRegex(whole, rf"NAME\n +{program.name} +- +\w")
             self.assertIn("EXIT STATUS", whole)
+            for option in options(program):
+                self.assertRegex(whole, rf"(?m)^ +.*{option}\b")
             for command in commands(program):
                 self.assertIn(command, whole)
                 page = self.page(f"{program.name}-{command}")

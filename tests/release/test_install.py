@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -30,6 +31,14 @@ class Install(unittest.TestCase):
         output(program, "solve", scene, "--fidelity", "skin", "--no-report", "-o", result)
         self.assertEqual(json.loads((result / "result.json").read_text())["status"], "converged")
 
+    def test_the_planner_plans_its_scene(self):
+        program = self.prefix / "bin" / "vasorod-plan"
+        if not program.is_file():
+            self.skipTest("built without the planner")
+        scene = self.share / "vasorod" / "benchmarks" / "cases" / "glenn" / "infant.yaml"
+        said = output(sys.executable, SOURCE / "packaging" / "try_planner.py", program, scene)
+        self.assertIn("predicted", said)
+
     def test_every_installed_scene_finds_its_surfaces(self):
         scenes = list((self.share / "vasorod").rglob("*.yaml"))
         self.assertGreater(len(scenes), 3)
@@ -46,6 +55,12 @@ class Install(unittest.TestCase):
                 completion.read_text(),
                 (SOURCE / "packaging" / "completion" / "vasorod.bash").read_text(),
             )
+            page = self.share / "man" / "man1" / f"{program.name}.1"
+            self.assertEqual(page.is_file(), (BUILD / "man" / page.name).is_file())
+        if (self.prefix / "bin" / "vasorod-plan").is_file():
+            licences = self.share / "doc" / "vasorod-plan" / "page-licences.txt"
+            self.assertIn("Kitware", licences.read_text())
+            self.assertEqual(list(self.prefix.rglob("libvasorod_planner*")), [])
         for name in ("scene", "result"):
             schema = self.share / "vasorod" / "schema" / f"{name}.schema.json"
             self.assertIn("$defs", json.loads(schema.read_text()))

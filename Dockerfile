@@ -1,11 +1,12 @@
 # Two stages: the first makes the Debian package of the program, the second installs it.
 #   docker build -t vasorod .
 #   docker run --rm -v "$PWD:/work" vasorod solve scene.yaml -o result
-# Without the finite-element reference and the Python package, which have packages of their own.
+# Without the finite-element reference, the planner and the Python package, which have packages of
+# their own.
 FROM debian:bookworm AS build
 COPY . /source
 WORKDIR /source
-RUN ./run package -Ppkg.vasorod.nofem,nopython
+RUN ./run package -Ppkg.vasorod.nofem,pkg.vasorod.noplanner,nopython
 
 FROM debian:bookworm-slim
 COPY --from=build /source/build-package/vasorod_*.deb /tmp/

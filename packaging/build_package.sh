@@ -2,7 +2,7 @@
 # The Debian packages of the tree as it stands, committed or not:
 #   build_package.sh FOLDER JOBS [OPTION ...]   options of dpkg-buildpackage
 # FOLDER/vasorod-VERSION is the copied source with its objects, which a second build uses again if
-# there is a ccache; FOLDER/*.deb are the packages. Lintian has the last word.
+# there is a ccache; FOLDER/*.deb are the packages. Lintian reads them all, the planner is tried.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1 jobs=$2
@@ -26,3 +26,11 @@ export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }parallel=$job
 ls "$folder"/*.deb
 lintian --fail-on error,warning "$folder"/*.changes
 echo "run: lintian has no errors and no warnings"
+# The planner as its user gets it, with the scenes of the package vasorod.
+if ls "$folder"/vasorod-plan_*.deb >/dev/null 2>&1; then
+  root=$folder/unpacked
+  rm -rf "$root"
+  for package in vasorod vasorod-plan; do dpkg-deb -x "$folder/${package}_"*.deb "$root"; done
+  packaging/try_planner.py "$root/usr/bin/vasorod-plan" \
+    "$root/usr/share/vasorod/benchmarks/cases/glenn/infant.yaml"
+fi

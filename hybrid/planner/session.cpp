@@ -77,6 +77,7 @@ std::shared_ptr<const Session::Opened> Session::open(const std::string& id) {
     opened->name = result.scene;
     opened->result = std::make_shared<StoredResult>(
         shelf_.next_id(), std::move(result), std::nullopt, whole_file(source.path / "result.json"));
+    shelf_.put(opened->result);
   }
   jobs_.drop_all();
   const std::lock_guard<std::mutex> lock(mutex_);

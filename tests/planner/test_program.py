@@ -319,6 +319,8 @@ class Files(WithPlanner):
         with Planner(str(folder), scene=None, folder=self.planner.folder) as again:
             scene = again.get("api/scene")
             self.assertEqual((scene["kind"], scene["editable"]), ("result", False))
+            held = again.post("api/hold", {"result": scene["result"], "hold": True})
+            self.assertEqual(held, {"held": True})
             opened = again.get("api/result/" + scene["result"])
             here = self.planner.get("api/result/" + rid)
             # A file has the fields that were not modelled too, at their values at rest.

@@ -14,6 +14,7 @@
 #include "prepare/mask_surface.h"
 #include "prepare/open_tip.h"
 #include "prepare/outer_wall.h"
+#include "prepare/part_walls.h"
 #include "prepare/smooth.h"
 #include "surface_file/check_surface.h"
 #include "surface_file/clean_surface.h"
@@ -189,7 +190,7 @@ class Preparation {
     if (specks > 0) did(counted(specks, "speck", "specks") + " left out");
   }
 
-  void one_wall() {
+  void close_openings() {
     const Openings openings = openings_of(surface());
     std::vector<std::vector<int>> close = openings.holes;
     if (!openings.holes.empty()) did(counted(openings.holes.size(), "hole", "holes") + " closed");
@@ -203,10 +204,19 @@ class Preparation {
     }
     fill_loops(surface(), close);
     out_.volume_before = std::abs(lidded_volume(surface()));
+  }
+
+  void one_wall() {
+    close_openings();
     smooth_wall();
-    const auto crossings = self_intersections(surface()).size();
-    const int handles = handles_of(surface());
+    auto crossings = self_intersections(surface()).size();
+    int handles = handles_of(surface());
     if (crossings == 0 && handles == 0) return;
+    if (keep_outer()) {
+      crossings = self_intersections(surface()).size();
+      handles = handles_of(surface());
+      if (crossings == 0 && handles == 0) return;
+    }
     request_.progress("wrapping");
     fill_loops(surface(), boundary_loops(surface().triangles));
     const std::string why =
@@ -223,6 +233,19 @@ class Preparation {
     did("outer wall taken, for " + why + ": alpha wrap by a ball of radius " + mm(wall->ball) +
         ", put back on the input's wall but for " + number_text(100 * wall->lifted, 2) +
         " % of its points");
+  }
+
+  // Of two walls, parted at their rims, the outer one.
+  bool keep_outer() {
+    auto walls = part_walls(surface());
+    if (!walls) return false;
+    surface() = std::move(walls->outer);
+    did("outer of two walls taken as it is, " + mm(walls->thickness) + " from the inner");
+    // The rims of what was smoothed are uneven all around.
+    if (stairs_) fill_loops(surface(), boundary_loops(surface().triangles));
+    clean();
+    close_openings();
+    return true;
   }
 
   bool fits() {

@@ -49,4 +49,29 @@ inline TriangleSurface closed_tube(double length, double radius, bool round) {
   return out;
 }
 
+/// A wall with an outer face, which is `outer`, and an inner one that lies `thickness` inside along
+/// the normals; joined by a ring at each end.
+inline TriangleSurface double_wall(const TriangleSurface& outer, double thickness) {
+  TriangleSurface out = outer, inner = outer;
+  inner.points -= thickness * vertex_normals(outer);
+  inner.triangles.col(1).swap(inner.triangles.col(2));
+  append(out, inner);
+  const int n = static_cast<int>(outer.points.rows());
+  TriangleSurface ring;
+  for (const auto& loop : boundary_loops(outer.triangles)) {
+    const auto first = ring.triangles.rows();
+    ring.triangles.conservativeResize(first + 2 * static_cast<Eigen::Index>(loop.size()), 3);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const int u = loop[k], v = loop[(k + 1) % loop.size()];
+      const auto row = first + 2 * static_cast<Eigen::Index>(k);
+      ring.triangles.row(row) << v, u, u + n;
+      ring.triangles.row(row + 1) << v, u + n, v + n;
+    }
+  }
+  Triangles all(out.triangles.rows() + ring.triangles.rows(), 3);
+  all << out.triangles, ring.triangles;
+  out.triangles = all;
+  return out;
+}
+
 }  // namespace vasorod::testing

@@ -314,6 +314,23 @@ class Preparation {
     return chosen;
   }
 
+  // Returns those that stay closed.
+  std::vector<Tip> open_tips(const std::vector<Tip>& tips) {
+    std::vector<Tip> closed;
+    for (const Tip& tip : tips) {
+      const auto sections = sections_behind_tip(surface(), tip);
+      const auto cut = std::find_if(sections.begin(), sections.end(), [&](const FlatSection& one) {
+        return cut_tip(surface(), tip, one);
+      });
+      if (cut == sections.end())
+        closed.push_back(tip);
+      else
+        did("end opened at " + place_mm(cut->center) + ", " + mm((tip.place - cut->center).norm()) +
+            " from its tip");
+    }
+    return closed;
+  }
+
   void open_ends() {
     request_.progress("opening the ends");
     std::vector<Tip> left;
@@ -340,19 +357,19 @@ class Preparation {
       did("branch of radius " + mm(sections.front().radius) + " at " + place_mm(tip.place) +
           " taken off, its stump closed");
     }
-    for (const Tip& tip : left) {
-      const auto sections = sections_behind_tip(surface(), tip);
-      const auto cut = std::find_if(sections.begin(), sections.end(), [&](const FlatSection& one) {
-        return cut_tip(surface(), tip, one);
-      });
-      if (cut != sections.end()) {
-        did("end opened at " + place_mm(cut->center) + ", " + mm((tip.place - cut->center).norm()) +
-            " from its tip");
-        continue;
-      }
+    std::vector<Tip> closed;
+    // Of one that stays closed, other points of its cap, found from an end that was opened.
+    for (const Tip& tip : open_tips(left)) {
+      const std::vector<Tip> others = find_tips(surface(), 0.8);
+      if (std::none_of(others.begin(), others.end(), [&](const Tip& other) {
+            return (other.place - tip.place).norm() < 3 * std::min(tip.radius, other.radius) &&
+                   open_tips({other}).empty();
+          }))
+        closed.push_back(tip);
+    }
+    for (const Tip& tip : closed)
       out_.warnings.push_back("the end at " + place_mm(tip.place) +
                               " stays closed: no section across it parts it from the rest");
-    }
     clean();
   }
 
@@ -361,7 +378,8 @@ class Preparation {
     check_manifold(name, surface());
     if (boundary_loops(surface().triangles).size() < 2 && !out_.warnings.empty())
       throw InputError(name_ + ": " + out_.warnings.back() +
-                       ", expected two open ends at least: cut it open before");
+                       ", expected two open ends at least: name the places of the ends (--end), "
+                       "or cut it open before");
     check_ends(name, surface(), Role::deformable);
     check_outward(name, surface());
     check_unit(name, surface(), Units{});

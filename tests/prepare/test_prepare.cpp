@@ -1,11 +1,15 @@
-#include <fstream>
+#include <cmath>
+#include <sstream>
 
 #include <vasorod/error.h>
 
+#include "geometry/ray_hits.h"
 #include "obj_text.h"
 #include "prepare/prepare.h"
 #include "prepare/tube_shapes.h"
+#include "real_anatomy.h"
 #include "scratch_folder.h"
+#include "surface_file/read_polydata.h"
 
 namespace vasorod::testing {
 namespace {
@@ -68,6 +72,59 @@ TEST_F(Prepare, SpacesAreConvertedAndUnknownOnesAreAskedFor) {
   EXPECT_EQ(out.space, "LPS");
   for (const PreparedEnd& end : out.ends)
     EXPECT_LT((end.center.head<2>() - Vec2(-7, 3)).norm(), 1e-3);
+}
+
+// The voxels of 0.5 mm, as a MetaImage, whose centres lie in a vessel with flat lids.
+std::string mask_of(TriangleSurface vessel) {
+  constexpr double spacing = 0.5;
+  for (const auto& loop : boundary_loops(vessel.triangles)) {
+    TriangleSurface lid;
+    lid.points = vessel.points(loop, Eigen::all).colwise().mean();
+    const auto n = static_cast<int>(vessel.points.rows());
+    append(vessel, lid);
+    const auto first = vessel.triangles.rows();
+    vessel.triangles.conservativeResize(first + static_cast<Eigen::Index>(loop.size()), 3);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      vessel.triangles.row(first + static_cast<Eigen::Index>(k)) << loop[(k + 1) % loop.size()],
+          loop[k], n;
+  }
+  const Vec3 low = vessel.points.colwise().minCoeff(), high = vessel.points.colwise().maxCoeff();
+  const Vec3 origin = low.array() - 2.2 * spacing;
+  const Eigen::Array3i size = ((high - origin).array() / spacing + 2.2).ceil().cast<int>();
+  std::string voxels(static_cast<std::size_t>(size.prod()), '\0');
+  const RayHits rays(vessel);
+  for (int j = 0; j < size[1]; ++j)
+    for (int i = 0; i < size[0]; ++i) {
+      const Vec3 start = origin + Vec3(i * spacing + 1e-5, j * spacing + 2e-5, 0);
+      for (const RayHit& hit : rays.along(start, Vec3::UnitZ()))
+        for (int k = static_cast<int>(std::ceil(hit.distance / spacing)); k < size[2]; ++k)
+          voxels[static_cast<std::size_t>((k * size[1] + j) * size[0] + i)] ^= 1;
+    }
+  std::ostringstream head;
+  head << "ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = False\n"
+       << "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " << origin.transpose()
+       << "\nElementSpacing = 0.5 0.5 0.5\nDimSize = " << size.transpose()
+       << "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  return head.str() + voxels;
+}
+
+// From the first point of its cap that is found, no section parts the trunk from the rest.
+TEST_F(Prepare, EveryEndOfRealAnatomyAsAMaskIsOpened) {
+  const TriangleSurface artery = read_polydata(real_anatomy() / "pulmonary_artery.vtp").surface;
+  PrepareRequest ask;
+  ask.files = {write("artery.mha", mask_of(artery))};
+  ask.units = "mm";
+  const PreparedSurface out = prepare(ask);
+  EXPECT_EQ(out.refusal, "");
+  const auto loops = boundary_loops(artery.triangles);
+  ASSERT_EQ(out.ends.size(), loops.size());
+  for (const auto& loop : loops) {
+    const Vec3 center = artery.points(loop, Eigen::all).colwise().mean().transpose();
+    double nearest = 1e300;
+    for (const PreparedEnd& end : out.ends)
+      nearest = std::min(nearest, (end.center - center).norm());
+    EXPECT_LT(nearest, 1.5 * perimeter(artery.points, loop) / (2 * M_PI));
+  }
 }
 
 TEST_F(Prepare, ABallIsNoVessel) {

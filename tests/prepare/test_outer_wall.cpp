@@ -23,7 +23,9 @@ TEST(OuterWall, OfAPipeIsTheSolidCylinder) {
   EXPECT_NEAR(lidded_volume(wall->surface), solid, 0.1 * solid);
   for (Eigen::Index i = 0; i < wall->surface.points.rows(); ++i) {
     const Vec3 p = wall->surface.points.row(i);
-    if (std::abs(p.z() - 20) < 10) EXPECT_NEAR(p.head<2>().norm(), 5, 0.1);
+    if (std::abs(p.z() - 20) < 10) {
+      EXPECT_NEAR(p.head<2>().norm(), 5, 0.1);
+    }
   }
 }
 

@@ -2,7 +2,6 @@
 # find_package(vasorod).
 include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY VASOROD_LIBRARIES)
-list(REMOVE_ITEM libraries vasorod_planner)  # a part of its program alone
 install(TARGETS ${libraries} EXPORT vasorodTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/hybrid/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vasorod)

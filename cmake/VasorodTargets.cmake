@@ -34,9 +34,10 @@ endif()
 # lets sqrt inline.
 add_compile_options(-fno-math-errno)
 
-# vasorod_library(<folder> SOURCES ... LINKS ... [PRIVATE_LINKS ...]): library vasorod::<folder>.
+# vasorod_library(<folder> [NOT_INSTALLED] SOURCES ... LINKS ... [PRIVATE_LINKS ...]): library
+# vasorod::<folder>. NOT_INSTALLED: a part of its program alone.
 function(vasorod_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "NOT_INSTALLED" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(vasorod_${name} STATIC ${ARG_SOURCES})
   add_library(vasorod::${name} ALIAS vasorod_${name})
   set_target_properties(vasorod_${name} PROPERTIES EXPORT_NAME ${name})
@@ -57,7 +58,9 @@ function(vasorod_library name)
       -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp -O2)
   endif()
   vasorod_use_precompiled(vasorod_${name} "${ARG_LINKS};${ARG_PRIVATE_LINKS}" vasorod_precompiled)
-  set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
+  if(NOT ARG_NOT_INSTALLED)
+    set_property(GLOBAL APPEND PROPERTY VASOROD_LIBRARIES vasorod_${name})
+  endif()
 endfunction()
 
 # vasorod_test(<folder> SOURCES ... LINKS ... [TIMEOUT seconds]): the program test_<folder>; ctest

@@ -133,14 +133,24 @@ std::vector<int> components(const Triangles& triangles, int vertex_count) {
   return label;
 }
 
+Vec3 triangle_normal(const TriangleSurface& surface, int triangle) {
+  const Vec3 a = surface.points.row(surface.triangles(triangle, 0)),
+             b = surface.points.row(surface.triangles(triangle, 1)),
+             c = surface.points.row(surface.triangles(triangle, 2));
+  return (b - a).cross(c - a);
+}
+
+Vec3 triangle_center(const TriangleSurface& surface, int triangle) {
+  const Vec3 a = surface.points.row(surface.triangles(triangle, 0)),
+             b = surface.points.row(surface.triangles(triangle, 1)),
+             c = surface.points.row(surface.triangles(triangle, 2));
+  return (a + b + c) / 3;
+}
+
 Eigen::VectorXd triangle_areas(const TriangleSurface& surface) {
   Eigen::VectorXd area(surface.triangles.rows());
-  for (int t = 0; t < surface.triangles.rows(); ++t) {
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-               b = surface.points.row(surface.triangles(t, 1)),
-               c = surface.points.row(surface.triangles(t, 2));
-    area[t] = 0.5 * (b - a).cross(c - a).norm();
-  }
+  for (int t = 0; t < surface.triangles.rows(); ++t)
+    area[t] = 0.5 * triangle_normal(surface, t).norm();
   return area;
 }
 
@@ -183,6 +193,22 @@ double mean_edge_length(const TriangleSurface& surface) {
 
 double total_area(const TriangleSurface& surface) {
   return triangle_areas(surface).sum();
+}
+
+TriangleSurface part_with(const TriangleSurface& surface, const std::vector<int>& triangles) {
+  TriangleSurface part;
+  part.triangles = surface.triangles(triangles, Eigen::all);
+  std::vector<int> points(part.triangles.data(), part.triangles.data() + part.triangles.size());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  part.points = surface.points(points, Eigen::all);
+  part.triangles = part.triangles
+                       .unaryExpr([&](int v) {
+                         const auto found = std::lower_bound(points.begin(), points.end(), v);
+                         return static_cast<int>(found - points.begin());
+                       })
+                       .eval();
+  return part;
 }
 
 void append(TriangleSurface& surface, const TriangleSurface& more) {

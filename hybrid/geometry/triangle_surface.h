@@ -30,6 +30,10 @@ int euler_number(const Triangles& triangles);
 /// Component index per vertex (-1 for unused vertices), components numbered by lowest vertex.
 std::vector<int> components(const Triangles& triangles, int vertex_count);
 
+/// Normal of one triangle, outward in an outward surface; its length is twice the area, length^2.
+Vec3 triangle_normal(const TriangleSurface& surface, int triangle);
+/// Centre of one triangle, length.
+Vec3 triangle_center(const TriangleSurface& surface, int triangle);
 /// Areas of the triangles, length^2.
 Eigen::VectorXd triangle_areas(const TriangleSurface& surface);
 /// Area per vertex, a third of its triangles' areas, length^2.
@@ -40,6 +44,9 @@ Points vertex_normals(const TriangleSurface& surface);
 double mean_edge_length(const TriangleSurface& surface);
 /// Sum of the triangles' areas, length^2.
 double total_area(const TriangleSurface& surface);
+
+/// Some triangles of a surface, in the order given, with their points, in the surface's order.
+TriangleSurface part_with(const TriangleSurface& surface, const std::vector<int>& triangles);
 
 /// Adds the points and triangles of another surface.
 void append(TriangleSurface& surface, const TriangleSurface& more);

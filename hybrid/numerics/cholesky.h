@@ -8,21 +8,10 @@
 #include <memory>
 #include <vector>
 
+#include "numerics/analysis.h"
 #include "numerics/work.h"
 
 namespace vasorod {
-
-/// An elimination order for the unknowns of a symmetric matrix, found on the graph of its groups.
-/// `groups` lists the first unknown of each group, ascending from 0; all unknowns of a group must
-/// have the same rows outside the group.
-///
-/// Nested dissection (METIS) costs ten times as much as minimum degree (AMD) and halves the flops
-/// of the factorisation for shells. It pays off from the second factorisation on. The time is added
-/// to `work`, which may be null.
-enum class Ordering { minimum_degree, nested_dissection };
-std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& matrix,
-                                   const std::vector<int>& groups, Ordering ordering,
-                                   Work* work = nullptr);
 
 /// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
 class Cholesky {
@@ -60,9 +49,6 @@ class Cholesky {
   double factor_nonzeros() const;
 
  private:
-  friend std::vector<int> elimination_order(const Eigen::SparseMatrix<double>&,
-                                            const std::vector<int>&, Ordering, Work*);
-  void sort(const Eigen::SparseMatrix<double>& matrix);
   void copy_to_single();
 
   struct Data;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 extern "C" {
 void dpotrf_(const char*, const int*, double*, const int*, int*);
@@ -59,22 +60,14 @@ inline void minus_product(int rows_a, int rows_b, int columns, const double* a, 
   dgemm_("N", "T", &rows_a, &rows_b, &columns, &minus, a, &stride, b, &stride, &zero, c, &stride_c);
 }
 
-template <class Scalar>
-struct Blas;
-template <>
-struct Blas<double> {
-  static constexpr auto trsm = dtrsm_;
-  static constexpr auto gemm = dgemm_;
-  static constexpr auto trsv = dtrsv_;
-  static constexpr auto gemv = dgemv_;
-};
-template <>
-struct Blas<float> {
-  static constexpr auto trsm = strsm_;
-  static constexpr auto gemm = sgemm_;
-  static constexpr auto trsv = strsv_;
-  static constexpr auto gemv = sgemv_;
-};
+/// The one of two functions that takes such numbers.
+template <class Scalar, class Double, class Single>
+constexpr auto of(Double* in_double, Single* in_single) {
+  if constexpr (std::is_same_v<Scalar, double>)
+    return in_double;
+  else
+    return in_single;
+}
 
 /// X = L^-1 X, or L^-T X, for `count` right-hand sides.
 template <class Scalar>
@@ -84,9 +77,9 @@ void divide(bool transposed, int size, int count, const Scalar* l, int stride, S
   const Scalar one = 1;
   const int step = 1;
   if (count == 1)
-    Blas<Scalar>::trsv("L", t, "N", &size, l, &stride, x, &step);
+    of<Scalar>(dtrsv_, strsv_)("L", t, "N", &size, l, &stride, x, &step);
   else
-    Blas<Scalar>::trsm("L", "L", t, "N", &size, &count, &one, l, &stride, x, &stride_x);
+    of<Scalar>(dtrsm_, strsm_)("L", "L", t, "N", &size, &count, &one, l, &stride, x, &stride_x);
 }
 
 /// Y -= A X, or A^T X, for `count` columns of X; A has `rows` rows and `columns` columns.
@@ -97,10 +90,10 @@ void subtract_product(bool transposed, int rows, int columns, int count, const S
   const Scalar one = 1, minus = -1;
   const int step = 1, *out = transposed ? &columns : &rows, *in = transposed ? &rows : &columns;
   if (count == 1)
-    Blas<Scalar>::gemv(t, &rows, &columns, &minus, a, &stride, x, &step, &one, y, &step);
+    of<Scalar>(dgemv_, sgemv_)(t, &rows, &columns, &minus, a, &stride, x, &step, &one, y, &step);
   else
-    Blas<Scalar>::gemm(t, "N", out, &count, in, &minus, a, &stride, x, &stride_x, &one, y,
-                       &stride_y);
+    of<Scalar>(dgemm_, sgemm_)(t, "N", out, &count, in, &minus, a, &stride, x, &stride_x, &one, y,
+                               &stride_y);
 }
 
 }  // namespace vasorod::dense

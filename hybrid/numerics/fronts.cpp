@@ -1,6 +1,7 @@
 #include "numerics/fronts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cholmod.h>
 #include <cstddef>
 
@@ -28,7 +29,7 @@ void Fronts::add_own(int k, double* columns) const {
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
     const double* from = changes_[index(c)].get();
-    for (int j = 0; j < child.below && child.place[j] < node.columns; ++j, from += child.below) {
+    for (int j = 0; j < child.of_parent; ++j, from += child.below) {
       double* to = columns + std::ptrdiff_t{child.place[j]} * node.rows;
       for (int i = j; i < child.below; ++i) to[child.place[i]] += from[i];
     }
@@ -40,10 +41,8 @@ void Fronts::add_below(int k, double* change) {
   const Supernode node = nodes_[k];
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
-    const auto first = static_cast<int>(
-        std::lower_bound(child.place, child.place + child.below, node.columns) - child.place);
-    const double* from = changes_[index(c)].get() + std::ptrdiff_t{first} * child.below;
-    for (int j = first; j < child.below; ++j, from += child.below) {
+    const double* from = changes_[index(c)].get() + std::ptrdiff_t{child.of_parent} * child.below;
+    for (int j = child.of_parent; j < child.below; ++j, from += child.below) {
       double* to = change + std::ptrdiff_t{child.place[j] - node.columns} * node.below;
       for (int i = j; i < child.below; ++i) to[child.place[i] - node.columns] += from[i];
     }
@@ -88,39 +87,15 @@ bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Plac
   return true;
 }
 
-bool Fronts::factorise(const cholmod_sparse& matrix, double* factor) {
-  const int count = threads();
-  std::vector<Places> places(index(count), Places(index(nodes_.unknowns())));
-  std::atomic<int> failed = -1;
-  const auto eliminate_one = [&](int k, int thread, int share) {
-    if (failed < 0 && !eliminate(k, matrix, factor, places[index(thread)], share)) failed = k;
-  };
-  const auto eliminate_all = [&](const std::vector<int>& tops, const std::vector<int>& above) {
-    nodes_.for_subtrees(tops, count, [&](int thread, int first, int last) {
-      for (int k = first; k <= last; ++k) eliminate_one(k, thread, 1);
-    });
-    for (const int k : above) eliminate_one(k, 0, count);
-  };
-  // First what leads to the supernode that failed.
-  std::vector<int> tops, above, other_tops, other_above;
-  const int first = nodes_.first_descendant(failed_);
-  for (const int k : nodes_.above())
-    (first <= k && k <= failed_ ? above : other_above).push_back(k);
-  for (const int k : nodes_.tops()) {
-    const bool within = nodes_.first_descendant(k) <= failed_ && failed_ <= k;
-    (within || (first <= k && k <= failed_) ? tops : other_tops).push_back(k);
-  }
-  if (above.empty()) {
-    tops.insert(tops.end(), other_tops.begin(), other_tops.end());
-    eliminate_all(tops, other_above);
-  } else {
-    eliminate_all(tops, above);
-    eliminate_all(other_tops, other_above);
-  }
-  if (failed < 0) return true;
-  failed_ = failed;
-  for (std::unique_ptr<double[]>& change : changes_) change.reset();
-  return false;
+bool Fronts::factorise(const cholmod_sparse& matrix, double* factor, int threads) {
+  std::vector<Places> places(index(threads), Places(index(nodes_.unknowns())));
+  std::atomic<bool> good = true;
+  nodes_.upwards(threads, [&](int k, int thread, int share) {
+    if (good && !eliminate(k, matrix, factor, places[index(thread)], share)) good = false;
+  });
+  if (!good)
+    for (std::unique_ptr<double[]>& change : changes_) change.reset();
+  return good;
 }
 
 }  // namespace vasorod

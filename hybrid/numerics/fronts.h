@@ -6,7 +6,6 @@
 // Debian 12 shares the tree between threads.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -23,8 +22,8 @@ class Fronts {
 
   /// Fills `factor`, nodes.entries() numbers, from the lower triangle of a matrix in the order of
   /// elimination. Returns false where the matrix is not positive definite; the factor is incomplete
-  /// then. The numbers do not depend on the number of threads (threads()). Throws std::bad_alloc.
-  bool factorise(const cholmod_sparse_struct& matrix, double* factor);
+  /// then. The numbers do not depend on `threads`. Throws std::bad_alloc.
+  bool factorise(const cholmod_sparse_struct& matrix, double* factor, int threads);
 
  private:
   // Of one thread, per row of the matrix: its place in the front at hand.
@@ -39,9 +38,6 @@ class Fronts {
   // Per supernode, from its elimination to that of its parent: what it changes in later columns,
   // the lower triangle of a square, column-major.
   std::vector<std::unique_ptr<double[]>> changes_;
-  // The supernode where the last matrix was not positive definite; the next is likely not to be
-  // there either.
-  int failed_ = 0;
 };
 
 }  // namespace vasorod

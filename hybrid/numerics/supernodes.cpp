@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <numeric>
 
 namespace vasorod {
 namespace {
 
 // Enough that no thread waits long for the others at the end, and few enough that little is above.
-constexpr int subtrees = 24;
+constexpr int most_subtrees = 24;
 
 }  // namespace
 
@@ -27,6 +28,7 @@ Supernodes::Supernodes(const cholmod_factor& symbolic) : entries_(symbolic.xsize
   parent_.assign(count, -1);
   child_.assign(count, -1);
   sibling_.assign(count, -1);
+  of_parent_.assign(count, 0);
   std::vector<int> node_of(symbolic.n), place(symbolic.n);
   for (size_t k = 0; k < count; ++k)
     std::fill(node_of.begin() + first_[k], node_of.begin() + first_[k + 1], static_cast<int>(k));
@@ -44,12 +46,14 @@ Supernodes::Supernodes(const cholmod_factor& symbolic) : entries_(symbolic.xsize
     for (int i = 0; i < node.rows; ++i) place[index(node.row[i])] = i;
     for_children(k, [&](int c) {
       const Supernode child = (*this)[c];
-      for (int i = 0; i < child.below; ++i)
+      for (int i = 0; i < child.below; ++i) {
         place_[index(child.first_row + i)] = place[index(child.row[child.columns + i])];
+        of_parent_[index(c)] += child.place[i] < node.columns;
+      }
     });
   }
-  for (size_t k = 0; k < count; ++k)
-    descendant_.push_back(child_[k] < 0 ? static_cast<int>(k) : descendant_[index(child_[k])]);
+  all_.resize(count);
+  std::iota(all_.begin(), all_.end(), 0);
   divide_into_subtrees();
 }
 
@@ -60,6 +64,7 @@ Supernode Supernodes::operator[](int k) const {
           .columns = columns,
           .rows = rows,
           .below = rows - columns,
+          .of_parent = of_parent_[i],
           .row = rows_.data() + row_[i],
           .place = place_.data() + row_[i] + columns,
           .entry = entry_[i],
@@ -78,21 +83,27 @@ void Supernodes::divide_into_subtrees() {
     if (const int parent = parent_[index(k)]; parent >= 0) work[index(parent)] += work[index(k)];
   }
   const auto lighter = [&](int a, int b) { return work[index(a)] < work[index(b)]; };
+  std::vector<int> tops;
   const auto add = [&](int top) {
-    tops_.push_back(top);
-    std::push_heap(tops_.begin(), tops_.end(), lighter);
+    tops.push_back(top);
+    std::push_heap(tops.begin(), tops.end(), lighter);
   };
   for (int k = 0; k < size(); ++k)
     if (parent_[index(k)] < 0) add(k);
-  while (!tops_.empty() && work[index(tops_.front())] > total / subtrees) {
-    std::pop_heap(tops_.begin(), tops_.end(), lighter);
-    const int opened = tops_.back();
-    tops_.pop_back();
+  while (!tops.empty() && work[index(tops.front())] > total / most_subtrees) {
+    std::pop_heap(tops.begin(), tops.end(), lighter);
+    const int opened = tops.back();
+    tops.pop_back();
     above_.push_back(opened);
     for_children(opened, add);
   }
   std::sort(above_.begin(), above_.end());
-  std::sort(tops_.begin(), tops_.end());
+  std::sort(tops.begin(), tops.end());
+  for (const int top : tops) {
+    int first = top;
+    while (child_[index(first)] >= 0) first = child_[index(first)];
+    subtrees_.emplace_back(first, top);
+  }
 }
 
 }  // namespace vasorod

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "data/index.h"
@@ -18,6 +19,7 @@ namespace vasorod {
 struct Supernode {
   int start;                 ///< first column
   int columns, rows, below;  ///< below = rows - columns
+  int of_parent;             ///< of the rows below, the first so many are columns of the parent
   const int* row;            ///< row indices, ascending
   const int* place;      ///< of the rows below: their place among the rows of the parent, ascending
   std::ptrdiff_t entry;  ///< first entry in the factor, column-major with stride `rows`
@@ -44,28 +46,44 @@ class Supernodes {
     for (int c = child_[index(k)]; c >= 0; c = sibling_[index(c)]) task(c);
   }
 
-  /// The first of a supernode's descendants; from it to the supernode is its subtree.
-  int first_descendant(int k) const { return descendant_[index(k)]; }
+  /// First and last supernode of independent subtrees of about the same work, ascending.
+  const std::vector<std::pair<int, int>>& subtrees() const { return subtrees_; }
 
-  /// The tops of independent subtrees of about the same work, ascending.
-  const std::vector<int>& tops() const { return tops_; }
-  /// The supernodes above these subtrees, ascending.
-  const std::vector<int>& above() const { return above_; }
-
-  /// Calls `task(thread, first, last)` with the first and the last supernode of each subtree of
-  /// `tops`, on up to `threads` threads.
+  /// Calls `task(k, thread, share)` with each supernode, those below it first: in independent
+  /// subtrees on up to `threads` threads, each with a share of one, then above these on the calling
+  /// thread with a share of all.
   template <class Task>
-  void for_subtrees(const std::vector<int>& tops, int threads, Task task) const {
-    std::atomic<size_t> next = 0;
-    const int count = std::min(threads, static_cast<int>(tops.size()));
-    in_parallel(count, count, [&](int thread) {
-      for (size_t k = next++; k < tops.size(); k = next++)
-        task(thread, first_descendant(tops[k]), tops[k]);
-    });
+  void upwards(int threads, Task task) const {
+    if (threads > 1)
+      for_subtrees(threads, [&](int thread, int first, int last) {
+        for (int k = first; k <= last; ++k) task(k, thread, 1);
+      });
+    for (const int k : threads > 1 ? above_ : all_) task(k, 0, threads);
+  }
+
+  /// The same with those above it first.
+  template <class Task>
+  void downwards(int threads, Task task) const {
+    const std::vector<int>& top = threads > 1 ? above_ : all_;
+    for (auto k = top.rbegin(); k != top.rend(); ++k) task(*k, 0, threads);
+    if (threads > 1)
+      for_subtrees(threads, [&](int thread, int first, int last) {
+        for (int k = last; k >= first; --k) task(k, thread, 1);
+      });
   }
 
  private:
   void divide_into_subtrees();
+
+  // Calls `task(thread, first, last)` with the first and the last supernode of each subtree.
+  template <class Task>
+  void for_subtrees(int threads, Task task) const {
+    std::atomic<size_t> next = 0;
+    in_parallel(threads, threads, [&](int thread) {
+      for (size_t k = next++; k < subtrees_.size(); k = next++)
+        task(thread, subtrees_[k].first, subtrees_[k].second);
+    });
+  }
 
   std::vector<int> first_;  // per supernode, plus an end entry: first column
   std::vector<int> row_;    // per supernode, plus an end entry: first row index
@@ -73,7 +91,9 @@ class Supernodes {
   std::vector<int> rows_, order_;
   std::vector<int> place_;  // per row index below the columns: place among the parent's rows
   std::vector<int> parent_, child_, sibling_;  // parent, first child, next sibling; -1: none
-  std::vector<int> descendant_, tops_, above_;
+  std::vector<int> of_parent_;
+  std::vector<std::pair<int, int>> subtrees_;
+  std::vector<int> above_, all_;  // above_: those in no subtree; ascending
   std::size_t entries_ = 0;
   int tallest_ = 0;
 };

@@ -44,8 +44,8 @@ void in_parallel(int threads, int count, Task task) {
     std::vector<std::jthread> others;
     try {
       for (int t = 1; t < threads; ++t) others.emplace_back(work);
-    } catch (
-        const std::system_error&) {  // the system gives no more: those that are there do it all
+    } catch (const std::system_error&) {
+      // The system gives no more: those that are there do it all.
     }
     work();
   }

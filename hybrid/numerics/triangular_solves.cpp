@@ -34,14 +34,13 @@ void TriangularSolves<Scalar>::up(const Supernodes& nodes, int k, const Scalar* 
   std::fill_n(below, std::ptrdiff_t{node.below} * count, Scalar{0});
   nodes.for_children(k, [&](int c) {
     const Supernode child = nodes[c];
-    const auto own = static_cast<int>(
-        std::lower_bound(child.place, child.place + child.below, node.columns) - child.place);
     const Scalar* from = passed_.data() + child.first_row * count;
     for (int r = 0; r < count; ++r, from += child.below) {
       Scalar* to = here + std::ptrdiff_t{n} * r;
-      for (int i = 0; i < own; ++i) to[child.place[i]] += from[i];
+      for (int i = 0; i < child.of_parent; ++i) to[child.place[i]] += from[i];
       to = below + std::ptrdiff_t{node.below} * r;
-      for (int i = own; i < child.below; ++i) to[child.place[i] - node.columns] += from[i];
+      for (int i = child.of_parent; i < child.below; ++i)
+        to[child.place[i] - node.columns] += from[i];
     }
   });
   const Scalar* block = factor + node.entry;
@@ -77,8 +76,7 @@ void TriangularSolves<Scalar>::down(const Supernodes& nodes, int k, const Scalar
 
 template <class Scalar>
 void TriangularSolves<Scalar>::solve(const Supernodes& nodes, const Scalar* factor, const double* b,
-                                     double* x, int count) {
-  const int team = threads();
+                                     double* x, int count, int threads) {
   const auto n = index(nodes.unknowns());
   const std::vector<int>& order = nodes.order();
   values_.resize(n * index(count));
@@ -86,16 +84,11 @@ void TriangularSolves<Scalar>::solve(const Supernodes& nodes, const Scalar* fact
   for (size_t r = 0; r < index(count); ++r)
     for (size_t i = 0; i < n; ++i)
       values_[r * n + i] = static_cast<Scalar>(b[r * n + index(order[i])]);
-  nodes.for_subtrees(nodes.tops(), team, [&](int, int first, int last) {
-    for (int k = first; k <= last; ++k) up(nodes, k, factor, count, 1);
-  });
+  nodes.upwards(threads, [&](int k, int, int share) { up(nodes, k, factor, count, share); });
   std::vector<std::vector<Scalar>> below(
-      index(team), std::vector<Scalar>(index(nodes.tallest()) * index(count)));
-  const std::vector<int>& above = nodes.above();
-  for (const int k : above) up(nodes, k, factor, count, team);
-  for (size_t k = above.size(); k-- > 0;) down(nodes, above[k], factor, count, team, below[0]);
-  nodes.for_subtrees(nodes.tops(), team, [&](int thread, int first, int last) {
-    for (int k = last; k >= first; --k) down(nodes, k, factor, count, 1, below[index(thread)]);
+      index(threads), std::vector<Scalar>(index(nodes.tallest()) * index(count)));
+  nodes.downwards(threads, [&](int k, int thread, int share) {
+    down(nodes, k, factor, count, share, below[index(thread)]);
   });
   for (size_t r = 0; r < index(count); ++r)
     for (size_t i = 0; i < n; ++i)

@@ -14,9 +14,9 @@ template <class Scalar>
 class TriangularSolves {
  public:
   /// x = A^-1 b for `count` right-hand sides, stored column-major; x may be b. `factor`: A's, as
-  /// Fronts::factorise() fills it, in either precision. The numbers do not depend on the number of
-  /// threads (threads()).
-  void solve(const Supernodes& nodes, const Scalar* factor, const double* b, double* x, int count);
+  /// Fronts::factorise() fills it, in either precision. The numbers do not depend on `threads`.
+  void solve(const Supernodes& nodes, const Scalar* factor, const double* b, double* x, int count,
+             int threads);
 
  private:
   void up(const Supernodes& nodes, int k, const Scalar* factor, int count, int threads);

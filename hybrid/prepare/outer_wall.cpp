@@ -1,7 +1,6 @@
 #include "prepare/outer_wall.h"
 
 #include <CGAL/alpha_wrap_3.h>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <vector>
 
@@ -17,14 +16,11 @@ namespace vasorod {
 double facing_width(const TriangleSurface& surface) {
   const RayHits rays(surface);
   const double edge = mean_edge_length(surface);
-  const auto n = surface.triangles.rows();
+  const auto n = static_cast<int>(surface.triangles.rows());
   std::vector<double> width;
-  for (Eigen::Index t = 0; t < n; t += std::max<Eigen::Index>(1, n / 2000)) {
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-               b = surface.points.row(surface.triangles(t, 1)),
-               c = surface.points.row(surface.triangles(t, 2));
-    const Vec3 normal = (b - a).cross(c - a).normalized();
-    for (const RayHit& hit : rays.along((a + b + c) / 3 + 1e-3 * edge * normal, normal))
+  for (int t = 0; t < n; t += std::max(1, n / 2000)) {
+    const Vec3 normal = triangle_normal(surface, t).normalized();
+    for (const RayHit& hit : rays.along(triangle_center(surface, t) + 1e-3 * edge * normal, normal))
       if (!hit.leaves && hit.distance > edge) {
         width.push_back(hit.distance);
         break;

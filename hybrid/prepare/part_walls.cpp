@@ -1,12 +1,12 @@
 #include "prepare/part_walls.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "data/index.h"
 #include "geometry/ray_hits.h"
 #include "geometry/triangle_surface.h"
 #include "prepare/repair.h"
@@ -17,28 +17,17 @@ namespace {
 
 constexpr int rim = -1;  // in place of a part's or a side's number
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 class WallParts {
  public:
   explicit WallParts(const TriangleSurface& surface)
-      : surface_(surface),
-        part_(at(static_cast<int>(surface.triangles.rows())), rim),
-        opposite_(part_) {
-    for (int t = 0; t < surface.triangles.rows(); ++t) {
-      const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-                 b = surface.points.row(surface.triangles(t, 1)),
-                 c = surface.points.row(surface.triangles(t, 2));
-      normal_.push_back((b - a).cross(c - a).normalized());
-      center_.push_back((a + b + c) / 3);
-    }
+      : surface_(surface), part_(index(surface.triangles.rows()), rim), opposite_(part_) {
+    for (int t = 0; t < surface.triangles.rows(); ++t)
+      normal_.push_back(triangle_normal(surface, t).normalized());
     beside_.resize(part_.size());
     for (const Edge& edge : edges_of(surface.triangles))
       if (!edge.boundary()) {
-        beside_[at(edge.triangle[0])].push_back(edge.triangle[1]);
-        beside_[at(edge.triangle[1])].push_back(edge.triangle[0]);
+        beside_[index(edge.triangle[0])].push_back(edge.triangle[1]);
+        beside_[index(edge.triangle[1])].push_back(edge.triangle[0]);
       }
     number_faces(face_triangles());
     two_sides();
@@ -49,27 +38,20 @@ class WallParts {
   double thickness() const { return thickness_; }
 
   std::vector<TriangleSurface> parts() const {
-    std::vector<std::vector<int>> triangles(at(count_));
-    for (int t = 0; t < surface_.triangles.rows(); ++t)
-      if (part_[at(t)] != rim) triangles[at(part_[at(t)])].push_back(t);
     std::vector<TriangleSurface> out;
-    for (const auto& own : triangles) {
-      if (own.empty()) continue;
-      TriangleSurface part;
-      part.triangles = surface_.triangles(own, Eigen::all);
-      std::vector<int> points(part.triangles.data(), part.triangles.data() + part.triangles.size());
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
-      part.points = surface_.points(points, Eigen::all);
-      part.triangles = part.triangles.unaryExpr([&](int v) {
-        return static_cast<int>(std::lower_bound(points.begin(), points.end(), v) - points.begin());
-      });
-      out.push_back(std::move(part));
-    }
+    for (const std::vector<int>& own : triangles_of_parts())
+      if (!own.empty()) out.push_back(part_with(surface_, own));
     return out;
   }
 
  private:
+  std::vector<std::vector<int>> triangles_of_parts() const {
+    std::vector<std::vector<int>> triangles(index(count_));
+    for (int t = 0; t < surface_.triangles.rows(); ++t)
+      if (part_[index(t)] != rim) triangles[index(part_[index(t)])].push_back(t);
+    return triangles;
+  }
+
   // Which triangles have the other face behind them.
   std::vector<char> face_triangles() {
     const RayHits rays(surface_);
@@ -77,10 +59,10 @@ class WallParts {
     std::vector<double> behind(part_.size(), std::numeric_limits<double>::infinity()), found;
     std::vector<RayHit> hits;
     for (std::size_t t = 0; t < part_.size(); ++t) {
-      rays.along(center_[t] - skip * normal_[t], -normal_[t],
+      rays.along(triangle_center(surface_, static_cast<int>(t)) - skip * normal_[t], -normal_[t],
                  std::numeric_limits<double>::infinity(), hits);
       // The first wall behind, which faces the other way by less than 60 degrees.
-      if (hits.empty() || normal_[at(hits.front().triangle)].dot(normal_[t]) > -0.5) continue;
+      if (hits.empty() || normal_[index(hits.front().triangle)].dot(normal_[t]) > -0.5) continue;
       behind[t] = hits.front().distance;
       opposite_[t] = hits.front().triangle;
       found.push_back(behind[t]);
@@ -96,13 +78,13 @@ class WallParts {
 
   void number_faces(const std::vector<char>& face) {
     for (int seed = 0; seed < static_cast<int>(part_.size()); ++seed) {
-      if (!face[at(seed)] || part_[at(seed)] != rim) continue;
+      if (!face[index(seed)] || part_[index(seed)] != rim) continue;
       std::vector<int> all{seed};
-      part_[at(seed)] = count_;
+      part_[index(seed)] = count_;
       for (std::size_t next = 0; next < all.size(); ++next)
-        for (const int u : beside_[at(all[next])])
-          if (face[at(u)] && part_[at(u)] == rim && !folded_between(all[next], u)) {
-            part_[at(u)] = count_;
+        for (const int u : beside_[index(all[next])])
+          if (face[index(u)] && part_[index(u)] == rim && !folded_between(all[next], u)) {
+            part_[index(u)] = count_;
             all.push_back(u);
           }
       ++count_;
@@ -112,9 +94,7 @@ class WallParts {
   // The parts, from large to small, each on the side that those behind it are not on: an edge along
   // the wall may part one side into several.
   void two_sides() {
-    std::vector<std::vector<int>> triangles(at(count_));
-    for (int t = 0; t < static_cast<int>(part_.size()); ++t)
-      if (part_[at(t)] != rim) triangles[at(part_[at(t)])].push_back(t);
+    auto triangles = triangles_of_parts();
     std::stable_sort(triangles.begin(), triangles.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });
     std::vector<int> side(part_.size(), rim);
@@ -122,9 +102,10 @@ class WallParts {
     for (const auto& part : triangles) {
       std::array<int, 2> behind{0, 0};
       for (const int t : part)
-        if (const int found = side[at(opposite_[at(t)])]; found != rim) ++behind[at(found)];
+        if (const int found = side[index(opposite_[index(t)])]; found != rim)
+          ++behind[index(found)];
       if (!first && behind[0] == behind[1]) continue;
-      for (const int t : part) side[at(t)] = behind[0] > behind[1] ? 1 : 0;
+      for (const int t : part) side[index(t)] = behind[0] > behind[1] ? 1 : 0;
       first = false;
     }
     part_ = std::move(side);
@@ -137,64 +118,66 @@ class WallParts {
     const std::vector<int> faces = part_;
     std::vector<int> front, seed(part_.size());
     for (int t = 0; t < static_cast<int>(part_.size()); ++t)
-      if (part_[at(t)] != rim) {
+      if (part_[index(t)] != rim) {
         front.push_back(t);
-        seed[at(t)] = t;
+        seed[index(t)] = t;
       }
     for (std::size_t next = 0; next < front.size(); ++next) {
       const int t = front[next];
-      for (const int u : beside_[at(t)])
-        if (part_[at(u)] == rim && smooth_between(t, u) && smooth_between(seed[at(t)], u)) {
-          part_[at(u)] = part_[at(t)];
-          seed[at(u)] = seed[at(t)];
+      for (const int u : beside_[index(t)])
+        if (part_[index(u)] == rim && smooth_between(t, u) && smooth_between(seed[index(t)], u)) {
+          part_[index(u)] = part_[index(t)];
+          seed[index(u)] = seed[index(t)];
           front.push_back(u);
         }
     }
     // What hangs on one edge alone belongs to the rim.
     for (auto t = front.rbegin(); t != front.rend(); ++t)
-      if (faces[at(*t)] == rim &&
-          std::count_if(beside_[at(*t)].begin(), beside_[at(*t)].end(),
-                        [&](int u) { return part_[at(u)] == part_[at(*t)]; }) < 2)
-        part_[at(*t)] = rim;
+      if (faces[index(*t)] == rim &&
+          std::count_if(beside_[index(*t)].begin(), beside_[index(*t)].end(),
+                        [&](int u) { return part_[index(u)] == part_[index(*t)]; }) < 2)
+        part_[index(*t)] = rim;
   }
 
   // What is left between creases and has one side along most of its border belongs to that side.
   void take_in_islands() {
     std::vector<char> seen(part_.size(), 0);
     for (int first = 0; first < static_cast<int>(part_.size()); ++first) {
-      if (part_[at(first)] != rim || seen[at(first)]) continue;
+      if (part_[index(first)] != rim || seen[index(first)]) continue;
       std::vector<int> all{first};
-      seen[at(first)] = 1;
+      seen[index(first)] = 1;
       std::array<int, 2> along{0, 0};
       int border = 0;
       for (std::size_t next = 0; next < all.size(); ++next) {
-        const auto& beside = beside_[at(all[next])];
+        const auto& beside = beside_[index(all[next])];
         border += 3 - static_cast<int>(beside.size());
         for (const int u : beside) {
-          if (part_[at(u)] == rim && smooth_between(all[next], u)) {
-            if (!seen[at(u)]) all.push_back(u);
-            seen[at(u)] = 1;
+          if (part_[index(u)] == rim && smooth_between(all[next], u)) {
+            if (!seen[index(u)]) all.push_back(u);
+            seen[index(u)] = 1;
             continue;
           }
           ++border;
-          if (part_[at(u)] != rim) ++along[at(part_[at(u)])];
+          if (part_[index(u)] != rim) ++along[index(part_[index(u)])];
         }
       }
       for (const int side : {0, 1})
-        if (2 * along[at(side)] > border && along[at(1 - side)] == 0)
-          for (const int t : all) part_[at(t)] = side;
+        if (2 * along[index(side)] > border && along[index(1 - side)] == 0)
+          for (const int t : all) part_[index(t)] = side;
     }
   }
 
-  bool folded_between(int t, int u) const { return normal_[at(t)].dot(normal_[at(u)]) < -0.5; }
+  bool folded_between(int t, int u) const {
+    return normal_[index(t)].dot(normal_[index(u)]) < -0.5;
+  }
 
   bool smooth_between(int t, int u) const {
-    return normal_[at(t)].dot(normal_[at(u)]) > std::cos(30 * M_PI / 180);
+    return normal_[index(t)].dot(normal_[index(u)]) > std::cos(30 * M_PI / 180);
   }
 
   const TriangleSurface& surface_;
   std::vector<int> part_, opposite_;  // of a triangle; the one behind it
-  std::vector<Vec3> normal_, center_;
+  std::vector<Vec3> normal_;          // unit
   std::vector<std::vector<int>> beside_;
   int count_ = 0;
   double thickness_ = 0;

@@ -209,14 +209,14 @@ class Preparation {
   void one_wall() {
     close_openings();
     smooth_wall();
-    auto crossings = self_intersections(surface()).size();
-    int handles = handles_of(surface());
-    if (crossings == 0 && handles == 0) return;
-    if (keep_outer()) {
+    std::size_t crossings = 0;
+    int handles = 0;
+    const auto is_one = [&] {
       crossings = self_intersections(surface()).size();
       handles = handles_of(surface());
-      if (crossings == 0 && handles == 0) return;
-    }
+      return crossings == 0 && handles == 0;
+    };
+    if (is_one() || (keep_outer() && is_one())) return;
     request_.progress("wrapping");
     fill_loops(surface(), boundary_loops(surface().triangles));
     const std::string why =

@@ -4,11 +4,11 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "data/index.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
 #include "surface_file/cgal_surface.h"
@@ -23,26 +23,13 @@ void turn_over(TriangleSurface& surface) {
   surface.triangles.col(1).swap(surface.triangles.col(2));
 }
 
-// The connected parts of a surface, their points and triangles in its order.
 std::vector<TriangleSurface> parts_of(const TriangleSurface& surface) {
   const auto label = components(surface.triangles, static_cast<int>(surface.points.rows()));
-  const auto count = static_cast<std::size_t>(1 + *std::max_element(label.begin(), label.end()));
-  const auto at = [](Eigen::Index i) { return static_cast<std::size_t>(i); };
-  std::vector<std::vector<int>> points(count), triangles(count);
-  std::vector<int> number(label.size(), -1);  // of a point in its part
-  for (std::size_t v = 0; v < label.size(); ++v)
-    if (label[v] >= 0) {
-      number[v] = static_cast<int>(points[at(label[v])].size());
-      points[at(label[v])].push_back(static_cast<int>(v));
-    }
+  std::vector<std::vector<int>> triangles(index(1 + *std::max_element(label.begin(), label.end())));
   for (int t = 0; t < surface.triangles.rows(); ++t)
-    triangles[at(label[at(surface.triangles(t, 0))])].push_back(t);
-  std::vector<TriangleSurface> parts(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    parts[k].points = surface.points(points[k], Eigen::all);
-    parts[k].triangles =
-        surface.triangles(triangles[k], Eigen::all).unaryExpr([&](int v) { return number[at(v)]; });
-  }
+    triangles[index(label[index(surface.triangles(t, 0))])].push_back(t);
+  std::vector<TriangleSurface> parts;
+  for (const std::vector<int>& own : triangles) parts.push_back(part_with(surface, own));
   return parts;
 }
 
@@ -58,13 +45,6 @@ bool within(const TriangleSurface& part, const ClosestPoint& around) {
     inside += hit.signed_distance < 0 ? 1 : 0;
   }
   return all > 0 && inside > 0.9 * all;
-}
-
-Vec3 normal_of(const TriangleSurface& surface, int t) {
-  const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-             b = surface.points.row(surface.triangles(t, 1)),
-             c = surface.points.row(surface.triangles(t, 2));
-  return (b - a).cross(c - a);
 }
 
 }  // namespace
@@ -145,7 +125,7 @@ Openings openings_of(const TriangleSurface& surface) {
       if (loop >= 0) at.insert(loop);
     }
     for (const int k : at) {
-      const Vec3 normal = normal_of(surface, t);
+      const Vec3 normal = triangle_normal(surface, t);
       along[static_cast<std::size_t>(k)] +=
           std::abs(normal.dot(plane[static_cast<std::size_t>(k)]));
       all[static_cast<std::size_t>(k)] += normal.norm();

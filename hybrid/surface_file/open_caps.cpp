@@ -23,12 +23,8 @@ struct Faces {
   explicit Faces(const TriangleSurface& surface)
       : edges(edges_of(surface.triangles)),
         edges_at(static_cast<size_t>(surface.triangles.rows()), {-1, -1, -1}) {
-    for (int t = 0; t < surface.triangles.rows(); ++t) {
-      const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-                 b = surface.points.row(surface.triangles(t, 1)),
-                 c = surface.points.row(surface.triangles(t, 2));
-      normal.push_back((b - a).cross(c - a).normalized());
-    }
+    for (int t = 0; t < surface.triangles.rows(); ++t)
+      normal.push_back(triangle_normal(surface, t).normalized());
     for (size_t e = 0; e < edges.size(); ++e)
       for (const int t : edges[e].triangle)
         if (t >= 0)

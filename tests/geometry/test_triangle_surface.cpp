@@ -66,6 +66,30 @@ TEST(TriangleSurface, NormalsPointOutwards) {
   }
 }
 
+TEST(TriangleSurface, ATriangleHasItsNormalAndCentre) {
+  TriangleSurface one;
+  one.points.resize(3, 3);
+  one.points << 1, 0, 2, 4, 0, 2, 1, 6, 2;
+  one.triangles.resize(1, 3);
+  one.triangles << 0, 1, 2;
+  EXPECT_EQ(triangle_normal(one, 0), Vec3(0, 0, 18)) << "twice the area";
+  EXPECT_EQ(triangle_center(one, 0), Vec3(2, 2, 2));
+}
+
+TEST(TriangleSurface, APartHasItsTrianglesAndTheirPoints) {
+  const TriangleSurface whole = open_tube(12, 5, 2, 10);
+  const std::vector<int> rows{7, 3, 40};
+  const TriangleSurface part = part_with(whole, rows);
+  ASSERT_EQ(part.triangles.rows(), 3);
+  EXPECT_LE(part.points.rows(), 9);
+  for (int t = 0; t < 3; ++t)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(part.points.row(part.triangles(t, k)),
+                whole.points.row(whole.triangles(rows[static_cast<size_t>(t)], k)));
+  EXPECT_EQ(part.triangles.maxCoeff(), part.points.rows() - 1) << "no other points";
+  EXPECT_EQ(part_with(whole, {}).points.rows(), 0);
+}
+
 TEST(TriangleSurface, ThreeTrianglesOnOneEdgeAreRefused) {
   Triangles t(3, 3);
   t << 0, 1, 2, 1, 0, 3, 0, 1, 4;

@@ -1,12 +1,11 @@
-// A positive definite matrix whose supernodes have many widths, with CHOLMOD's analysis of it.
+// A positive definite matrix whose supernodes have many widths, with its analysis.
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <cholmod.h>
 #include <random>
 #include <vector>
 
-#include "numerics/supernodes.h"
+#include "numerics/analysis.h"
 
 namespace vasorod::testing {
 
@@ -37,41 +36,13 @@ inline Eigen::SparseMatrix<double> grid(int side) {
   return matrix;
 }
 
-/// The analysis of a matrix, and its lower triangle in the order of elimination.
-struct Analysed {
-  explicit Analysed(Eigen::SparseMatrix<double> m) : matrix(std::move(m)) {
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.final_ll = 1;
-    cholmod_sparse view{};
-    view.nrow = view.ncol = static_cast<size_t>(matrix.rows());
-    view.nzmax = static_cast<size_t>(matrix.nonZeros());
-    view.p = matrix.outerIndexPtr();
-    view.i = matrix.innerIndexPtr();
-    view.x = matrix.valuePtr();
-    view.stype = -1;
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = view.packed = 1;
-    factor = cholmod_analyze(&view, &common);
-    cholmod_sparse* upper =
-        cholmod_ptranspose(&view, 1, static_cast<int*>(factor->Perm), nullptr, 0, &common);
-    sorted = cholmod_ptranspose(upper, 1, nullptr, nullptr, 0, &common);
-    cholmod_free_sparse(&upper, &common);
-  }
-  ~Analysed() {
-    cholmod_free_sparse(&sorted, &common);
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-  Analysed(const Analysed&) = delete;
-  Analysed& operator=(const Analysed&) = delete;
+struct AnalysedGrid {
+  explicit AnalysedGrid(int side)
+      : matrix(grid(side)), analysis(matrix, {}), nodes(analysis.nodes()) {}
 
   Eigen::SparseMatrix<double> matrix;
-  cholmod_common common{};
-  cholmod_factor* factor = nullptr;
-  cholmod_sparse* sorted = nullptr;
+  Analysis analysis;
+  const Supernodes& nodes;
 };
 
 /// The factor's columns as a dense lower triangle, in the order of elimination.

@@ -43,21 +43,6 @@ TEST(Cholesky, SolvesThreeRightHandSidesAsADenseSolverDoes) {
   }
 }
 
-// METIS draws from one sequence of random numbers for the whole process.
-TEST(Cholesky, OrderingsAtTheSameTimeAreThoseOfOneAlone) {
-  constexpr int n = 3000;
-  const Matrix a = random_positive(n, 1, 0);
-  std::vector<int> each(n);
-  std::iota(each.begin(), each.end(), 0);
-  const auto order = [&] { return elimination_order(a, each, Ordering::nested_dissection); };
-  const std::vector<int> alone = order();
-  std::vector<std::vector<int>> together(8);
-  std::vector<std::thread> threads;
-  for (std::vector<int>& one : together) threads.emplace_back([&] { one = order(); });
-  for (std::thread& thread : threads) thread.join();
-  for (const std::vector<int>& one : together) EXPECT_EQ(one, alone);
-}
-
 // A chain eliminated from one end has no fill: the factor has its diagonal and one entry per link.
 TEST(Cholesky, CountsFactorisationsThatFailSolvesAndEntries) {
   constexpr int n = 50;

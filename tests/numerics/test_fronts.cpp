@@ -9,54 +9,48 @@ namespace {
 using namespace testing;
 
 TEST(Fronts, TheFactorTimesItsTransposeIsTheMatrix) {
-  const Analysed a(grid(18));
-  const Supernodes nodes(*a.factor);
-  Fronts fronts(nodes);
-  std::vector<double> factor(nodes.entries());
-  ASSERT_TRUE(fronts.factorise(*a.sorted, factor.data()));
-  const Eigen::MatrixXd l = dense_factor(nodes, factor),
-                        expected = in_order(nodes, Eigen::MatrixXd(a.matrix));
+  AnalysedGrid a(18);
+  Fronts fronts(a.nodes);
+  std::vector<double> factor(a.nodes.entries());
+  ASSERT_TRUE(fronts.factorise(a.analysis.in_order(a.matrix), factor.data(), 1));
+  const Eigen::MatrixXd l = dense_factor(a.nodes, factor),
+                        expected = in_order(a.nodes, Eigen::MatrixXd(a.matrix));
   EXPECT_LT((l * l.transpose() - expected).norm(), 1e-14 * expected.norm());
 }
 
 TEST(Fronts, ThreadsDoNotChangeABit) {
-  const Analysed a(grid(60));  // its largest fronts have several panels
-  const Supernodes nodes(*a.factor);
-  ASSERT_GT(nodes.tallest(), 250);
+  AnalysedGrid a(60);  // its largest fronts have several panels
+  ASSERT_GT(a.nodes.tallest(), 250);
   std::vector<Eigen::MatrixXd> found;
   for (const int count : {1, 2, 7}) {
-    set_threads(count);
-    Fronts fronts(nodes);
-    std::vector<double> factor(nodes.entries());
-    ASSERT_TRUE(fronts.factorise(*a.sorted, factor.data()));
-    found.push_back(dense_factor(nodes, factor));
+    Fronts fronts(a.nodes);
+    std::vector<double> factor(a.nodes.entries());
+    ASSERT_TRUE(fronts.factorise(a.analysis.in_order(a.matrix), factor.data(), count));
+    found.push_back(dense_factor(a.nodes, factor));
   }
-  set_threads(1);
   EXPECT_EQ(found[1], found[0]);
   EXPECT_EQ(found[2], found[0]);
 }
 
-// Also where it was not positive definite just before, in another subtree or above all of them.
+// And one that is, after it.
 TEST(Fronts, AMatrixThatIsNotPositiveDefiniteIsFoundWhereverItIs) {
-  Analysed a(grid(20));
-  const Supernodes nodes(*a.factor);
-  Fronts fronts(nodes);
-  std::vector<double> factor(nodes.entries());
-  auto* values = static_cast<double*>(a.sorted->x);
-  const auto* begin = static_cast<const int*>(a.sorted->p);
-  for (const int count : {1, 2}) {
-    set_threads(count);
-    for (int column = 0; column < nodes.unknowns(); column += 83) {
-      const double good = values[begin[column]];
-      values[begin[column]] = -good;
-      EXPECT_FALSE(fronts.factorise(*a.sorted, factor.data())) << column;
-      values[begin[column]] = good;
-      ASSERT_TRUE(fronts.factorise(*a.sorted, factor.data())) << column;
+  AnalysedGrid a(20);
+  Fronts fronts(a.nodes);
+  std::vector<double> factor(a.nodes.entries());
+  const auto factorise = [&](int threads) {
+    return fronts.factorise(a.analysis.in_order(a.matrix), factor.data(), threads);
+  };
+  for (const int threads : {1, 2})
+    for (int column = 0; column < a.nodes.unknowns(); column += 83) {
+      const int u = a.nodes.order()[static_cast<size_t>(column)];
+      const double good = a.matrix.coeff(u, u);
+      a.matrix.coeffRef(u, u) = -good;
+      EXPECT_FALSE(factorise(threads)) << column;
+      a.matrix.coeffRef(u, u) = good;
+      ASSERT_TRUE(factorise(threads)) << column;
     }
-  }
-  set_threads(1);
-  values[begin[7]] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(fronts.factorise(*a.sorted, factor.data()));
+  a.matrix.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(factorise(1));
 }
 
 }  // namespace

@@ -10,12 +10,11 @@ namespace {
 
 using namespace testing;
 
-struct Factored : Analysed {
-  explicit Factored(int side) : Analysed(grid(side)), nodes(*factor), values(nodes.entries()) {
-    Fronts(nodes).factorise(*sorted, values.data());
+struct Factored : AnalysedGrid {
+  explicit Factored(int side) : AnalysedGrid(side), values(nodes.entries()) {
+    Fronts(nodes).factorise(analysis.in_order(matrix), values.data(), 1);
     single.assign(values.begin(), values.end());
   }
-  Supernodes nodes;
   std::vector<double> values;
   std::vector<float> single;
 };
@@ -27,16 +26,16 @@ TEST(TriangularSolves, SolveAsADenseFactorInBothPrecisions) {
                         exact = Eigen::MatrixXd(a.matrix).llt().solve(b);
   Eigen::MatrixXd x(n, 4);
   TriangularSolves<double> solves;
-  solves.solve(a.nodes, a.values.data(), b.data(), x.data(), 4);
+  solves.solve(a.nodes, a.values.data(), b.data(), x.data(), 4, 1);
   EXPECT_LT((x - exact).norm(), 1e-13 * exact.norm());
   TriangularSolves<float> single;
-  single.solve(a.nodes, a.single.data(), b.data(), x.data(), 4);
+  single.solve(a.nodes, a.single.data(), b.data(), x.data(), 4, 1);
   EXPECT_LT((x - exact).norm(), 1e-5 * exact.norm());
   EXPECT_GT((x - exact).norm(), 1e-9 * exact.norm()) << "it is half the data";
 
   // One column after four, in place.
   Eigen::VectorXd one = b.col(2);
-  solves.solve(a.nodes, a.values.data(), one.data(), one.data(), 1);
+  solves.solve(a.nodes, a.values.data(), one.data(), one.data(), 1, 1);
   EXPECT_LT((one - exact.col(2)).norm(), 1e-13 * exact.col(2).norm());
 }
 
@@ -47,7 +46,7 @@ TEST(TriangularSolves, SinglePrecisionIsSymmetricAndPositive) {
   Eigen::MatrixXd inverse(n, n);
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
   TriangularSolves<float> single;
-  single.solve(a.nodes, a.single.data(), identity.data(), inverse.data(), n);
+  single.solve(a.nodes, a.single.data(), identity.data(), inverse.data(), n, 1);
   EXPECT_LT((inverse - inverse.transpose()).norm(), 1e-5 * inverse.norm());
   EXPECT_EQ(Eigen::MatrixXd(0.5 * (inverse + inverse.transpose())).llt().info(), Eigen::Success);
 }
@@ -59,13 +58,11 @@ TEST(TriangularSolves, ThreadsDoNotChangeABit) {
     const Eigen::MatrixXd b = Eigen::MatrixXd::Random(n, columns);
     Eigen::MatrixXd alone(n, columns), x(n, columns);
     TriangularSolves<double> solves;
-    solves.solve(a.nodes, a.values.data(), b.data(), alone.data(), columns);
+    solves.solve(a.nodes, a.values.data(), b.data(), alone.data(), columns, 1);
     for (const int count : {2, 7}) {
-      set_threads(count);
-      solves.solve(a.nodes, a.values.data(), b.data(), x.data(), columns);
+      solves.solve(a.nodes, a.values.data(), b.data(), x.data(), columns, count);
       EXPECT_EQ(x, alone) << count << " threads, " << columns << " columns";
     }
-    set_threads(1);
   }
 }
 

@@ -6,18 +6,12 @@
 
 #include "planner/body.h"
 #include "planner/failure.h"
+#include "predict/caught.h"
 
 namespace vasorod::planner {
 namespace {
 
-template <class Error>
-Failure of(const Error& error) {
-  try {
-    throw error;
-  } catch (...) {
-    return failure_now();
-  }
-}
+const auto of = [](const auto& error) { return testing::caught(error, failure_now); };
 
 TEST(Failure, EveryExceptionIsOneSentence) {
   EXPECT_EQ(of(Refusal(404, "gone")).status, 404);

@@ -6,20 +6,14 @@
 #include <vasorod/error.h>
 #include <vasorod/predict.h>
 
+#include "predict/caught.h"
 #include "predict/cause.h"
 #include "predict/memory_need.h"
 
 namespace vasorod {
 namespace {
 
-template <class Error>
-Cause of(const Error& error) {
-  try {
-    throw error;
-  } catch (...) {
-    return cause_now();
-  }
-}
+const auto of = [](const auto& error) { return testing::caught(error, cause_now); };
 
 TEST(Cause, EveryExceptionHasAKindAndASentence) {
   EXPECT_EQ(of(StoppedEarly("early")).kind, Cause::Kind::stopped);

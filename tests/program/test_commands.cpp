@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"
+#include "program/same_with_threads.h"
 #include "program/small_glenn.h"
 
 namespace vasorod::testing {
@@ -218,28 +219,13 @@ TEST(Commands, WithoutAReportNumbersAndFieldsAreTheSame) {
   EXPECT_GT(without_page, 1);
 }
 
+// Of a factor that is large enough to be shared: GlennCoupled.ThreadsChangeNoNumber.
 TEST(Commands, ThreadsChangeNoNumber) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "small.yaml") << small_glenn("coupled");
-  for (const std::string& scene :
-       {(scratch / "small.yaml").string(),
-        source + "/benchmarks/cases/glenn/infant.yaml' --fidelity 'paper"}) {
-    nlohmann::json alone;
-    for (const int threads : {1, 4}) {
-      const auto run =
-          run_program(vasorod("solve '" + scene + "' -o '" + (scratch / "out").string() +
-                              "' --json --no-report --threads " + std::to_string(threads)));
-      ASSERT_EQ(run.exit_code, 0) << run.err;
-      auto result = nlohmann::json::parse(run.out);
-      EXPECT_EQ(result.at("environment").at("threads"), threads);
-      result.at("environment").erase("threads");
-      result.erase("seconds");
-      if (threads == 1)
-        alone = result;
-      else
-        EXPECT_EQ(nlohmann::json::diff(alone, result), nlohmann::json::array()) << scene;
-    }
-  }
+  expect_threads_change_no_number("'" + (scratch / "small.yaml").string() + "'");
+  expect_threads_change_no_number("'" + source +
+                                  "/benchmarks/cases/glenn/infant.yaml' --fidelity paper");
 }
 
 TEST(Commands, ABareRodTreeHasThePublishedEnergy) {

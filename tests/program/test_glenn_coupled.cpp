@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/glenn_scene.h"
+#include "program/same_with_threads.h"
 
 namespace vasorod::testing {
 namespace {
@@ -39,6 +40,12 @@ TEST(GlennCoupled, ALongerVeinToo) {
   EXPECT_NE(result.at("certificate").at("notes").dump().find("degrees over one edge"),
             std::string::npos)
       << result.at("certificate").dump();
+}
+
+// Its factor is large enough to be shared between threads.
+TEST(GlennCoupled, ThreadsChangeNoNumber) {
+  expect_threads_change_no_number(std::string("'") + VASOROD_SOURCE_DIR +
+                                  "/benchmarks/cases/glenn/infant.yaml' --fidelity coupled");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ from chapters.join import join_section
 from chapters.laws import laws_section
 from chapters.pressure import pressure_section
 from chapters.promise import promise_section
+from chapters.sections import sections_section, speed_section
 from chapters.sensitivity import sensitivity_section
 from chapters.trade import front_of, trade_section
 from tables import IMAGES, paragraph, read_table
@@ -17,6 +18,8 @@ from tables import IMAGES, paragraph, read_table
 TABLES = (
     "accuracy",
     "irregular",
+    "sections",
+    "sections_speed",
     "laws",
     "promise",
     "sensitivity",
@@ -54,6 +57,10 @@ def tables_page(tables):
     ]
     if "irregular" in tables:
         text.append(irregular_section(*tables["irregular"]))
+    if "sections" in tables:
+        text.append(sections_section(*tables["sections"]))
+    if "sections_speed" in tables:
+        text.append(speed_section(*tables["sections_speed"]))
     if "laws" in tables:
         text.append(laws_section(*tables["laws"]))
     text.append(promise_section(accuracy, tables.get("promise")))

@@ -27,6 +27,7 @@ import laws  # noqa: E402
 import pressure  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
+import sections  # noqa: E402
 import sensitivity  # noqa: E402
 import shear_gap  # noqa: E402
 import trade  # noqa: E402
@@ -44,6 +45,7 @@ PLANS = {  # per case
     "irregular": irregular.all_runs,
     "laws": laws.all_runs,
     "promise": promise.all_runs,
+    "sections": sections.all_runs,
 }
 SWEEPS = {
     "sensitivity": sensitivity.runs,
@@ -90,7 +92,7 @@ def run_one(arguments):
 
 
 def repeats_of(one):
-    return trade.REPEATS if one.identity in trade.timed() else 1
+    return trade.REPEATS if one.identity in trade.timed() | sections.timed() else 1
 
 
 def runs_of(arguments):
@@ -126,6 +128,7 @@ def tables(arguments):
     pressure.make_table(store, arguments.baselines / pressure.FILE)
     inflated.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
+    sections.make_tables(store, all_cases(), arguments.baselines)
     glenns.make_table(store, arguments.baselines / glenns.FILE)
     if not (
         arguments.baselines / regression.FILE

@@ -46,26 +46,33 @@ void add_rows(const std::vector<HeldSection>& sections, const Vec3& origin, doub
 
 }  // namespace
 
+void check_free_motions(const std::string& name, const Points& rest,
+                        const std::vector<HeldSection>& sections) {
+  const Vec3 origin = rest.colwise().mean().transpose();
+  const double scale = (rest.colwise().maxCoeff() - rest.colwise().minCoeff()).norm();
+  Mat6 gram = Mat6::Zero();
+  add_rows(sections, origin, scale, gram);
+  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(gram);
+  if (eigen.eigenvalues()[0] > 1e-12 * std::max(1e-300, eigen.eigenvalues()[5])) return;
+  Vec6 motion = eigen.eigenvectors().col(0);
+  // The point named in the message is in the coordinates of the scene.
+  motion.head<3>() -= Vec3(motion.tail<3>()).cross(origin / scale);
+  throw InputError("vessel " + name + ": nothing stops its wall's rigid motion, a " +
+                   describe_rigid_motion(motion, scale) + "; expected ends that hold it");
+}
+
 void check_free_motions(const CoupledProblem& problem, const ScaledBodies& scaled) {
   const auto& bodies = problem.surfaces.bodies;
   const std::vector<int> group = joined_groups(problem.surfaces);
   for (size_t b = 0; b < bodies.size(); ++b) {
     if (!scaled.bodies[b].modelled) continue;
-    const Vec3 origin = bodies[b].rest.points.colwise().mean().transpose();
-    const double scale =
-        (bodies[b].rest.points.colwise().maxCoeff() - bodies[b].rest.points.colwise().minCoeff())
-            .norm();
-    Mat6 gram = Mat6::Zero();
+    std::vector<HeldSection> sections;
     for (size_t other = 0; other < bodies.size(); ++other)
-      if (group[other] == group[b] && problem.vessels[other])
-        add_rows(problem.vessels[other]->sections, origin, scale, gram);
-    const Eigen::SelfAdjointEigenSolver<Mat6> eigen(gram);
-    if (eigen.eigenvalues()[0] > 1e-12 * std::max(1e-300, eigen.eigenvalues()[5])) continue;
-    Vec6 motion = eigen.eigenvectors().col(0);
-    // The point named in the message is in the coordinates of the scene.
-    motion.head<3>() -= Vec3(motion.tail<3>()).cross(origin / scale);
-    throw InputError("vessel " + bodies[b].name + ": nothing stops its wall's rigid motion, a " +
-                     describe_rigid_motion(motion, scale) + "; expected ends that hold it");
+      if (group[other] == group[b] && problem.vessels[other]) {
+        const auto& more = problem.vessels[other]->sections;
+        sections.insert(sections.end(), more.begin(), more.end());
+      }
+    check_free_motions(bodies[b].name, bodies[b].rest.points, sections);
   }
 }
 

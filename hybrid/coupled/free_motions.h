@@ -10,4 +10,8 @@ namespace vasorod {
 /// body, together with all bodies joined to it, is free to move rigidly.
 void check_free_motions(const CoupledProblem& problem, const ScaledBodies& scaled);
 
+/// The same of one wall with `rest` (n x 3) that is held by these sections alone.
+void check_free_motions(const std::string& name, const Points& rest,
+                        const std::vector<HeldSection>& sections);
+
 }  // namespace vasorod

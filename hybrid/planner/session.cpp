@@ -25,7 +25,9 @@ constexpr int longest_wait_ms = 10000;
 
 std::string read_fidelity(const Body& body) {
   const std::string fidelity = body.text("fidelity");
-  if (find_fidelity(fidelity) == nullptr) body.refuse("fidelity", listed(fidelity_names()));
+  const std::vector<std::string> names = fidelities_with_surgery();
+  if (std::find(names.begin(), names.end(), fidelity) == names.end())
+    body.refuse("fidelity", listed(names));
   return fidelity;
 }
 
@@ -53,7 +55,8 @@ Json Session::about() {
                                  {"path", source.path.string()},
                                  {"group", source.group}});
   for (const Fidelity& fidelity : fidelities())
-    answer["fidelities"].push_back({{"name", fidelity.name}, {"sentence", fidelity.sentence}});
+    if (fidelity.surgery)
+      answer["fidelities"].push_back({{"name", fidelity.name}, {"sentence", fidelity.sentence}});
   return answer;
 }
 

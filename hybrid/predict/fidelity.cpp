@@ -14,6 +14,10 @@ std::vector<Fidelity>& registry() {
       {"paper",
        "the rods, then the surfaces with the paper's energies, joining springs and contact", true,
        true, solve_paper_surfaces},
+      {"section",
+       "walls of vessels without branches as harmonics around and splines along; no surgery, no "
+       "contact",
+       true, false, solve_section, LumenOf::none, false},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
        true, solve_coupled, LumenOf::wall},
@@ -36,6 +40,13 @@ const Fidelity* find_fidelity(const std::string& name) {
 
 void register_fidelity(Fidelity fidelity) {
   registry().push_back(std::move(fidelity));
+}
+
+std::vector<std::string> fidelities_with_surgery() {
+  std::vector<std::string> names;
+  for (const Fidelity& fidelity : registry())
+    if (fidelity.surgery) names.push_back(fidelity.name);
+  return names;
 }
 
 std::vector<std::string> fidelity_names() {

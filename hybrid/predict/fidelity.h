@@ -30,6 +30,7 @@ struct Fidelity {
   /// its own.
   std::function<void(Prediction&, const SolveOptions&)> solve;
   LumenOf lumen = LumenOf::none;  ///< takes a pressure in the lumen and an axial prestretch
+  bool surgery = true;            ///< takes vessels that are cut, incised and joined
 };
 
 /// All fidelities, from cheap to expensive.
@@ -37,6 +38,9 @@ const std::vector<Fidelity>& fidelities();
 
 /// The fidelity with that name; null if there is none.
 const Fidelity* find_fidelity(const std::string& name);
+
+/// The names of those that take vessels which are cut, incised and joined.
+std::vector<std::string> fidelities_with_surgery();
 
 /// Adds a fidelity after the existing ones, for programs with their own. Not while a prediction
 /// runs.

@@ -134,6 +134,10 @@ const Fidelity& checked_fidelity(const Scene& scene, const SolveOptions& options
       throw InputError(place_of(scene, vessel) + "found a bare rod at fidelity " + fidelity.name +
                        ", expected fidelity rod");
   }
+  if (scene.joined() && !fidelity.surgery)
+    throw InputError(place_in(scene) + ": surgery: found an operation at fidelity " +
+                     fidelity.name + ", whose vessels are whole, expected fidelity " +
+                     listed(fidelities_with_surgery()));
   check_vessels(scene);
   return fidelity;
 }

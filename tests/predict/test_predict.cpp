@@ -168,10 +168,10 @@ TEST(Predict, AnUnknownFidelityIsRefusedWithTheNearestName) {
   EXPECT_EQ(refusal([&] { predict(stretched_tube(0, "skin"), options); }),
             "fidelity: found \"copled\", expected \"coupled\"");
   const std::string far = refusal([] { predict(stretched_tube(0, "finite-elements")); });
-  EXPECT_EQ(
-      far.rfind(
-          "scene \"stretched\": fidelity: found \"finite-elements\", expected rod, skin, paper", 0),
-      0u)
+  EXPECT_EQ(far.rfind("scene \"stretched\": fidelity: found \"finite-elements\", expected rod, "
+                      "skin, paper, section",
+                      0),
+            0u)
       << far;
   // With a file the sentence begins with its place.
   Scene scene = stretched_tube(0, "papre");
@@ -299,9 +299,9 @@ TEST(Predict, NoVesselIsDroppedBesideABareRod) {
 
 TEST(Predict, FidelityNamesGoFromCheapToExpensive) {
   const std::vector<std::string> names = fidelity_names();
-  ASSERT_GE(names.size(), 4u);
-  EXPECT_EQ((std::vector<std::string>{names.begin(), names.begin() + 4}),
-            (std::vector<std::string>{"rod", "skin", "paper", "coupled"}));
+  ASSERT_GE(names.size(), 5u);
+  EXPECT_EQ((std::vector<std::string>{names.begin(), names.begin() + 5}),
+            (std::vector<std::string>{"rod", "skin", "paper", "section", "coupled"}));
 }
 
 // Scenes that differ in their operation share their vessels, whichever of them comes first.

@@ -34,7 +34,7 @@ class Install(unittest.TestCase):
                 text=True,
             )
             self.assertEqual(run.returncode, 0, run.stderr)
-            expected = f"{folder / 'vasorod' / '__init__.py'} ['rod', 'skin', 'paper', 'coupled']\n"
+            expected = f"{folder / 'vasorod' / '__init__.py'} ['rod', 'skin', 'paper', 'section', 'coupled']\n"
             self.assertEqual(run.stdout, expected)
 
 

@@ -14,6 +14,11 @@ void solve_skin(Prediction& prediction, const SolveOptions& options);
 /// The paper's energies [7-9], joining springs and contact.
 void solve_paper_surfaces(Prediction& prediction, const SolveOptions& options);
 
+/// One minimum of each vessel's wall as sections of harmonics, without contact. Every moved
+/// vessel's rod gets the mean poses of its sections. Throws InputError (a sentence with the
+/// vessel's place) for a vessel with branches or sections that are not star-shaped.
+void solve_section(Prediction& prediction, const SolveOptions& options);
+
 /// One minimum of walls, seams and contacts, started from sections carried by the rods. Every moved
 /// vessel's rod gets the mean poses of its sections.
 void solve_coupled(Prediction& prediction, const SolveOptions& options);

@@ -17,7 +17,7 @@ def fidelities() -> list[str]:
     """The names of the fidelities, from cheap to expensive.
 
     >>> vasorod.fidelities()
-    ['rod', 'skin', 'paper', 'coupled']
+    ['rod', 'skin', 'paper', 'section', 'coupled']
     """
     return _core.fidelities()
 
@@ -61,7 +61,7 @@ def solve(
     'reading vessel tube'
     >>> vasorod.solve(scene, fidelity="glass")
     Traceback (most recent call last):
-    ValueError: fidelity: found "glass", expected rod, skin, paper or coupled
+    ValueError: fidelity: found "glass", expected rod, skin, paper, section or coupled
     """
     if isinstance(scene, Mapping):
         scene = Scene(scene)

@@ -1,0 +1,153 @@
+#include <cmath>
+
+#include <vasorod/error.h>
+
+#include "data/index.h"
+#include "data/scene_place.h"
+#include "data/sentence.h"
+#include "predict/fidelities/fidelities.h"
+#include "predict/path_rule.h"
+#include "predict/surface_bodies.h"
+#include "predict/vessel_wall.h"
+#include "predict/walls_means.h"
+#include "rod/binding.h"
+#include "sections/section_solver.h"
+
+namespace vasorod {
+namespace {
+
+SectionProblem problem_of(const PredictedVessel& vessel, const VesselSections& sections,
+                          const std::string& where) {
+  const Vessel& v = vessel.prepared.vessel;
+  const WallInput wall = wall_of(vessel.prepared);
+  SectionProblem problem;
+  problem.name = vessel.prepared.spec.name;
+  problem.rest = v.surface.points;
+  problem.at = section_parameters(v, where);
+  problem.thickness = wall.thickness;
+  problem.mid_offset = wall.mid_offset;
+  problem.material = wall.material;
+  problem.radius = v.mean_radius;
+  problem.length = length_scale(v.rod);
+  std::vector<std::pair<size_t, size_t>> held;  // side and node
+  for (size_t k = 0; k < sections.nodes.size(); ++k) {
+    const size_t side = v.ends[index(problem.at.end[0])].node == sections.nodes[k] ? 0 : 1;
+    problem.ends[side] = sections.sections[k];
+    held.emplace_back(side, index(sections.nodes[k]));
+  }
+  problem.start = [&v, &rod = vessel.rod.poses, held](double t) {
+    const RodPoses poses = t == 1 ? rod : share_of_strain(v.rod, rod, t);
+    SectionProblem::Start start{carried_points(v.rod, poses, v.carry), {}};
+    for (const auto& [side, node] : held)
+      start.poses[side] = {poses[node].rotation * v.rod.rest[node].rotation.transpose(),
+                           poses[node].position};
+    return start;
+  };
+  return problem;
+}
+
+BodySolution resting(const PredictedVessel& vessel) {
+  BodySolution body;
+  body.positions = vessel.prepared.vessel.surface.points;
+  body.pressure = Eigen::VectorXd::Zero(body.positions.rows());
+  body.support_force = body.binding_force = Points::Zero(body.positions.rows(), 3);
+  return body;
+}
+
+std::vector<SectionSolution> resting_ends(const VesselSections& sections) {
+  std::vector<SectionSolution> ends;
+  for (const HeldSection& section : sections.sections) {
+    ends.emplace_back().label = section.label;
+    ends.back().center = section.rest.position;
+  }
+  return ends;
+}
+
+// Adds a vessel's wall to the results of all.
+void take(SolvedSections&& found, SolvedSurfaces& surfaces) {
+  SurfaceSolution& all = surfaces.solution;
+  BodySolution& body = all.bodies.back();
+  body.modelled = true;
+  body.positions = std::move(found.positions);
+  body.residual = found.balance;
+  all.status = worse(all.status, found.status);
+  all.residual = std::max(all.residual, found.residual);
+  all.stretching_energy += found.report.membrane;
+  all.bending_energy += found.report.bending;
+  all.iterations += found.iterations;
+  all.work += found.work;
+  *surfaces.smallest_curvature_positive &= found.smallest_curvature_positive;
+  FaceExtremes& faces = surfaces.faces.back();
+  static_cast<FaceStretches&>(faces) = found.report.faces;
+  faces.least_place = found.report.least_place;
+  faces.largest_place = found.report.largest_place;
+  surfaces.notes.insert(surfaces.notes.end(), found.notes.begin(), found.notes.end());
+}
+
+// What the choice of harmonics and splines costs, by the solver's own estimate.
+std::string resolution(const std::string& name, const SolvedSections& found) {
+  std::string text = "the sections of " + name + ": " + std::to_string(found.harmonics) +
+                     " harmonics around, " + std::to_string(found.spans) +
+                     " spans along; estimated error of that choice " + number_text(found.error, 2) +
+                     " of the radius";
+  if (found.fit_error > 1e-6)
+    text += "; the given surface is " + number_text(found.fit_error, 2) +
+            " of the radius off theirs (RMS) and carried along";
+  return text;
+}
+
+}  // namespace
+
+void solve_section(Prediction& prediction, const SolveOptions& options) {
+  SolvedSurfaces surfaces;
+  surfaces.carry_everything = true;
+  surfaces.terms = {"bending", "stretching"};
+  surfaces.solution.status = Status::converged;
+  surfaces.smallest_curvature_positive = true;
+  std::vector<VesselSections> sections;
+  std::vector<std::vector<SectionSolution>> ends;
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    const std::string& name = vessel.prepared.spec.name;
+    surfaces.solution.bodies.push_back(resting(vessel));
+    surfaces.faces.emplace_back();
+    Vec3& load = surfaces.load.emplace_back(Vec3::Zero());
+    sections.emplace_back();
+    ends.emplace_back();
+    if (vessel.prepared.obstacle()) continue;
+    sections.back() = sections_of(vessel.prepared.vessel, vessel.conditions, -1);
+    ends.back() = resting_ends(sections.back());
+    if (vessel.rod_solved) {
+      SectionProblem problem = problem_of(vessel, sections.back(), "vessel " + name + ": ");
+      problem.times = path_times(share_of_limit(prediction));
+      SectionOptions how;
+      how.stop = options.stop;
+      options.progress("sections of " + name);
+      SolvedSections found = solve_sections(problem, how);
+      prediction.notes.push_back(resolution(name, found));
+      for (size_t k = 0; k < sections.back().nodes.size(); ++k) {
+        const bool first =
+            vessel.prepared.vessel.ends[index(problem.at.end[0])].node == sections.back().nodes[k];
+        ends.back()[k] = *found.ends[first ? 0 : 1];
+      }
+      take(std::move(found), surfaces);
+      // A rod that left its straight branch began the wall beside it.
+      if (vessel.rod.summary.status == Status::buckled)
+        surfaces.solution.status = worse(surfaces.solution.status, Status::buckled);
+    }
+    for (const SectionSolution& end : ends.back()) {
+      load += end.load;
+      surfaces.solution.bodies.back().support += end.force;
+      if (!end.label.empty())
+        surfaces.ends.push_back({name, end.label, end.force, end.moment, end.center});
+    }
+  }
+  take_surfaces(std::move(surfaces), "wall", prediction);
+  prediction.left_out["energy of the rods"] =
+      "fidelity section: the walls carry all of it; the rods are start, frames and report";
+  prediction.left_out["contact"] =
+      "fidelity section: walls do not feel each other or themselves; those that pass through each "
+      "other are named";
+  give_rods_the_walls_means(prediction, sections, ends);
+}
+
+}  // namespace vasorod

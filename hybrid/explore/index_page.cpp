@@ -154,8 +154,9 @@ std::string index_html(const IndexPage& page, const std::vector<RankedRow>& rows
 number.</p></noscript>
 <h2 id="table-title">Ranking</h2>
 <p class="soft small">A heading sorts the table. Tick options to see their pictures side by side.
-Green: converged, in the model's range, every criterion within its threshold. Plain: converged, but
-this fidelity does not see every criterion.</p>
+Green: converged, in the model's range, no warning, every criterion within its threshold. Amber: with
+warnings, or a criterion past its threshold. Plain: converged without a warning, but this fidelity
+does not see every criterion.</p>
 <div id="options-box" role="region" aria-labelledby="table-title" tabindex="0">
 <table id="options"></table></div>
 <div id="pictures-part"><h2>Side by side</h2>

@@ -24,7 +24,8 @@ Mark mark_of(const RankedRow& ranked, const std::vector<RankingCriterion>& crite
   const Row& row = ranked.row;
   if (row.ending != Ending::solved) return Mark::none;
   if (row.status != Status::converged || !row.in_range.value_or(false)) return Mark::bad;
-  if (!ranked.past.empty()) return Mark::judge;
+  // What the model doubts is not shown as good, as in vasorod-plan.
+  if (!ranked.past.empty() || !row.sentences.empty()) return Mark::judge;
   // Where walls are solved, no contact pressure means that nothing comes within reach.
   const bool known = std::all_of(criteria.begin(), criteria.end(), [&](const auto& criterion) {
     return criterion.name == "contact_pressure" || row.criteria.contains(criterion.name);

@@ -38,9 +38,9 @@ double penalty(const RankingCriterion& criterion, double value);
 
 /// What a reader may make of an option.
 enum class Mark {
-  good,     ///< converged, in the model's range, every criterion known and within its threshold
-  judge,    ///< converged and in range, but a criterion is past its threshold
-  unknown,  ///< converged, in range and past no threshold, but some criteria are not known
+  good,     ///< converged, in range, no warning, every criterion known and within its threshold
+  judge,    ///< converged and in range, but with a warning or a criterion past its threshold
+  unknown,  ///< converged, in range, no warning, past no threshold, but criteria are not known
   bad,      ///< another status, or out of the model's range
   none      ///< there is no result
 };

@@ -97,7 +97,7 @@ TEST(Ranking, UnfinishedStatesHaveNoScore) {
   EXPECT_FALSE(std::isnan(sorted[0].score));
 }
 
-TEST(Ranking, GoodNeedsRangeThresholdsAndEveryCriterion) {
+TEST(Ranking, GoodNeedsRangeNoWarningThresholdsAndEveryCriterion) {
   const auto mark = [](const Row& row) { return ranked({row}, {}).front().mark; };
   const Row good = row_of("a", Status::converged, ideal);
   EXPECT_EQ(mark(good), Mark::good);
@@ -110,8 +110,13 @@ TEST(Ranking, GoodNeedsRangeThresholdsAndEveryCriterion) {
   EXPECT_EQ(mark(row_of("a", Status::converged, ideal_but("mouth", 0.59))), Mark::judge);
   EXPECT_EQ(mark(row_of("a", Status::converged, ideal_but("mouth", 0.6))), Mark::good);
   EXPECT_EQ(mark(row_of("a", Status::converged, ideal_but("twist", 90))), Mark::judge);
+  Row warned = good;
+  warned.sentences = {"vessel svc: its inner side comes near wrinkling"};
+  EXPECT_EQ(mark(warned), Mark::judge);
   auto blind = ideal;
   blind.erase("lumen");
+  warned.criteria = blind;
+  EXPECT_EQ(mark(warned), Mark::judge);
   EXPECT_EQ(mark(row_of("a", Status::converged, blind)), Mark::unknown);
   auto apart = ideal;
   apart.erase("contact_pressure");

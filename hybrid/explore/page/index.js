@@ -22,7 +22,8 @@ const unitOf = (criterion) => criterion.unit ? ", " + criterion.unit : "";
 const title = (row) => Object.entries(row.values).filter(([, value]) => value !== "")
   .map(([key, value]) => plain(key) + " " + value).join(", ");
 const ending = (row) => row.ending === "solved"
-  ? plain(row.status) + (row.in_range === false ? ", out of the model's range" : "")
+  ? plain(row.status) + (row.in_range === false ? ", out of the model's range"
+    : row.mark === "judge" ? ", with warnings" : "")
   : row.ending === "not_built" ? "cannot be built" : plain(row.ending);
 const drawn = data.rows.filter((row) => row.option in data.pictures);
 const compared = new Set(drawn.slice(0, 4).map((row) => row.option));

@@ -31,7 +31,8 @@ template <typename... Parts>
 
 }  // namespace
 
-void check_inside(const RodTree& rod, const TriangleSurface& surface) {
+void check_inside(const RodTree& rod, const TriangleSurface& surface,
+                  const std::function<bool(const Vec3&)>& beside_fork) {
   for (const Pose& pose : rod.rest)
     if (!pose.position.allFinite())
       refuse("found no axis through the surface's sections, expected a tubular vessel");
@@ -40,6 +41,11 @@ void check_inside(const RodTree& rod, const TriangleSurface& surface) {
     const ClosestPoint::Hit hit = wall.query(rod.rest[n].position);
     if (hit.on_boundary || hit.signed_distance < 0)
       continue;  // beside the rim of an end, inside and outside are not defined
+    if (beside_fork(rod.rest[n].position))
+      refuse(place(rod, static_cast<int>(n)), ": found the axis ", hit.signed_distance,
+             " outside the surface beside a fork, which leaves no closed sections there, expected "
+             "branches longer than the fork is wide: a surface with more of them, or one whose "
+             "first points are those of another end");
     refuse(place(rod, static_cast<int>(n)), ": found the axis ", hit.signed_distance,
            " outside the surface, expected a tubular vessel whose sections hold their own centre");
   }

@@ -2,12 +2,16 @@
 // with the place along the axis.
 #pragma once
 
+#include <functional>
+
 #include "vessel/vessel.h"
 
 namespace vasorod {
 
-/// The axis runs inside the surface.
-void check_inside(const RodTree& rod, const TriangleSurface& surface);
+/// The axis runs inside the surface. `beside_fork`: whether the sections at a place are open
+/// because another branch leaves there; the axis only bridges them.
+void check_inside(const RodTree& rod, const TriangleSurface& surface,
+                  const std::function<bool(const Vec3&)>& beside_fork);
 
 /// No section reaches the axis's centre of curvature.
 void check_bend(const RodTree& rod);

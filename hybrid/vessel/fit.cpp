@@ -9,6 +9,7 @@
 #include "vessel/centerline.h"
 #include "vessel/check_fit.h"
 #include "vessel/fork_reach.h"
+#include "vessel/path_fit.h"
 #include "vessel/rest_rod.h"
 #include "vessel/vessel.h"
 
@@ -92,6 +93,24 @@ std::vector<int> branches_of(const TriangleSurface& surface, const Centerline& c
   return branch;
 }
 
+// Whether the nearest axis only bridges open sections there.
+bool beside_fork(const Centerline& centerline, const Vec3& p) {
+  double nearest = HUGE_VAL;
+  bool beside = false;
+  for (std::size_t c = 0; c < centerline.curves.size(); ++c) {
+    const AxisCurve& curve = centerline.curves[c];
+    if (curve.axis.control.empty()) continue;
+    const double u = closest_parameter(curve.axis, p, centerline.paths.paths[c].radius);
+    const double distance = (curve.axis(u) - p).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    beside = (curve.parent >= 0 && u < curve.clean_start) ||
+             std::any_of(curve.forks.begin(), curve.forks.end(),
+                         [&](const auto& fork) { return u > fork[0] && u < fork[1]; });
+  }
+  return beside;
+}
+
 double mean_radius(const RodTree& tree) {
   double sum = 0, length = 0;
   for (const RodElement& e : tree.elements) {
@@ -113,7 +132,7 @@ Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
                          surface.points.row(loops[0].front()));
 
   check_bend(rod.tree);
-  check_inside(rod.tree, surface);
+  check_inside(rod.tree, surface, [&](const Vec3& p) { return beside_fork(centerline, p); });
 
   Vessel vessel;
   vessel.surface = surface;

@@ -1,6 +1,9 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
+#include <vasorod/error.h>
+
+#include "geometry/triangle_surface.h"
 #include "infant_anatomy.h"
 #include "real_anatomy.h"
 #include "rod/rod_search.h"
@@ -83,6 +86,27 @@ TEST(Forks, ABranchKeepsItsOwnSections) {
     const auto& elements =
         vessel.rod.branches[static_cast<size_t>(vessel.branch_of[static_cast<size_t>(i)])].elements;
     EXPECT_NE(std::find(elements.begin(), elements.end(), at.element), elements.end());
+  }
+}
+
+// The fork of the pulmonary artery with 2 to 4 mm of its branches, followed from a branch.
+TEST(Forks, AnAxisThatLeavesTheWallBesideAForkSaysSo) {
+  const TriangleSurface whole = testing::infant("pulmonary_artery");
+  std::vector<int> near;
+  for (int t = 0; t < whole.triangles.rows(); ++t)
+    if ((triangle_center(whole, t) - Vec3(10, 9.5, 1.8)).norm() < 8) near.push_back(t);
+  TriangleSurface fork = part_with(whole, near);
+  EXPECT_EQ(fit_vessel("fork", fork).ends.size(), 3U) << "from the trunk";
+  const int last = static_cast<int>(fork.points.rows()) - 1;
+  fork.points = fork.points.colwise().reverse().eval();
+  fork.triangles = (last - fork.triangles.array()).eval();
+  try {
+    fit_vessel("fork", fork);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("outside the surface beside a fork"),
+              std::string::npos)
+        << error.what();
   }
 }
 

@@ -10,6 +10,7 @@ import numpy as np
 
 _BLOCK = 1 << 15  # bytes per compressed block, VTK's own default
 _TYPES = {"f8": "Float64", "f4": "Float32", "i4": "Int32", "i8": "Int64"}
+_NUMPY = {name: "<" + code for code, name in _TYPES.items()}
 
 
 def _data_array(name, values, components=1):
@@ -50,13 +51,40 @@ def write_vtp(path, points, triangles):
         out.write("</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n")
 
 
-def read_vtp(path):
-    """Points and triangles of a file written by write_vtp (no other VTP: VTK reads those)."""
-    with open(path, encoding="ascii") as file:
-        text = file.read()
+def _appended(data):
+    """Reader of the arrays that VTK appends raw: element, name, type -> rows of three."""
+    start = data.index(b"<AppendedData")
+    body = data.index(b"_", start) + 1
 
-    def array(name, dtype):
-        start = text.index(">", text.index(f'Name="{name}"')) + 1
+    def array(element, name, dtype):
+        head = data.index(f"<{element}>".encode(), 0, start)
+        tag = data[data.index(f'Name="{name}"'.encode(), head) : start]
+        at = body + int(tag.split(b'offset="', 1)[1].split(b'"', 1)[0])
+        blocks = struct.unpack_from("<I", data, at)[0]
+        sizes = struct.unpack_from(f"<{blocks}I", data, at + 12)
+        at, raw = at + 12 + 4 * blocks, b""
+        for size in sizes:
+            raw += zlib.decompress(data[at : at + size])
+            at += size
+        return np.frombuffer(raw, dtype).reshape(-1, 3)
+
+    return array("Points", "Points", "<f8"), array("Polys", "connectivity", "<i8")
+
+
+def read_vtp(path):
+    """Points and triangles of a compressed file: binary, as write_vtp writes it, or with VTK's raw
+    appended data, as vasorod does (no other VTP: VTK reads those)."""
+    with open(path, "rb") as file:
+        data = file.read()
+    if b"<AppendedData" in data:
+        return _appended(data)
+    text = data.decode("ascii")
+
+    def array(element, name):
+        name = text.index(f'Name="{name}"', text.index(f"<{element}>"))
+        tag = text.rindex("<DataArray", 0, name)
+        start = text.index(">", tag) + 1
+        dtype = _NUMPY[text[tag:start].split('type="', 1)[1].split('"', 1)[0]]
         body = text[start : text.index("</DataArray>", start)].strip()
         blocks = struct.unpack("<I", base64.b64decode(body[:8])[:4])[0]
         chars = 4 * ((4 * (3 + blocks) + 2) // 3)  # base64 length of the header
@@ -67,4 +95,4 @@ def read_vtp(path):
             at += size
         return np.frombuffer(raw, dtype).reshape(-1, 3)
 
-    return array("Points", "<f8"), array("connectivity", "<i4")
+    return array("Points", "Points"), array("Polys", "connectivity")

@@ -83,33 +83,24 @@ std::optional<FlatSection> straightened(const TriangleSurface& surface, FlatSect
   return section;
 }
 
-}  // namespace
-
-std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip) {
-  // From well behind the cap, or nearer where the branch is too short for that.
-  std::optional<FlatSection> section;
-  for (const double radii : {3.4, 2.8, 2.2, 1.7}) {
-    section = first_section(surface, tip, radii);
-    if (section) section = straightened(surface, *section);
-    if (section) break;
-  }
-  if (!section) return {};
-  const double full = section->radius;
-  std::vector<FlatSection> way{*section};
+// From a section on the tube outwards while the tube goes on; the order is sections_behind_tip()'s.
+std::vector<FlatSection> way_out(const TriangleSurface& surface, FlatSection section) {
+  const double full = section.radius;
+  std::vector<FlatSection> way{section};
   constexpr int most_steps = 60;
   for (int k = 0; k < most_steps; ++k) {
-    const Vec3 next = section->center + 0.08 * full * section->normal;
-    const auto loop = closed_section(surface, next, section->normal);
+    const Vec3 next = section.center + 0.08 * full * section.normal;
+    const auto loop = closed_section(surface, next, section.normal);
     if (!loop) break;
-    FlatSection found = flat_section(*loop, section->normal);
+    FlatSection found = flat_section(*loop, section.normal);
     const double area = std::pow(found.radius / full, 2);
     if (area < 0.97 || area > 1.5 || (found.center - next).norm() > 0.3 * full) break;
     // The axis where the tube is whole on both sides of the section.
     if (const auto turned = straightened(surface, found);
-        turned && turned->normal.dot(section->normal) > 0.9 &&
+        turned && turned->normal.dot(section.normal) > 0.9 &&
         std::abs(turned->radius - found.radius) < 0.1 * full)
       found = *turned;
-    if ((found.center - section->center).dot(section->normal) <= 0) break;
+    if ((found.center - section.center).dot(section.normal) <= 0) break;
     section = found;
     way.push_back(found);
   }
@@ -121,6 +112,44 @@ std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, con
   while (best > 0 && (last.center - way[best].center).dot(last.normal) < back * full) --best;
   std::vector<FlatSection> sections(way.begin() + static_cast<std::ptrdiff_t>(best), way.end());
   while (best > 0) sections.push_back(way[--best]);
+  return sections;
+}
+
+}  // namespace
+
+std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip) {
+  // From well behind the cap, or nearer where the branch is too short for that.
+  for (const double radii : {3.4, 2.8, 2.2, 1.7}) {
+    auto section = first_section(surface, tip, radii);
+    if (section) section = straightened(surface, *section);
+    if (section) return way_out(surface, *section);
+  }
+  return {};
+}
+
+std::vector<FlatSection> sections_behind_cap(const TriangleSurface& surface, const FlatCap& cap,
+                                             bool named) {
+  constexpr double step = 0.05, deepest = 0.6, widest = 1.5, settled = 1.03;  // radii; area shares
+  std::vector<FlatSection> sections, within;
+  for (double depth = step; depth < deepest; depth += step) {
+    const auto section_at = [&](double radii) -> std::optional<FlatSection> {
+      const Vec3 place = cap.center - radii * cap.radius * cap.normal;
+      const auto loop = closed_section(surface, place, cap.normal);
+      if (!loop) return std::nullopt;
+      const FlatSection found = flat_section(*loop, cap.normal);
+      if (found.radius > std::sqrt(widest) * cap.radius ||
+          (found.center - place).norm() > 0.5 * cap.radius)
+        return std::nullopt;
+      return found;
+    };
+    const auto here = section_at(depth), behind = section_at(depth + 2 * step);
+    if (!here) continue;
+    if (behind && std::pow(behind->radius / here->radius, 2) < settled)
+      sections.push_back(*here);
+    else
+      within.push_back(*here);
+  }
+  if (named) sections.insert(sections.end(), within.rbegin(), within.rend());
   return sections;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "prepare/find_caps.h"
 #include "prepare/find_tips.h"
 
 namespace vasorod {
@@ -19,6 +20,12 @@ struct FlatSection {
 /// outermost that has 0.97 of the area of the tube behind the tip, then those farther out, then
 /// those farther in. None where the wall there has no closed sections.
 std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip);
+
+/// Sections along a flat cap, the best first: where the rounding of its rim is over, not far behind
+/// it, and the wall has not widened by more than a half; with `named` then also those within the
+/// rounding, for a cap that is known to be an end. None where the wall there has no such section.
+std::vector<FlatSection> sections_behind_cap(const TriangleSurface& surface, const FlatCap& cap,
+                                             bool named);
 
 /// From a section on a branch towards its foot: the last before the area grows by half within a
 /// radius, where the branch leaves the wall of another.

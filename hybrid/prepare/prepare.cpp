@@ -9,10 +9,10 @@
 #include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
-#include "prepare/find_tips.h"
 #include "prepare/guess_unit.h"
+#include "prepare/in_mm.h"
 #include "prepare/mask_surface.h"
-#include "prepare/open_tip.h"
+#include "prepare/open_ends.h"
 #include "prepare/outer_wall.h"
 #include "prepare/part_walls.h"
 #include "prepare/smooth.h"
@@ -28,17 +28,6 @@
 namespace vasorod {
 namespace {
 
-// Lengths of branches over their radii from which a bulge is an end: a half ball has pi/2.
-constexpr double shortest_branch = 1.8;
-
-std::string mm(double value, int digits = 3) {
-  return number_text(value, digits) + " mm";
-}
-
-std::string place_mm(const Vec3& place) {
-  return place_text(place.unaryExpr([](double x) { return std::round(100 * x) / 100; }), 5);
-}
-
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -46,6 +35,42 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 // Area of an end over that of the circle of its perimeter. An ellipse of 2 to 1 has 0.84, one of
 // 3 to 1 has 0.66, two circles that touch have 0.5.
 constexpr double least_roundness = 0.7;
+
+// Difference of the fitted radius at an end from that of the circle of its area, over the latter.
+// Long branches have up to 5 %, nearly flat ends a little more.
+constexpr double well_found = 0.1, most_bridged = 0.15;
+
+double radius_off(const Vessel& vessel, const VesselEnd& end) {
+  const double radius = std::sqrt(area_vector(vessel.surface.points, end.loop).norm() / M_PI);
+  return std::abs(vessel.rod.radius[static_cast<std::size_t>(end.node)] / radius - 1);
+}
+
+// At the worst end; infinite where `fit` refuses the surface.
+double radius_off(const TriangleSurface& surface) {
+  try {
+    const Vessel vessel = fit_vessel("prepared", surface);
+    double worst = 0;
+    for (const VesselEnd& end : vessel.ends) worst = std::max(worst, radius_off(vessel, end));
+    return worst;
+  } catch (const InputError&) {
+    return HUGE_VAL;
+  }
+}
+
+// The surface with the points of a loop before all others.
+TriangleSurface with_first(const TriangleSurface& surface, const std::vector<int>& loop) {
+  const auto n = surface.points.rows();
+  std::vector<int> place(static_cast<std::size_t>(n), -1);
+  int next = 0;
+  for (const int v : loop) place[static_cast<std::size_t>(v)] = next++;
+  for (int& p : place)
+    if (p < 0) p = next++;
+  TriangleSurface out = surface;
+  for (Eigen::Index v = 0; v < n; ++v)
+    out.points.row(place[static_cast<std::size_t>(v)]) = surface.points.row(v);
+  for (int& v : out.triangles.reshaped()) v = place[static_cast<std::size_t>(v)];
+  return out;
+}
 
 class Preparation {
  public:
@@ -60,7 +85,8 @@ class Preparation {
     one_wall();
     remesh_wall();
     out_.volume_after = lidded_volume(surface());
-    open_ends();
+    open_closed_ends();
+    best_end_first();
     check();
     measure(reference);
     return std::move(out_);
@@ -230,7 +256,7 @@ class Preparation {
     surface() = std::move(wall->surface);
     out_.volume_before = std::abs(lidded_volume(surface()));
     rebuilt_ = true;
-    did("outer wall taken, for " + why + ": alpha wrap by a ball of radius " + mm(wall->ball) +
+    did("outer wall taken, for " + why + ": alpha wrap by a ball of radius " + in_mm(wall->ball) +
         ", put back on the input's wall but for " + number_text(100 * wall->lifted, 2) +
         " % of its points");
   }
@@ -240,7 +266,7 @@ class Preparation {
     auto walls = part_walls(surface());
     if (!walls) return false;
     surface() = std::move(walls->outer);
-    did("outer of two walls taken as it is, " + mm(walls->thickness) + " from the inner");
+    did("outer of two walls taken as it is, " + in_mm(walls->thickness) + " from the inner");
     // The rims of what was smoothed are uneven all around.
     if (stairs_) fill_loops(surface(), boundary_loops(surface().triangles));
     clean();
@@ -281,7 +307,7 @@ class Preparation {
     request_.progress("remeshing");
     surface() = remesh(surface(), edge);
     clean();
-    did("remeshed to an edge of " + mm(edge));
+    did("remeshed to an edge of " + in_mm(edge));
   }
 
   // Flat lids come off whole; voxels have facets that are none.
@@ -294,83 +320,41 @@ class Preparation {
       did(counted(loaded.lids.size(), "flat lid", "flat lids") + " taken off");
   }
 
-  std::vector<Tip> tips() {
-    if (request_.ends.empty()) return find_tips(surface(), shortest_branch);
-    const std::vector<Tip> all = find_tips(surface(), 0.8);
-    std::vector<Tip> chosen;
-    for (const Vec3& place : request_.ends) {
-      const Tip* nearest = nullptr;
-      std::string found;
-      for (const Tip& tip : all) {
-        found += (found.empty() ? "" : ", ") + place_mm(tip.place);
-        if (!nearest || (tip.place - place).norm() < (nearest->place - place).norm())
-          nearest = &tip;
-      }
-      if (!nearest || (nearest->place - place).norm() > 3 * nearest->radius)
-        throw InputError(name_ + ": found no closed end within three radii of " + place_mm(place) +
-                         ", expected " + (found.empty() ? "none, all are open" : found));
-      chosen.push_back(*nearest);
-    }
-    return chosen;
-  }
-
-  // Returns those that stay closed.
-  std::vector<Tip> open_tips(const std::vector<Tip>& tips) {
-    std::vector<Tip> closed;
-    for (const Tip& tip : tips) {
-      const auto sections = sections_behind_tip(surface(), tip);
-      const auto cut = std::find_if(sections.begin(), sections.end(), [&](const FlatSection& one) {
-        return cut_tip(surface(), tip, one);
-      });
-      if (cut == sections.end())
-        closed.push_back(tip);
-      else
-        did("end opened at " + place_mm(cut->center) + ", " + mm((tip.place - cut->center).norm()) +
-            " from its tip");
-    }
-    return closed;
-  }
-
-  void open_ends() {
+  void open_closed_ends() {
     request_.progress("opening the ends");
-    std::vector<Tip> left;
-    for (const Tip& tip : tips()) {
-      const auto sections = sections_behind_tip(surface(), tip);
-      if (sections.empty() || sections.front().radius >= request_.cut_branches_below) {
-        left.push_back(tip);
-        continue;
-      }
-      const FlatSection foot = foot_of_branch(surface(), sections.front());
-      if (!cut_tip(surface(), tip, foot)) {
-        left.push_back(tip);
-        continue;
-      }
-      Openings openings;
-      for (const auto& loop : boundary_loops(surface().triangles))
-        if ((surface().points.row(loop.front()).transpose() - foot.center).norm() <
-                3 * foot.radius &&
-            std::abs(
-                (surface().points.row(loop.front()).transpose() - foot.center).dot(foot.normal)) <
-                0.05 * foot.radius)
-          openings.holes.push_back(loop);
-      fill_loops(surface(), openings.holes);
-      did("branch of radius " + mm(sections.front().radius) + " at " + place_mm(tip.place) +
-          " taken off, its stump closed");
+    OpenedEnds opened;
+    try {
+      opened = open_ends(surface(), {request_.ends, request_.cut_branches_below});
+    } catch (const InputError& error) {
+      throw InputError(name_ + ": " + error.what());
     }
-    std::vector<Tip> closed;
-    // Of one that stays closed, other points of its cap, found from an end that was opened.
-    for (const Tip& tip : open_tips(left)) {
-      const std::vector<Tip> others = find_tips(surface(), 0.8);
-      if (std::none_of(others.begin(), others.end(), [&](const Tip& other) {
-            return (other.place - tip.place).norm() < 3 * std::min(tip.radius, other.radius) &&
-                   open_tips({other}).empty();
-          }))
-        closed.push_back(tip);
-    }
-    for (const Tip& tip : closed)
-      out_.warnings.push_back("the end at " + place_mm(tip.place) +
-                              " stays closed: no section across it parts it from the rest");
+    for (const std::string& line : opened.done) did(line);
+    for (const std::string& line : opened.warnings) out_.warnings.push_back(line);
     clean();
+  }
+
+  // `fit` follows the branches from the first end. From a short branch, or towards a fork that is
+  // wide, it has no closed sections to go by, so that of branched vessels the end comes first from
+  // which the radii at all ends are found best: the widest, where they are found well.
+  void best_end_first() {
+    auto loops = boundary_loops(surface().triangles);
+    if (loops.size() < 3) return;
+    request_.progress("choosing the first end");
+    std::stable_sort(loops.begin(), loops.end(), [&](const auto& a, const auto& b) {
+      return perimeter(surface().points, a) > perimeter(surface().points, b);
+    });
+    std::optional<TriangleSurface> best;
+    double least = HUGE_VAL;
+    for (const auto& loop : loops) {
+      TriangleSurface one = with_first(surface(), loop);
+      const double off = radius_off(one);
+      if (off < least) {
+        least = off;
+        best = std::move(one);
+      }
+      if (least < well_found) break;
+    }
+    if (best) surface() = std::move(*best);
   }
 
   void check() {
@@ -401,10 +385,24 @@ class Preparation {
     }
     request_.progress("fitting");
     try {
-      fit_vessel("prepared", surface());
+      say_bridged(fit_vessel("prepared", surface()));
     } catch (const InputError& error) {
       out_.refusal = error.what();
       out_.warnings.push_back("fit refuses it: " + out_.refusal);
+    }
+  }
+
+  // Between a fork and an end that is near for the branch's width no section is closed: `fit` takes
+  // the radius from elsewhere. Of a thin branch the cut may lie in the rounding of its cap.
+  void say_bridged(const Vessel& vessel) {
+    for (const VesselEnd& end : vessel.ends) {
+      const double fitted = vessel.rod.radius[static_cast<std::size_t>(end.node)],
+                   radius = std::sqrt(area_vector(surface().points, end.loop).norm() / M_PI);
+      if (radius_off(vessel, end) > most_bridged)
+        out_.warnings.push_back("the end at " + place_mm(end.center) + " has a radius of " +
+                                in_mm(radius) + ", fit finds " + in_mm(fitted) +
+                                " there: its branch is short for its width, or the cut lies in its "
+                                "rounded cap; segment it farther");
     }
   }
 

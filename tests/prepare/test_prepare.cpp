@@ -4,12 +4,14 @@
 #include <vasorod/error.h>
 
 #include "geometry/ray_hits.h"
+#include "infant_anatomy.h"
 #include "obj_text.h"
 #include "prepare/prepare.h"
 #include "prepare/tube_shapes.h"
 #include "real_anatomy.h"
 #include "scratch_folder.h"
 #include "surface_file/read_polydata.h"
+#include "vessel/vessel.h"
 
 namespace vasorod::testing {
 namespace {
@@ -40,6 +42,26 @@ TEST_F(Prepare, ATubeClosedByFlatLidsLosesThemAndNothingElse) {
   }
   EXPECT_LT(out.largest_distance, 1e-9);
   EXPECT_EQ(out.refusal, "");
+}
+
+// The fork of the bundled pulmonary artery with 2 to 4 mm of its branches: from two of its ends
+// `fit` follows it, from the one that is first here it does not.
+TEST_F(Prepare, TheEndFromWhichFitFollowsTheBranchesComesFirst) {
+  const TriangleSurface whole = infant("pulmonary_artery");
+  std::vector<int> near;
+  for (int t = 0; t < whole.triangles.rows(); ++t)
+    if ((triangle_center(whole, t) - Vec3(10, 9.5, 1.8)).norm() < 8) near.push_back(t);
+  TriangleSurface fork = part_with(whole, near);
+  const int last = static_cast<int>(fork.points.rows()) - 1;
+  fork.points = fork.points.colwise().reverse().eval();
+  fork.triangles = (last - fork.triangles.array()).eval();
+  EXPECT_THROW(fit_vessel("fork", fork), InputError);
+  PrepareRequest short_fork = request(fork);
+  short_fork.units = "mm";
+  const PreparedSurface out = prepare(short_fork);
+  EXPECT_EQ(out.refusal, "");
+  EXPECT_EQ(out.ends.size(), 3U);
+  EXPECT_EQ(out.surface.points.rows(), fork.points.rows());
 }
 
 TEST_F(Prepare, RoundEndsAreOpenedAndThePlaceOfOneAloneIsNotEnough) {

@@ -141,19 +141,9 @@ TEST(PrepareCommand, BadInputIsOneSentence) {
   EXPECT_EQ(run_program(vasorod("prepare" + quoted(svc) + " -o" + quoted(svc))).exit_code, 2);
 }
 
-TEST(PrepareCommand, WhatFitRefusesIsWrittenWithTheReason) {
-  const ScratchFolder scratch;
-  const fs::path out = scratch / "out.vtp";
-  const ProgramRun run = run_program(
-      vasorod("prepare" + quoted(spoilt("aorta") / "stairs.vtp") + " -o" + quoted(out)));
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find("warning: fit refuses it: "), std::string::npos) << run.out;
-  EXPECT_GT(read_polydata(out).surface.triangles.rows(), 1000);
-}
-
 // Two tubes of one label side by side, `gap` voxels apart, as a MetaImage of 0.5 mm. The second is
-// as long, of two thirds of the radius.
-fs::path two_tubes_in_one_label(const fs::path& file, int gap) {
+// as long, of two thirds of the radius. `joined` at one end: a hairpin.
+fs::path two_tubes_in_one_label(const fs::path& file, int gap, bool joined = false) {
   constexpr int across = 60, deep = 30, along = 90, radius = 9, second = 6;
   std::string voxels(across * deep * along, '\0');
   const int middle = 14, other = middle + radius + gap + second;
@@ -163,7 +153,9 @@ fs::path two_tubes_in_one_label(const fs::path& file, int gap) {
         const int y = j - deep / 2;
         const bool one = (i - middle) * (i - middle) + y * y <= radius * radius,
                    two = (i - other) * (i - other) + y * y <= second * second;
-        if (one || two) voxels[static_cast<size_t>((k * deep + j) * across + i)] = 1;
+        const bool bend =
+            joined && k < 5 + 2 * second && i >= middle && i <= other && std::abs(y) <= second;
+        if (one || two || bend) voxels[static_cast<size_t>((k * deep + j) * across + i)] = 1;
       }
   std::ofstream stream(file, std::ios::binary);
   stream << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
@@ -173,6 +165,17 @@ fs::path two_tubes_in_one_label(const fs::path& file, int gap) {
          << "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
          << voxels;
   return file;
+}
+
+TEST(PrepareCommand, WhatFitRefusesIsWrittenWithTheReason) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out.vtp";
+  const ProgramRun run = run_program(
+      vasorod("prepare" + quoted(two_tubes_in_one_label(scratch / "hairpin.mha", 2, true)) + " -o" +
+              quoted(out)));
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(run.out.find("warning: fit refuses it: "), std::string::npos) << run.out;
+  EXPECT_GT(read_polydata(out).surface.triangles.rows(), 1000);
 }
 
 TEST(PrepareCommand, OfTwoVesselsInOneLabelTheLargerIsKeptAndTheOtherIsNamed) {
@@ -208,6 +211,87 @@ TEST(PrepareCommand, BranchesBelowARadiusAreTakenOffAndOtherEndsOpened) {
   for (const Json& end : thick["ends"]) EXPECT_GT(end["radius"].get<double>(), 1.85);
   EXPECT_EQ(boundary_loops(read_polydata(out).surface.triangles).size(), 3U);
   EXPECT_EQ(prepared(" --end 3,-1.6,-13 --end 9.2,22,-18")["ends"].size(), 2U);
+}
+
+// The joined vessels of a result: what a scan after the operation would show of their lumen.
+struct Operated {
+  const char *scene, *vein, *artery;
+  std::vector<Vec3> ends;  // of the result, mm
+};
+
+TEST(PrepareCommand, ALumenAfterTheOperationIsFittedWithAllItsEnds) {
+  const fs::path root = VASOROD_SOURCE_DIR, meshes = root / "meshes";
+  for (const Operated& by :
+       {Operated{
+            "tests/program/small_glenn.yaml", "svc", "rpa", {{0, 0, 45}, {-25, 0, 0}, {25, 0, 0}}},
+        Operated{"benchmarks/cases/glenn/infant.yaml",
+                 "svc",
+                 "pulmonary_artery",
+                 {{-9.2, 2.7, 31}, {10, -11, -12}, {24, 17, 0}, {-26, 12, -9.4}}}}) {
+    SCOPED_TRACE(by.scene);
+    const ScratchFolder scratch;
+    ASSERT_EQ(
+        run_program(vasorod("solve" + quoted(root / by.scene) +
+                            " --fidelity skin --no-report -q -o" + quoted(scratch / "result")))
+            .exit_code,
+        0);
+    const auto python = [&](const std::string& script, const std::string& arguments) {
+      const ProgramRun run =
+          run_program("'" VASOROD_SPOIL_PYTHON "'" + quoted(meshes / script) + arguments);
+      EXPECT_EQ(run.exit_code, 0) << run.err;
+    };
+    const fs::path lumen = scratch / "lumen.vtp", out = scratch / "out.vtp";
+    python("join.py", quoted(scratch / "result" / (std::string(by.vein) + ".vtp")) +
+                          quoted(scratch / "result" / (std::string(by.artery) + ".vtp")) +
+                          quoted(lumen));
+    python("spoil.py", quoted(lumen) + quoted(scratch / "spoilt"));
+    for (const char* file : {"closed.vtp", "mask.nrrd", "stairs.vtp"}) {
+      SCOPED_TRACE(file);
+      const ProgramRun run = run_program(
+          vasorod("prepare" + quoted(scratch / "spoilt" / file) + " --json -o" + quoted(out)));
+      ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+      const Json report = Json::parse(run.out);
+      EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+      ASSERT_EQ(report["ends"].size(), by.ends.size());
+      // Each is found, and loses at most two radii (5 mm for the widest).
+      for (const Vec3& end : by.ends) {
+        double nearest = HUGE_VAL;
+        for (const Json& found : report["ends"])
+          nearest = std::min(
+              nearest, (Vec3(found["center"].get<std::vector<double>>().data()) - end).norm());
+        EXPECT_LT(nearest, 10) << end.transpose();
+      }
+      // Half a voxel is 0.25 mm; the seam is a crease that smoothing rounds.
+      EXPECT_LT(distances(read_polydata(out).surface, read_polydata(lumen).surface).largest, 0.75);
+      const ProgramRun fit =
+          run_program(vasorod("fit" + quoted(out) + " --json -o" + quoted(scratch / "fit")));
+      ASSERT_EQ(fit.exit_code, 0) << fit.err;
+      const Json fitted = Json::parse(fit.out)["fit"];
+      EXPECT_EQ(fitted["ends"].size(), by.ends.size());
+      // n ends of a tree of tubes that fork in twos: 2 n - 3 branches.
+      EXPECT_EQ(fitted["branches"].size(), 2 * by.ends.size() - 3);
+    }
+  }
+}
+
+// The arch's branches are cut so near the arch that they have no length of their own.
+TEST(PrepareCommand, RealAnatomyEndsThatStayClosedAreNamed) {
+  const ScratchFolder scratch;
+  const ProgramRun spoil = run_program(
+      "'" VASOROD_SPOIL_PYTHON "'" + quoted(fs::path(VASOROD_SOURCE_DIR) / "meshes" / "spoil.py") +
+      quoted(real_anatomy() / "aorta.vtp") + quoted(scratch / "spoilt"));
+  ASSERT_EQ(spoil.exit_code, 0) << spoil.err;
+  const fs::path out = scratch / "out.vtp";
+  const ProgramRun run = run_program(
+      vasorod("prepare" + quoted(scratch / "spoilt" / "mask.nrrd") + " -o" + quoted(out)));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(boundary_loops(read_polydata(out).surface.triangles).size(), 2U);
+  EXPECT_NE(run.out.find("as over a closed end, at"), std::string::npos) << run.out;
+  // The three ends' centres in the surface: (-7.9, 538.4, -55.5), (4.4, 543.5, -57.1),
+  // (16.2, 546.5, -74.1).
+  for (const char* place : {"539.", "543.", "546."})
+    EXPECT_NE(run.out.find(place), std::string::npos) << place << "\n" << run.out;
+  EXPECT_NE(run.out.find("--end "), std::string::npos) << run.out;
 }
 
 TEST(PrepareCommand, RealAnatomyIsReadAndFits) {

@@ -37,7 +37,13 @@ SECTIONS = {
         "docs/speed.md",
         "docs/reproduction.md",
     ],
-    "Methods": ["docs/notation.md", "docs/rod.md", "docs/wall.md", "docs/sections.md", "docs/reference.md"],
+    "Methods": [
+        "docs/notation.md",
+        "docs/rod.md",
+        "docs/wall.md",
+        "docs/sections.md",
+        "docs/reference.md",
+    ],
     "API": ["api/index.md", "api/python.md"],
     "Development": [
         "ARCHITECTURE.md",

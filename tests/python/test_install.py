@@ -34,7 +34,8 @@ class Install(unittest.TestCase):
                 text=True,
             )
             self.assertEqual(run.returncode, 0, run.stderr)
-            expected = f"{folder / 'vasorod' / '__init__.py'} ['rod', 'skin', 'paper', 'section', 'coupled']\n"
+            names = ["rod", "skin", "paper", "section", "coupled"]
+            expected = f"{folder / 'vasorod' / '__init__.py'} {names}\n"
             self.assertEqual(run.stdout, expected)
 
 

@@ -57,8 +57,9 @@ TEST(FitSections, AWallThatLiesOverItselfIsRefused) {
     section_parameters(folded, "vessel v: ");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("vessel v: fidelity section: found a wall that lies", 0),
-              0u)
+    EXPECT_EQ(
+        std::string(error.what()).rfind("vessel v: fidelity section: found a wall that lies", 0),
+        0u)
         << error.what();
   }
 }

@@ -45,7 +45,7 @@ struct Spoilt {
 // The folder with the spoilt files of a bundled vessel.
 fs::path spoilt(const std::string& vessel) {
   static const ScratchFolder scratch;
-  const fs::path folder = scratch / vessel;
+  fs::path folder = scratch / vessel;
   if (!fs::exists(folder)) {
     const fs::path meshes = fs::path(VASOROD_SOURCE_DIR) / "meshes";
     const ProgramRun run =

@@ -6,8 +6,8 @@
 namespace vasorod {
 namespace {
 
-using testing::disturbed, testing::moved, testing::straight_shape;
 using Eigen::MatrixXd, Eigen::VectorXd;
+using testing::disturbed, testing::moved, testing::straight_shape;
 
 const SectionSpace space{3, AxialBasis(6, 3)};
 constexpr double length = 5;
@@ -75,8 +75,8 @@ TEST(HeldRows, ASoftEndKeepsItsMeanAndItsMeanRotation) {
     moment += (at.rotation * arm).cross(x) / points;
     apart = std::max(apart, (x - at.position - at.rotation * arm).norm());
   }
-  const Vec3 center = at.position + at.rotation * (Vec3(0, 0, length) -
-                                                   rows.pose.section().rest.position);
+  const Vec3 center =
+      at.position + at.rotation * (Vec3(0, 0, length) - rows.pose.section().rest.position);
   EXPECT_LT((mean - center).norm(), 1e-12);
   EXPECT_LT((moment - Vec3::Zero()).norm(), 1e-12);
   EXPECT_GT(apart, 0.1) << "its shape is free";
@@ -87,8 +87,8 @@ TEST(HeldRows, UnknownsOfAMovedShapeAreThoseOfTheMotion) {
   const Pose motion{exp_rotation(Vec3(0.3, -0.2, 0.5)), Vec3(1, 2, 3)};
   for (const bool rigid : {false, true}) {
     HeldRows rows(section_at(false, rigid), rest, false);
-    const VectorXd z = rows.unknowns_of(
-        motion.rotation, motion * rows.pose.section().rest.position, moved(rest, motion));
+    const VectorXd z = rows.unknowns_of(motion.rotation, motion * rows.pose.section().rest.position,
+                                        moved(rest, motion));
     EXPECT_LT(z.tail(rows.unknowns() - 6).norm(), 1e-12) << "no field beside the motion";
     MatrixXd placed = MatrixXd::Zero(rest.coefficients.rows(), rest.coefficients.cols());
     rows.place(z, placed);

@@ -56,8 +56,8 @@ TEST(SectionNewton, StopsWhenAsked) {
   SectionSystem system(wall_of_shape(rest, 0.1), pressed(0.1));
   system.set_time(1);
   Eigen::VectorXd z = system.unknowns_of(
-      rest.coefficients, {Pose{Mat3::Identity(), Vec3::Zero()},
-                          Pose{Mat3::Identity(), Vec3(0, 0, 19.9)}});
+      rest.coefficients,
+      {Pose{Mat3::Identity(), Vec3::Zero()}, Pose{Mat3::Identity(), Vec3(0, 0, 19.9)}});
   Work work;
   std::optional<BandMatrix> kept;
   SectionNewtonOptions options;

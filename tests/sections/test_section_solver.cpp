@@ -31,8 +31,9 @@ struct Tube {
     for (size_t e = 0; e < 2; ++e) {
       HeldSection& end = problem.ends[e].emplace();
       end.label = e == 0 ? "start" : "end";
-      end.rest = vessel.rod.rest[static_cast<size_t>(
-          vessel.ends[static_cast<size_t>(problem.at.end[e])].node)];
+      end.rest =
+          vessel.rod
+              .rest[static_cast<size_t>(vessel.ends[static_cast<size_t>(problem.at.end[e])].node)];
     }
     problem.start = [this](double) {
       SectionProblem::Start start{problem.rest, {}};

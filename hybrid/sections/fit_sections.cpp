@@ -19,8 +19,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double turn = 2 * std::numbers::pi;
-// Of the slope along, beside the points: where a space has more functions than the mesh has points.
-constexpr double smoothing = 1e-10;
+// Of the curvature along, beside the points. Where a space has more functions than the mesh has
+// points, rounding errors of the points would else be the shape's waves between them; of a tube's
+// curvature it takes less than a millionth.
+constexpr double smoothing = 1e-6;
 
 // u without its rounding errors: the vertices of a ring share the splines' values.
 double same_ring(double u) {

@@ -33,9 +33,9 @@ constexpr double first_share = 0.25, least_ratio = 0.1, largest_ratio = 0.8;
 // Past this estimate, the sections do not resolve what happens.
 constexpr double unresolved = 1e-3;
 // A tube's rest shape needs few functions; of an irregular one the mesh resolves no more than these
-// shares of its vertices around and along.
+// shares of its vertices around and along: a span beside an end is half as long as the others.
 constexpr int most_fitted_harmonics = 10;
-constexpr double harmonics_per_vertex = 1.0 / 3, spans_per_row = 0.9, fitted_spans_per_radius = 2.5;
+constexpr double harmonics_per_vertex = 1.0 / 3, spans_per_row = 0.4, fitted_spans_per_radius = 2.5;
 constexpr int most_recentres = 50;
 // A step of the path or a finer space moves the wall by a few percent of the radius; a kink moves
 // it much farther.

@@ -119,6 +119,10 @@ SectionParameters section_parameters(const Vessel& vessel, const std::string& wh
   }
   for (Eigen::Index i = 0; i < count; ++i) {
     const double from = rims[0].at(at.angle[i]), to = rims[1].at(at.angle[i]);
+    if (!(to > from))
+      throw InputError(where +
+                       "fidelity section: found rims that lie beside each other along the "
+                       "axis, expected one beyond the other: fidelity coupled takes any surface");
     at.u[i] = same_ring(std::clamp((at.u[i] - from) / (to - from), 0.0, 1.0));
   }
   require_star_shape(vessel, at, where);

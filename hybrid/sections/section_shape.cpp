@@ -1,8 +1,9 @@
 #include "sections/section_shape.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
+
+#include "sections/banded_cholesky.h"
 
 namespace vasorod {
 namespace {
@@ -41,20 +42,24 @@ SurfaceJet SectionShape::jet(double u, double theta) const {
 }
 
 SectionShape in_space(const SectionShape& shape, const SectionSpace& space) {
+  // Interpolation by its normal equations, whose band is as narrow.
   const VectorXd points = space.along.interpolation_points();
-  const Eigen::Index count = points.size();
+  const Eigen::Index count = points.size(), functions = space.along.degree() + 1;
   const int shared = std::min(shape.space.modes(), space.modes());
-  MatrixXd collocation = MatrixXd::Zero(count, count);
+  BandMatrix normal(static_cast<int>(count), space.along.degree());
   MatrixXd sections = MatrixXd::Zero(count, space.row_size());
   for (Eigen::Index i = 0; i < count; ++i) {
     const AxialBasis::Values basis = space.along.at(points[i]);
-    collocation.row(i).segment(basis.first, basis.values.cols()) = basis.values.row(0);
+    const VectorXd values = basis.values.row(0).transpose();
+    normal.add(basis.first, basis.first, values * values.transpose());
     const VectorXd section = section_at(shape, points[i], 0);
     for (int k = 0; k < 3; ++k)
-      sections.row(i).segment(k * space.modes(), shared) =
-          section.segment(k * shape.space.modes(), shared).transpose();
+      sections.middleRows(basis.first, functions).middleCols(k * space.modes(), shared) +=
+          values * section.segment(k * shape.space.modes(), shared).transpose();
   }
-  return {space, collocation.partialPivLu().solve(sections).transpose()};
+  normal.factorise();
+  normal.solve(sections);
+  return {space, sections.transpose()};
 }
 
 Mat3 surface_frame(const SurfaceJet& jet) {

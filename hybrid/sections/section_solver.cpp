@@ -25,6 +25,7 @@ constexpr int first_harmonics = 3, more_harmonics = 2, most_harmonics = 13;
 constexpr double first_spans = 1, more_spans = 1.5;
 constexpr int least_spans = 6, most_spaces = 7, most_beginnings = 3;
 constexpr double noticed = 0.2;
+constexpr double longest = 300;  // in radii
 // A shape that is not yet the last is minimised to this residual.
 constexpr double rough = 1e-6;
 // With one difference of two spaces, the finer one's error is taken as this share of it; with more,
@@ -205,7 +206,7 @@ class Solver {
  private:
   int spans_of(double per_radius) const {
     return std::max(least_spans,
-                    static_cast<int>(std::lround(per_radius * scaled_.problem.length - 1e-6)));
+                    static_cast<int>(std::round(per_radius * scaled_.problem.length - 1e-6)));
   }
 
   static std::array<Pose, 2> poses_of(const SectionSystem& system, const VectorXd& z) {
@@ -385,6 +386,11 @@ SolvedSections solve_sections(const SectionProblem& problem, const SectionOption
   for (const auto& end : problem.ends)
     if (end) sections.push_back(*end);
   check_free_motions(problem.name, problem.rest, sections);
+  // The last space of a longer vessel would take gigabytes.
+  if (!(problem.length <= longest * problem.radius))
+    throw InputError("vessel " + problem.name + ": fidelity section: found a vessel of " +
+                     number_text(problem.length / problem.radius, 3) + " radii, expected at most " +
+                     number_text(longest) + ": fidelity coupled takes longer ones");
   const OneCholmodThread one_thread;  // of the BLAS
   return Solver(problem, options).solve();
 }

@@ -130,6 +130,9 @@ TEST(SectionSolver, AWallThatNothingHoldsAndOptionsThatSayNothingAreRefused) {
   tube.problem.ends[0].reset();
   tube.end().fixed = {true, true, true, true, true, false};
   EXPECT_THROW(solve_sections(tube.problem), InputError);
+  Tube far;
+  far.problem.length = 301;
+  EXPECT_THROW(solve_sections(far.problem), InputError);
   SectionOptions options;
   options.error = 0;
   EXPECT_THROW(solve_sections(Tube().problem, options), InputError);

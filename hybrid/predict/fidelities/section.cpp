@@ -87,9 +87,9 @@ void take(SolvedSections&& found, SolvedSurfaces& surfaces) {
 // What the choice of harmonics and splines costs, by the solver's own estimate.
 std::string resolution(const std::string& name, const SolvedSections& found) {
   std::string text = "the sections of " + name + ": " + std::to_string(found.harmonics) +
-                     " harmonics around, " + std::to_string(found.spans) +
-                     " spans along; estimated error of that choice " + number_text(found.error, 2) +
-                     " of the radius";
+                     " harmonics around, " + std::to_string(found.spans) + " spans along";
+  if (std::isfinite(found.error))
+    text += "; estimated error of that choice " + number_text(found.error, 2) + " of the radius";
   if (found.fit_error > 1e-6)
     text += "; the given surface is " + number_text(found.fit_error, 2) +
             " of the radius off theirs (RMS) and carried along";

@@ -59,7 +59,7 @@ class Completion(unittest.TestCase):
             self.assertEqual(offered(program, "--p"), ["--port"])
 
     def test_values_that_an_option_takes(self):
-        fidelities = ["coupled", "paper", "rod", "skin"]
+        fidelities = ["coupled", "paper", "rod", "section", "skin"]
         self.assertEqual(offered(PROGRAMS[0], "solve", "--fidelity", ""), fidelities)
         self.assertEqual(offered(PROGRAMS[0], "solve", "--fidelity", "c"), ["coupled"])
         self.assertEqual(offered(PROGRAMS[0], "fit", "--length-unit", ""), ["cm", "m", "mm"])

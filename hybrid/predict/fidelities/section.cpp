@@ -49,9 +49,7 @@ SectionProblem problem_of(const PredictedVessel& vessel, const VesselSections& s
 BodySolution resting(const PredictedVessel& vessel) {
   BodySolution body;
   body.positions = vessel.prepared.vessel.surface.points;
-  body.pressure = Eigen::VectorXd::Zero(body.positions.rows());
-  body.support_force = body.binding_force = Points::Zero(body.positions.rows(), 3);
-  return body;
+  return body;  // without a pressure: contact is not modelled
 }
 
 std::vector<SectionSolution> resting_ends(const VesselSections& sections) {

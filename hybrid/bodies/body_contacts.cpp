@@ -63,10 +63,40 @@ BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scale
     const bool a_first = first_is_slave(scaled.bodies[static_cast<size_t>(a)],
                                         scaled.bodies[static_cast<size_t>(b)]);
     Pair pair;
+    pair.entry = static_cast<int>(pairs_.size());
     pair.slave = a_first ? a : b;
     pair.master = a_first ? b : a;
     pairs_.push_back(std::move(pair));
   }
+}
+
+void BodyContacts::meet_up_to_seams() {
+  if (up_to_seams_) return;
+  up_to_seams_ = true;
+  for (size_t p = 0; p < problem_.contacts.size(); ++p) {
+    if (!joined(pairs_[p])) continue;
+    pairs_[p].contact.reset();
+    pairs_[p].pressed.clear();
+    Pair exchanged;
+    exchanged.entry = static_cast<int>(p);
+    exchanged.slave = pairs_[p].master;
+    exchanged.master = pairs_[p].slave;
+    pairs_.push_back(std::move(exchanged));
+  }
+}
+
+void BodyContacts::forget() {
+  for (Pair& pair : pairs_) {
+    pair.contact.reset();
+    pair.pressed.clear();
+    pair.searched.resize(0, 3);
+  }
+}
+
+bool BodyContacts::joined(const Pair& pair) const {
+  return std::any_of(problem_.seams.begin(), problem_.seams.end(), [&](const SeamPair& seam) {
+    return std::minmax(seam.body_a, seam.body_b) == std::minmax(pair.slave, pair.master);
+  });
 }
 
 double BodyContacts::stiffness_of(const Pair& pair, const ScaledBodies& scaled) const {
@@ -91,8 +121,9 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
   std::vector<double> share(index(body.rest.points.rows()), 1);
   leave_out(seam_band(body.rest, seam, body.thickness), share);
   leave_out(body.fixed, share);
-  return std::make_unique<SelfContact>(ContactSide{body.rest, body.offset, std::move(share)},
-                                       body.thickness, stiffness_of(pair, scaled));
+  return std::make_unique<SelfContact>(
+      ContactSide{body.rest, body.offset, std::move(share), !seam.empty()}, body.thickness,
+      stiffness_of(pair, scaled));
 }
 
 bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {
@@ -119,11 +150,11 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
   const auto side = [&](int index, const std::vector<int>& seam,
                         const std::vector<int>& overlapping) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    std::vector<double> share = seam_share(body.rest, seam, body.thickness);
+    std::vector<double> share = seam_share(body.rest, seam, body.thickness, up_to_seams_ ? 0 : 1);
     // Two mean edges are subtracted because seam_band() adds them.
     leave_out(seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge),
               share);
-    return ContactSide{body.rest, body.offset, std::move(share), !seam.empty()};
+    return ContactSide{body.rest, body.offset, std::move(share), !seam.empty(), up_to_seams_};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),
@@ -200,7 +231,8 @@ StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
     if (!pair.contact || slave < 0) continue;
     const Points& still = scaled.bodies[static_cast<size_t>(pair.master)].now;
     for (ContactPoint c : pair.contact->contacts()) {
-      all.pair.push_back(static_cast<int>(p));
+      all.pair.push_back(pair.entry);
+      all.bodies.push_back({pair.slave, pair.master});
       all.slave.push_back(c.slave);
       all.master.push_back(c.master);
       c.slave += slave;

@@ -29,6 +29,7 @@ struct ContactState {
 struct StackedContacts {
   std::vector<ContactPoint> points;
   std::vector<int> pair;                   ///< index into BodyProblem::contacts
+  std::vector<std::array<int, 2>> bodies;  ///< the slave body and the master body
   std::vector<int> slave;                  ///< vertex of the slave body
   std::vector<std::array<int, 3>> master;  ///< vertices of the master body
 };
@@ -55,6 +56,13 @@ class BodyContacts {
   /// the set of those that press does not settle.
   void hold();
 
+  /// From the next search on, walls that a seam joins touch each other right up to it, and the
+  /// vertices of both are looked at; before, they touch from one edge beside the seam on, and only
+  /// the finer mesh's vertices are looked at.
+  void meet_up_to_seams();
+  /// Forgets all contacts with their multipliers.
+  void forget();
+
   /// Finds what touches itself again, at the bodies' current positions, and keeps the multipliers.
   /// A collapse can bring walls together within one minimisation. False: nothing was searched.
   bool follow(const ScaledBodies& scaled);
@@ -70,8 +78,6 @@ class BodyContacts {
   /// Whether the bodies of a pair have come within reach at any time so far; of a body and itself,
   /// whether it has touched itself.
   bool within_reach(int pair) const { return pairs_[static_cast<size_t>(pair)].in_reach; }
-  int slave(int pair) const { return pairs_[static_cast<size_t>(pair)].slave; }
-  int master(int pair) const { return pairs_[static_cast<size_t>(pair)].master; }
 
   /// Whether any contact carried pressure at the last refresh.
   bool pressing() const;
@@ -90,6 +96,7 @@ class BodyContacts {
 
  private:
   struct Pair {
+    int entry = 0;  ///< index into BodyProblem::contacts
     int slave = 0, master = 0;
     bool in_reach = false;  ///< at any time so far
     double held_depth = 0;
@@ -105,9 +112,13 @@ class BodyContacts {
   std::unique_ptr<FoundContacts> within(const Pair& pair, const ScaledBodies& scaled) const;
   double stiffness_of(const Pair& pair, const ScaledBodies& scaled) const;
 
+  bool joined(const Pair& pair) const;
+
   const BodyProblem& problem_;
   double stiffness_;
-  bool hold_ = false;
+  bool hold_ = false, up_to_seams_ = false;
+  /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
+  /// exchanged.
   std::vector<Pair> pairs_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "bodies/normal_foot.h"
 #include "bodies/reach.h"
@@ -43,7 +44,7 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
   feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
     const int v = surface.triangles(foot.triangle, k);
-    if (side.left_out(v)) return feature;
+    if (side.left_out(v) && !side.met_up_to_seam) return feature;
     feature.vertex[index(k)] = v;
     feature.offset += foot.weight[k] * offset_at(side, v);
   }
@@ -103,6 +104,10 @@ bool ContactPair::inside_at_rest(int vertex) {
 }
 
 void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
+  std::map<int, ContactPoint> before;
+  if (held_)
+    for (const ContactPoint& contact : contacts())
+      if (contact.multiplier > 0) before.emplace(contact.slave, contact);
   begin();
   // An overlap at rest only lowers the slack. From outside, a feature farther away than this cannot
   // have a gap below `reach`; from inside every feature counts.
@@ -129,6 +134,12 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;
+    if (const auto last = before.find(i); !feature.valid && last != before.end()) {
+      ContactPoint contact = last->second;
+      stick(contact, slave, master);
+      add(contact, i);
+      continue;
+    }
     if (!feature.valid || feature.distance - faces > reach) continue;
     const double rest = allowance(i);
     if (feature.distance - faces - rest > reach) continue;

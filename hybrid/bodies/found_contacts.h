@@ -14,6 +14,8 @@ struct ContactSide {
   double offset = 0;          ///< from the surface to the wall's outer face, length
   std::vector<double> share;  ///< per vertex: of `offset` that counts; 0: left out; empty: all 1
   bool joined = false;        ///< to the other side's vessel, by a seam
+  /// Vertices left out themselves are corners of triangles that are not; else those are, too.
+  bool met_up_to_seam = false;
   bool left_out(int vertex) const {
     return !share.empty() && share[static_cast<size_t>(vertex)] == 0;
   }

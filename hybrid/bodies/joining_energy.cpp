@@ -4,7 +4,7 @@ namespace vasorod {
 namespace {
 
 Vec3 gap(const Join& join, const Eigen::Ref<const Points>& p) {
-  return (p.row(join.a) - p.row(join.b)).transpose();
+  return (p.row(join.a) - p.row(join.b)).transpose() - join.offset;
 }
 
 }  // namespace

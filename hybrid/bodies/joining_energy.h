@@ -1,9 +1,10 @@
 // Joining springs of a seam with augmented Lagrangian multipliers:
 //
-//   E = sum over pairs k_j |d|^2 + m.d,   d = x_a - x_b
+//   E = sum over pairs k_j |d|^2 + m.d,   d = x_a - x_b - o
 //
-// After each minimisation m += 2 k_j d, so that the gap d closes at a finite k_j. k_j in force /
-// length, m in force.
+// After each minimisation m += 2 k_j d, so that the gap d closes at a finite k_j. The offset o is
+// zero in a seam; on the way to it, o is where a is to be beside b. k_j in force / length, m in
+// force.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -13,10 +14,11 @@
 
 namespace vasorod {
 
-/// Two vertices to be joined, and the multiplier of the pair (a force, acting on b).
+/// Two vertices to be joined, the multiplier of the pair (a force, acting on b), and its offset.
 struct Join {
   int a = 0, b = 0;
   Vec3 multiplier = Vec3::Zero();
+  Vec3 offset = Vec3::Zero();
 };
 
 /// Sum over all pairs, force * length. `p` is n x 3.

@@ -57,7 +57,7 @@ std::vector<Join> stacked_joins(const std::vector<SeamPair>& seams, const std::v
 double largest_gap(const std::vector<Join>& joins, const Eigen::Ref<const Points>& p) {
   double largest = 0;
   for (const Join& join : joins)
-    largest = std::max(largest, (p.row(join.a) - p.row(join.b)).norm());
+    largest = std::max(largest, ((p.row(join.a) - p.row(join.b)).transpose() - join.offset).norm());
   return largest;
 }
 

@@ -31,13 +31,13 @@ std::vector<char> seam_band(const TriangleSurface& surface, const std::vector<in
 }
 
 std::vector<double> seam_share(const TriangleSurface& surface, const std::vector<int>& seam,
-                               double width) {
+                               double width, int edges) {
   std::vector<double> share(index(surface.points.rows()), 1);
   if (seam.empty()) return share;
   const double whole = width_of_band(surface, width);
   for (const auto& [vertex, way] : EdgePaths(surface).within(seam, whole))
     share[index(vertex)] = way / whole;
-  for (const auto& [vertex, edges] : within_edges(surface, seam, 1)) share[index(vertex)] = 0;
+  for (const auto& [vertex, away] : within_edges(surface, seam, edges)) share[index(vertex)] = 0;
   return share;
 }
 

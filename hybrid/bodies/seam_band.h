@@ -17,8 +17,8 @@ std::vector<char> seam_band(const TriangleSurface& surface, const std::vector<in
 /// The share of a wall's thickness that contact with the other wall of its seam counts: the path to
 /// the seam over the width of that band, 1 beyond it. So the walls may meet at the seam, at an
 /// angle that grows with their thickness, and not pass through each other beside it. 0 at the seam
-/// and one edge from it, where contact is left out.
+/// and up to `edges` edges from it, where contact is left out.
 std::vector<double> seam_share(const TriangleSurface& surface, const std::vector<int>& seam,
-                               double width);
+                               double width, int edges = 1);
 
 }  // namespace vasorod

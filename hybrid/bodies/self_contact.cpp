@@ -15,6 +15,9 @@ namespace {
 
 // Edges along the surface within which a mesh can only be bent, not folded onto itself.
 constexpr double bent_edges = 4;
+// A vessel that is joined comes to itself in small steps: what seems deeper than this many mean
+// edges is a wall whose side is mistaken, beside a mouth that is no plane.
+constexpr double deepest_when_joined = 1;
 // A gap in mean edges at which walls that press on each other count as closed.
 constexpr double settled = 5e-4;
 
@@ -31,6 +34,8 @@ SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
       stiffness_(stiffness),
       area_(vertex_areas(side_.rest)),
       edge_(mean_edge_length(side_.rest)),
+      deepest_(side_.joined ? deepest_when_joined * edge_
+                            : std::numeric_limits<double>::infinity()),
       never_(2 * index(side_.rest.points.rows()), 0) {
   near_ = std::make_unique<NearOnSurface>(
       side_.rest,
@@ -74,7 +79,7 @@ void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double 
   const double slack = 2 * offset_[outside ? 1 : 0] + allowance(wall, vertex, outside);
   const Vec3 apart = Vec3(now_.row(vertex)) - wall.at;
   const double gap = normal.dot(apart) - slack;
-  if (gap > reach) return;
+  if (gap > reach || gap < -deepest_) return;
   const auto slot = static_cast<Eigen::Index>(slot_of(vertex, outside));
   const double stick = std::max(0.0, multiplier(slot) - stiffness_ * gap) / edge_;
   add({vertex, wall.corner, wall.weight, normal, slack, area_[vertex] / 2, stiffness_, 0, stick,

@@ -59,7 +59,8 @@ class SelfContact : public FoundContacts {
   std::array<double, 2> offset_;  // from the surface to the inner, outer face
   double stiffness_;
   Eigen::VectorXd area_;
-  double edge_;  // mean
+  double edge_;     // mean
+  double deepest_;  // overlap beyond which walls are not in contact, length
   std::unique_ptr<NearOnSurface> near_;
   std::unique_ptr<FacingWalls> walls_;  // made by the first search
   Points now_;                          // of the present search

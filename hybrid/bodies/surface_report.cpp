@@ -26,8 +26,8 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
     const ContactPoint& contact = points[c];
     const double pressure = contact_pressure(contact, positions);
     if (pressure == 0) continue;
-    const auto slave = static_cast<size_t>(contacts.slave(stacked.pair[c])),
-               master = static_cast<size_t>(contacts.master(stacked.pair[c]));
+    const auto slave = static_cast<size_t>(stacked.bodies[c][0]),
+               master = static_cast<size_t>(stacked.bodies[c][1]);
     ContactSolution& pair = solution.contacts[static_cast<size_t>(stacked.pair[c])];
     const double real = pressure * scaled.pressure();
     // A wall that touches itself is slave and master with half its area each.

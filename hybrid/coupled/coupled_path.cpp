@@ -117,16 +117,40 @@ void CoupledPath::place(const Local* before) {
   stack_.unstack();
 }
 
+CoupledPath::Kept CoupledPath::keep() const {
+  Kept kept{time_, carried_, last_, stack_.first_wall, {}, stack_.system->state(stack_.z)};
+  for (const ScaledBody& body : stack_.scaled.bodies) kept.now.push_back(body.now);
+  return kept;
+}
+
+void CoupledPath::restore(const Kept& kept) {
+  time_ = kept.time;
+  carried_ = kept.carried;
+  last_ = kept.last;
+  stack_.system->set_time(time_);
+  for (size_t b = 0; b < kept.now.size(); ++b) {
+    stack_.scaled.bodies[b].now = kept.now[b];
+    stack_.scaled.bodies[b].placed = carried_.points[b];
+  }
+  put_bodies(kept.first_wall, kept.state);
+}
+
 void CoupledPath::rebuild() {
   const std::vector<int> old_wall = stack_.first_wall;
   const CoupledState before = stack_.system->state(stack_.z);
   stack_.build();
+  stack_.system->set_time(time_);
+  put_bodies(old_wall, before);
+}
+
+// The bodies where they are now, in z: what had a wall in `before` with its edges and sections,
+// other sections where the rods carry them.
+void CoupledPath::put_bodies(const std::vector<int>& wall_before, const CoupledState& before) {
   CoupledSystem& system = *stack_.system;
-  system.set_time(time_);
   for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
     const int w = stack_.first_wall[b];
     if (w < 0) continue;
-    const int old = old_wall[b];
+    const int old = wall_before[b];
     system.put(w, stack_.scaled.bodies[b].now, false, stack_.z);
     if (old >= 0) system.put_edges(w, before.q[index(old)], stack_.z);
     for (size_t k = 0; k < carried_.sections[b].size(); ++k) {

@@ -29,6 +29,12 @@ class CoupledPath {
   /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
 
+  /// The state at a time, from which the path can go on again.
+  struct Kept;
+  Kept keep() const;
+  /// Bodies that joined the unknowns since then are at rest.
+  void restore(const Kept& kept);
+
  private:
   // Positions given by the rods at a time, in scaled units, per body; no entry is empty.
   struct Carried {
@@ -46,12 +52,22 @@ class CoupledPath {
   Carried carried_at(double t) const;
   Local local_state() const;
   void place(const Local* before);
+  void put_bodies(const std::vector<int>& wall_before, const CoupledState& before);
   void turn_minimiser();
 
   CoupledStack& stack_;
   double time_ = 0;
   Carried carried_;            // at the present time
   std::optional<Local> last_;  // at the previous time
+};
+
+struct CoupledPath::Kept {
+  double time = 0;
+  Carried carried;
+  std::optional<Local> last;
+  std::vector<int> first_wall;  // per body
+  std::vector<Points> now;      // per body
+  CoupledState state;
 };
 
 }  // namespace vasorod

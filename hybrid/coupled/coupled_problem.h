@@ -32,6 +32,14 @@ struct CarriedBody {
   std::vector<Pose> sections;
 };
 
+/// The way of a seam's first vertices to its second ones, for a vessel that has to fold: a closed
+/// start of it would lie through itself, where contact cannot part walls.
+struct SeamWay {
+  /// Offset of each pair of the seam at time t (joining_energy.h), length; at time 1 zero.
+  std::function<std::vector<Vec3>(double t)> offsets;
+  double step = 1;  ///< longest step of the time
+};
+
 /// Input of CoupledSolver.
 struct CoupledProblem {
   /// Bodies (their k only sets the scale of units and contact), seams, and pairs that may touch.
@@ -41,6 +49,8 @@ struct CoupledProblem {
   std::vector<std::unique_ptr<CoupledVessel>> vessels;
   /// Positions of the bodies given by the rods at time t of the motions and loads, in (0, 1].
   std::function<std::vector<CarriedBody>(double t)> carried;
+  /// How the seam is brought together; empty: its start is closed.
+  std::optional<SeamWay> seam_way;
 };
 
 struct CoupledSolution;

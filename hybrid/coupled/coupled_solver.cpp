@@ -10,6 +10,7 @@
 #include "coupled/coupled_path.h"
 #include "coupled/coupled_report.h"
 #include "coupled/free_motions.h"
+#include "coupled/seam_closing.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -46,6 +47,8 @@ constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
+// On the way of a seam, contacts that are still found differently after this many updates stick.
+constexpr int hold_after = 6;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;
@@ -122,8 +125,10 @@ class CoupledSolver::Data {
     if (!stack_.system) stack_.build();
     path_.restart();
     bool buckled = false;
+    const bool on_a_way = stack_.problem.seam_way.has_value();
+    if (on_a_way && !close_seam(buckled)) return;
     for (const double t : stack_.options.times) {
-      const bool stepped = path_.advance(t);
+      const bool stepped = !on_a_way && path_.advance(t);
       if (stepped && stack_.may_touch_itself() && stack_.follow(stack_.z) < -deepest_start) {
         path_.hold_back();
         stack_.follow(stack_.z);
@@ -158,6 +163,27 @@ class CoupledSolver::Data {
     }
   }
 
+  // Brings the seam together along its way, up to a rough state at time 1. False: it ended before.
+  bool close_seam(bool& buckled) {
+    SeamClosing closing(stack_, path_, inner_options(true),
+                        [this](const CoupledMinimiserSummary& summary) {
+                          ++solution_.surface.outer_iterations;
+                          count(summary);
+                        });
+    solution_.status = closing.run();
+    solution_.reached = closing.reached();
+    buckled |= closing.snapped();
+    if (solution_.status == Status::iteration_limit)
+      solution_.notes.push_back("the seam was brought together in " +
+                                std::to_string(closing.steps()) + " steps up to " +
+                                number_text(100 * closing.reached(), 3) +
+                                " % of its way, from where no shorter step found an equilibrium");
+    else if (solution_.status == Status::converged)
+      solution_.notes.push_back("the seam was brought together along a way of " +
+                                std::to_string(closing.steps()) + " steps, as the vessel folds");
+    return solution_.status == Status::converged;
+  }
+
   // `stepped`: the start was extrapolated along the path. The true Hessian stays on its branch
   // where the longer steps of K0 could leave it.
   CoupledMinimiserOptions inner_options(bool stepped) {
@@ -172,6 +198,7 @@ class CoupledSolver::Data {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
     }
+    if (stack_.problem.seam_way) inner.follow = {};  // as SeamClosing says
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -242,6 +269,7 @@ class CoupledSolver::Data {
       const double tie = stack_.system->worst_tie(stack_.z);
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
+      if (stack_.problem.seam_way && outer == hold_after) stack_.contacts->hold();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;

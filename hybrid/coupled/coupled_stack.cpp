@@ -119,6 +119,7 @@ void CoupledStack::build() {
   const std::vector<SeamPair>& seams = problem.surfaces.seams;
   system->k_j = joining_stiffness(seams, scaled, options.seam_stiffness);
   system->joins = stacked_joins(seams, first, seam_multipliers_);
+  place_seams();
   stack_contacts();
   minimiser = std::make_unique<CoupledMinimiser>(*system, work);
   z.setZero(system->unknowns());
@@ -145,6 +146,16 @@ void CoupledStack::unstack(const Eigen::VectorXd& at) {
   for (size_t b = 0; b < scaled.bodies.size(); ++b)
     if (first[b] >= 0)
       scaled.bodies[b].now = positions.middleRows(first[b], scaled.bodies[b].now.rows());
+}
+
+void CoupledStack::set_seam_offsets(double time) {
+  seam_offsets_ = problem.seam_way->offsets(time);
+  for (Vec3& offset : seam_offsets_) offset /= scaled.length;
+  place_seams();
+}
+
+void CoupledStack::place_seams() {
+  for (size_t i = 0; i < seam_offsets_.size(); ++i) system->joins[i].offset = seam_offsets_[i];
 }
 
 void CoupledStack::update_seams() {

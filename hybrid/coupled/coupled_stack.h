@@ -34,6 +34,8 @@ class CoupledStack {
   /// itself, scaled length; infinite where none are within reach.
   double follow(const Eigen::VectorXd& at);
   bool may_touch_itself() const;
+  /// Sets the offsets of the seam to those of a time of its way.
+  void set_seam_offsets(double time);
   /// Updates the multipliers of the seam after a minimisation.
   void update_seams();
 
@@ -61,6 +63,7 @@ class CoupledStack {
   Eigen::VectorXd z;
 
  private:
+  void place_seams();
   void unstack(const Eigen::VectorXd& at);
   HeldSection scale(const HeldSection& section) const;
   std::vector<HeldSection> scaled_sections(size_t body) const;
@@ -69,7 +72,7 @@ class CoupledStack {
   WallLumen lumen_of(size_t body) const;
 
   std::vector<std::unique_ptr<WallEnergy>> energies_;
-  std::vector<Vec3> seam_multipliers_;
+  std::vector<Vec3> seam_multipliers_, seam_offsets_;
 };
 
 }  // namespace vasorod

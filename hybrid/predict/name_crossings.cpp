@@ -31,8 +31,7 @@ bool feels_itself(const Prediction& prediction, const std::string& name) {
 
 }  // namespace
 
-void name_crossings(const Prediction& prediction, Result& result) {
-  if (result.status == Status::interrupted) return;
+std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
   std::vector<CheckedBody> bodies;
   std::vector<std::string> names;
   CheckedSeam seam;
@@ -48,8 +47,15 @@ void name_crossings(const Prediction& prediction, Result& result) {
     names.push_back(name);
   }
   if (prediction.operation) seam.pairs = prediction.operation->pairs;
-  for (const Crossing& crossing : crossings(bodies, seam)) {
-    const std::string &a = names[index(crossing.a)], &b = names[index(crossing.b)];
+  std::vector<NamedCrossing> named;
+  for (const Crossing& crossing : crossings(bodies, seam))
+    named.push_back({names[index(crossing.a)], names[index(crossing.b)], crossing});
+  return named;
+}
+
+void name_crossings(const Prediction& prediction, Result& result) {
+  if (result.status == Status::interrupted) return;
+  for (const auto& [a, b, crossing] : named_crossings(prediction)) {
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
     result.validity.warnings.push_back(
         sentence(a, b, crossing, prediction.scene->units.length, feels_itself(prediction, a)));

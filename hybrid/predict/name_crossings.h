@@ -1,11 +1,24 @@
 // The last check of a result: no wall passes through itself or another and says converged.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <vasorod/result.h>
 
+#include "judge/crossings.h"
 #include "predict/prediction.h"
 
 namespace vasorod {
+
+/// A crossing of the predicted surfaces with the names of its vessels.
+struct NamedCrossing {
+  std::string a, b;
+  Crossing crossing;
+};
+
+/// Where the predicted surfaces pass through themselves or each other.
+std::vector<NamedCrossing> named_crossings(const Prediction& prediction);
 
 /// Fills `self_intersections` from the predicted surfaces, with a warning for each, and puts the
 /// validity out of range. Where surfaces were solved, the status becomes self_intersecting at

@@ -17,6 +17,10 @@ double length_in_range(const SharpVein& vein) {
   return vein.length * std::sqrt(vein.strain / strain_in_range);
 }
 
+bool has_to_fold(const SharpVein& vein) {
+  return vein.strain > 2 * strain_in_range;
+}
+
 std::optional<std::string> sharp_vein_sentence(const SharpVein& vein) {
   if (!(vein.strain > strain_in_range)) return std::nullopt;
   const auto text = [&](double value) { return number_text(value, 2) + " " + vein.length_unit; };

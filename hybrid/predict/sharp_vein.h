@@ -21,6 +21,10 @@ struct SharpVein {
 /// its length.
 double length_in_range(const SharpVein& vein);
 
+/// Whether it folds on its way to the incision: its rod strains the wall by more than 0.4, twice
+/// the end of the model's range.
+bool has_to_fold(const SharpVein& vein);
+
 /// The sentence that says so; empty where the vein is strained by no more than 0.2.
 std::optional<std::string> sharp_vein_sentence(const SharpVein& vein);
 

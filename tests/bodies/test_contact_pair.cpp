@@ -63,6 +63,45 @@ TEST(ContactPair, WhatCameInThroughTheMouthIsNotPushedOut) {
   EXPECT_LT(deepest(deep, true), 3.01 * edge);
 }
 
+// With corners left out, a triangle is left out, unless walls meet up to the seam.
+TEST(ContactPair, TrianglesBesideASeamCountWhereWallsMeetUpToIt) {
+  const TriangleSurface slave = beside(0), master = beside(1.95);
+  const std::vector<double> none(static_cast<size_t>(master.points.rows()), 0);
+  ContactPair apart({slave, 0, {}, true}, {master, 0, none, true}, 1),
+      meeting({slave, 0, {}, true, true}, {master, 0, none, true, true}, 1);
+  apart.refresh(slave.points, master.points, 0.1);
+  meeting.refresh(slave.points, master.points, 0.1);
+  EXPECT_TRUE(apart.contacts().empty());
+  EXPECT_FALSE(meeting.contacts().empty());
+}
+
+// What presses when its foot leaves the wall it met keeps its plane, once it is held; before, it is
+// let go.
+TEST(ContactPair, FromHoldOnWhatPressesKeepsItsPlane) {
+  const TriangleSurface slave = beside(0), master = beside(2.05);
+  Points pressed = slave.points;
+  pressed.col(0).array() += 0.15;
+  for (const bool held : {false, true}) {
+    ContactPair pair({slave, 0, {}}, {master, 0, {}}, 10);
+    pair.refresh(pressed, master.points, 0.1);
+    pair.update_multipliers(pressed, master.points);
+    if (held) pair.hold();
+    pair.refresh(pressed, master.points, 0.1);
+    const auto pressing = [&] {
+      int count = 0;
+      for (const ContactPoint& c : pair.contacts()) count += c.multiplier > 0 ? 1 : 0;
+      return count;
+    };
+    const int before = pressing();
+    ASSERT_GT(before, 0);
+    // The master turned inside out by a mirror faces the same way as the slave.
+    Points away = master.points;
+    away.col(0) = 4.1 - away.col(0).array();
+    pair.refresh(pressed, away, 0.1);
+    EXPECT_EQ(pressing(), held ? before : 0);
+  }
+}
+
 // Pressed 0.1 into each other with stiffness 10, then held: a slip of one edge takes a tangential
 // force as large as the normal one, and walls that only come near do not stick.
 TEST(ContactPair, FromHoldOnWhatPressesSticks) {

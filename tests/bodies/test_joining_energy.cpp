@@ -9,7 +9,8 @@ namespace {
 using namespace testing;
 
 TEST(JoiningEnergy, GradientAndHessianMatchDifferences) {
-  std::vector<Join> joins{{0, 3, Vec3(1, -2, 0.5)}, {1, 4, Vec3::Zero()}};
+  std::vector<Join> joins{
+      {0, 3, Vec3(1, -2, 0.5)}, {1, 4, Vec3::Zero()}, {2, 5, Vec3(0, 1, 1), Vec3(0.3, -0.2, 0.7)}};
   const Points p = random_points(6, 1);
   const auto gradient = [&](const Points& at) {
     Points g = Points::Zero(6, 3);
@@ -40,6 +41,20 @@ TEST(JoiningEnergy, MultipliersCloseTheGapAtAFiniteStiffness) {
     update_join_multipliers(k_j, joins, p);
   }
   EXPECT_NEAR(joins[0].multiplier.x(), 2, 1e-3);
+}
+
+// At its offset a pair costs nothing, and no update changes its multiplier.
+TEST(JoiningEnergy, AnOffsetIsWhereThePairIsToBe) {
+  const Vec3 offset(0.3, -0.2, 0.7);
+  std::vector<Join> joins{{0, 1, Vec3::Zero(), offset}};
+  Points p(2, 3);
+  p.row(1) = Vec3(1, 2, 3).transpose();
+  p.row(0) = p.row(1) + offset.transpose();
+  EXPECT_NEAR(joining_energy(2, joins, p), 0, 1e-15);
+  update_join_multipliers(2, joins, p);
+  EXPECT_LT(joins[0].multiplier.norm(), 1e-14);
+  p.row(0).array() += 1;
+  EXPECT_NEAR(joining_energy(2, joins, p), 6, 1e-12);
 }
 
 }  // namespace

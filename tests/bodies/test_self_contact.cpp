@@ -56,6 +56,25 @@ TEST(SelfContact, OppositeWallsOfAFlatLumenFaceEachOtherInside) {
   }
 }
 
+// Walls of a flat lumen that have passed through each other by three edges: what is joined to
+// another vessel comes to itself in small steps, so that these are no contacts of its own.
+TEST(SelfContact, WhatIsJoinedIsNotPushedOutOfItselfFromDeepInside) {
+  const TriangleSurface rest = tube();
+  Points now = flattened(rest, 3);
+  now.col(1) *= -1;
+  for (const bool joined : {false, true}) {
+    SelfContact contact(ContactSide{rest, thickness / 2, {}, joined}, thickness, 1);
+    contact.refresh(now, now, 1);
+    double deepest = 0;
+    for (const ContactPoint& c : contact.contacts())
+      deepest = std::min(deepest, FoundContacts::gap(c, now, now));
+    if (joined)
+      EXPECT_GT(deepest, -1.001 * mean_edge_length(rest));
+    else
+      EXPECT_LT(deepest, -3);
+  }
+}
+
 // A tube bent to a hairpin: its two legs meet with their outer faces.
 TEST(SelfContact, LegsOfAHairpinFaceEachOtherOutside) {
   const double length = 60, bend = 7;  // radius of the axis' bend

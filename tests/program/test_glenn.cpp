@@ -217,5 +217,17 @@ TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
   EXPECT_GT(crossings[0].at("depth").get<double>(), 1);
 }
 
+// With blood in it, the short vein is brought to its seam in steps and ends in a certified minimum
+// whose walls pass through nothing; its mouth is open.
+TEST(Glenn, RealAnatomyUnderPressureFoldsAndPassesThroughNothing) {
+  const auto result = solve_case("adult_physiological.yaml", "--no-report");
+  EXPECT_TRUE(result.at("status") == "converged" || result.at("status") == "buckled")
+      << result.at("status") << result.at("certificate");
+  EXPECT_EQ(result.at("certificate").at("smallest_curvature_positive"), true);
+  EXPECT_TRUE(result.at("self_intersections").empty()) << result.at("self_intersections");
+  EXPECT_GT(pressure_between(result, "svc", "pulmonary_artery"), 0);
+  EXPECT_GT(result.at("glenn").at("mouth").at("area_ratio").get<double>(), 0.5);
+}
+
 }  // namespace
 }  // namespace vasorod::testing

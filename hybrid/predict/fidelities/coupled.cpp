@@ -4,8 +4,11 @@
 #include "data/index.h"
 #include "paper/joined_skin.h"
 #include "predict/fidelities/fidelities.h"
+#include "predict/joining_path.h"
 #include "predict/kept_state.h"
+#include "predict/name_crossings.h"
 #include "predict/path_rule.h"
+#include "predict/sharp_vein.h"
 #include "predict/surface_bodies.h"
 #include "predict/vessel_wall.h"
 #include "predict/walls_means.h"
@@ -13,6 +16,9 @@
 
 namespace vasorod {
 namespace {
+
+// From a closed start, walls that find their minimum take some ten updates of multipliers.
+constexpr int updates_from_closed = 12;
 
 CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
                        const VesselSections& sections) {
@@ -27,7 +33,53 @@ CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
   return body;
 }
 
-CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& sections) {
+// The bodies at time t as their rods carry them. `vein`: the rod of the vessel whose seam is on its
+// way; else a share of each rod's strain.
+std::vector<CarriedBody> carried_by_rods(const Prediction& prediction,
+                                         const std::vector<VesselSections>& sections, double t,
+                                         const JoiningPath* way) {
+  std::vector<CarriedBody> bodies;
+  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
+    const PredictedVessel& vessel = prediction.vessels[v];
+    bodies.emplace_back();
+    if (!vessel.rod_solved) continue;
+    const RodPoses poses = way && way->is_vein(v) ? way->vein(t)
+                           : t == 1
+                               ? vessel.rod.poses
+                               : share_of_strain(vessel.prepared.vessel.rod, vessel.rod.poses, t);
+    bodies.back() = carried_by(vessel, poses, sections[v]);
+  }
+  return bodies;
+}
+
+// A seam's start is closed: a linear solve of the paper's quadratic energies deforms the carried
+// sections as little as possible.
+void start_closed(Prediction& prediction, const std::vector<VesselSections>& sections,
+                  CoupledProblem& problem) {
+  std::vector<Points> joined;
+  if (prediction.operation) joined = joined_skin(problem.surfaces, &prediction.work);
+  problem.carried = [&prediction, &sections, joined](double t) {
+    std::vector<CarriedBody> bodies = carried_by_rods(prediction, sections, t, nullptr);
+    for (size_t v = 0; v < joined.size(); ++v)
+      if (!prediction.vessels[v].prepared.obstacle()) bodies[v].points = joined[v];
+    return bodies;
+  };
+}
+
+// The vein starts at rest, where nothing passes through it, and goes to its seam.
+void start_at_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
+                   const SharpVein& vein, CoupledProblem& problem) {
+  const auto way = std::make_shared<const JoiningPath>(prediction);
+  problem.seam_way = SeamWay{[way](double t) { return way->offsets(t); }, way->step()};
+  const auto body = static_cast<int>(vessel_named(prediction, vein.name));
+  problem.surfaces.contacts.emplace_back(body, body);
+  problem.carried = [&prediction, &sections, way](double t) {
+    return carried_by_rods(prediction, sections, t, way.get());
+  };
+}
+
+CoupledProblem problem_of(const Prediction& prediction, std::vector<VesselSections>& sections) {
+  sections.clear();
   CoupledProblem problem;
   problem.surfaces = body_problem(prediction);
   // Beside a seam the walls meet as they are sewn, and its start may lie through itself.
@@ -43,27 +95,6 @@ CoupledProblem problem_of(Prediction& prediction, std::vector<VesselSections>& s
     problem.vessels.back() = std::make_unique<CoupledVessel>(CoupledVessel{
         wall_of(vessel.prepared), sections.back().sections, vessel.prepared.spec.pressure});
   }
-  // A seam starts closed: a linear solve of the paper's quadratic energies deforms the carried
-  // sections as little as possible.
-  std::vector<Points> joined;
-  if (prediction.operation) joined = joined_skin(problem.surfaces, &prediction.work);
-  problem.carried = [&prediction, &sections, joined](double t) {
-    std::vector<CarriedBody> bodies;
-    for (size_t v = 0; v < prediction.vessels.size(); ++v) {
-      const PredictedVessel& vessel = prediction.vessels[v];
-      bodies.emplace_back();
-      if (!vessel.rod_solved) {
-        if (!joined.empty() && !vessel.prepared.obstacle()) bodies.back().points = joined[v];
-        continue;
-      }
-      const RodPoses poses = t == 1
-                                 ? vessel.rod.poses
-                                 : share_of_strain(vessel.prepared.vessel.rod, vessel.rod.poses, t);
-      bodies.back() = carried_by(vessel, poses, sections[v]);
-      if (!joined.empty()) bodies.back().points = joined[v];
-    }
-    return bodies;
-  };
   return problem;
 }
 
@@ -94,21 +125,74 @@ void take(CoupledSolution&& solution, const std::vector<VesselSections>& section
   give_rods_the_walls_means(prediction, sections, solution.sections);
 }
 
+bool is_minimum(Status status) {
+  return status == Status::converged || status == Status::buckled || status == Status::not_unique ||
+         status == Status::equilibrium_only;
+}
+
+// One solve of a prediction.
+class Attempt {
+ public:
+  Attempt(Prediction& prediction, const SolveOptions& options)
+      : prediction_(prediction), options_(options) {
+    coupled_.times = path_times(prediction);
+    coupled_.stop = options.stop;
+    coupled_.step = step_progress("walls", options);
+    coupled_.progress = iteration_progress("walls", 10, options);
+    coupled_.keep = keep_for<CoupledSolution>(prediction, options,
+                                              [this](CoupledSolution&& so_far, Prediction& state) {
+                                                take(std::move(so_far), sections_, state);
+                                              });
+  }
+
+  // From a closed seam, with at most so many updates.
+  CoupledSolution closed(std::optional<int> updates = {}) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem);
+    CoupledOptions coupled = coupled_;
+    if (updates) coupled.max_outer = *updates;
+    return CoupledSolver(std::move(problem), coupled).solve();
+  }
+
+  // Along the way of a vein that folds.
+  CoupledSolution on_its_way(const SharpVein& vein) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_at_rest(prediction_, sections_, vein, problem);
+    return CoupledSolver(std::move(problem), coupled_).solve();
+  }
+
+  void keep(CoupledSolution&& solution, Prediction& in) const {
+    take(std::move(solution), sections_, in);
+  }
+
+ private:
+  Prediction& prediction_;
+  const SolveOptions& options_;
+  CoupledOptions coupled_;
+  std::vector<VesselSections> sections_;
+};
+
 }  // namespace
 
+// A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Where it
+// does not, or lies through itself, it goes the way from rest.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
-  std::vector<VesselSections> sections;
-  CoupledOptions coupled;
-  coupled.times = path_times(prediction);
-  coupled.stop = options.stop;
-  coupled.step = step_progress("walls", options);
-  coupled.progress = iteration_progress("walls", 10, options);
-  coupled.keep = keep_for<CoupledSolution>(prediction, options,
-                                           [&](CoupledSolution&& so_far, Prediction& state) {
-                                             take(std::move(so_far), sections, state);
-                                           });
-  CoupledSolver solver(problem_of(prediction, sections), coupled);
-  take(solver.solve(), sections, prediction);
+  Attempt attempt(prediction, options);
+  const std::optional<SharpVein> vein = sharp_vein(prediction);
+  if (!vein || !has_to_fold(*vein)) {
+    attempt.keep(attempt.closed(), prediction);
+    return;
+  }
+  CoupledSolution solution = attempt.closed(updates_from_closed);
+  const Status status = solution.status;
+  Prediction tried = prediction;
+  attempt.keep(std::move(solution), tried);
+  if (status == Status::interrupted || (is_minimum(status) && named_crossings(tried).empty())) {
+    prediction = std::move(tried);
+    return;
+  }
+  prediction.work = tried.work;
+  attempt.keep(attempt.on_its_way(*vein), prediction);
 }
 
 }  // namespace vasorod

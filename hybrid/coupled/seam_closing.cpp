@@ -1,0 +1,115 @@
+#include "coupled/seam_closing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "coupled/free_motions.h"
+#include "data/index.h"
+
+namespace vasorod {
+namespace {
+
+// A state on the way is only a start.
+constexpr double tolerance = 1e-3;
+// A state whose forces are this large over those of its energy is torn.
+constexpr double torn = 1;
+constexpr int most_factorisations = 30, most_iterations = 200, per_hessian = 6;
+// In mean edges: the longest step of a minimisation, and the penetration that is left to the next
+// step.
+constexpr double largest_step = 0.3, passable_penetration = 0.1;
+constexpr int most_updates = 4;
+// Over the radius of the narrowest end: a wall that moves farther from where the last steps lead to
+// has snapped.
+constexpr double snap = 0.2;
+// Over the longest step of the time; and how a step grows after one that succeeded.
+constexpr double smallest_step = 0.04, growth = 1.4;
+// The last step may be longer by this factor, so that none is left that is much shorter.
+constexpr double last_step = 1.5;
+
+}  // namespace
+
+SeamClosing::SeamClosing(CoupledStack& stack, CoupledPath& path,
+                         const CoupledMinimiserOptions& minimising,
+                         std::function<void(const CoupledMinimiserSummary&)> count)
+    : stack_(stack), path_(path), minimising_(minimising), count_(std::move(count)) {
+  minimising_.tolerance = tolerance;
+  minimising_.certify = false;
+  minimising_.use_rest = false;
+  minimising_.max_factorisations = most_factorisations;
+  minimising_.max_iterations = most_iterations;
+  minimising_.per_hessian = per_hessian;
+  minimising_.largest_step = largest_step;
+  // Contacts that are found anew before each Hessian would let no minimisation of a crumpled wall
+  // end; the steps are short enough for those found after the last one.
+  minimising_.follow = {};
+}
+
+Status SeamClosing::run() {
+  const double longest = stack_.problem.seam_way->step;
+  double step = longest;
+  std::optional<CoupledPath::Kept> kept;
+  while (true) {
+    const double time = reached_ + last_step * step > 1 ? 1 : reached_ + step;
+    path_.advance(time);
+    stack_.set_seam_offsets(time);
+    const Points predicted = stack_.system->state(stack_.z).positions;
+    const Status status = settle();
+    if (status == Status::interrupted) return status;
+    if (status == Status::converged) {
+      const Points found = stack_.system->state(stack_.z).positions;
+      snapped_ |= found.rows() == predicted.rows() &&
+                  (found - predicted).rowwise().norm().maxCoeff() > snap * stack_.ring_radius();
+      reached_ = time;
+      ++steps_;
+      if (time == 1) return meet();
+      kept = path_.keep();
+      step = std::min(growth * step, longest);
+      continue;
+    }
+    step /= 2;
+    if (!kept || step < smallest_step * longest) return Status::iteration_limit;
+    take_back(*kept);
+  }
+}
+
+// With the seam closed, joined walls feel each other up to it.
+Status SeamClosing::meet() {
+  stack_.contacts->meet_up_to_seams();
+  stack_.contacts->refresh(stack_.scaled);
+  stack_.stack_contacts();
+  return settle() == Status::interrupted ? Status::interrupted : Status::converged;
+}
+
+void SeamClosing::take_back(const CoupledPath::Kept& kept) {
+  path_.restore(kept);
+  stack_.contacts->forget();
+  stack_.contacts->refresh(stack_.scaled);
+  stack_.stack_contacts();
+}
+
+// A rough minimum at the present offsets.
+Status SeamClosing::settle() {
+  for (int update = 1; update <= most_updates; ++update) {
+    minimising_.reuse_hessian = update > 1;
+    const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
+    count_(summary);
+    stack_.unstack();
+    if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
+    const bool stuck = summary.unfactorised && summary.iterations == 0;
+    if (stuck || !(summary.residual < torn)) return Status::iteration_limit;
+    const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+    stack_.update_seams();
+    stack_.system->update_ties(stack_.z);
+    if (contact.touched.empty()) {
+      stack_.stack_contacts();
+      if (contact.penetration < passable_penetration) break;
+      continue;
+    }
+    for (const int b : contact.touched) stack_.scaled.bodies[index(b)].modelled = true;
+    check_free_motions(stack_.problem, stack_.scaled);
+    path_.rebuild();
+  }
+  return Status::converged;
+}
+
+}  // namespace vasorod

@@ -1,0 +1,46 @@
+// Brings a seam together along its way (SeamWay), for a vessel that has to fold on it.
+//
+// The walls start at rest, where nothing passes through anything. The offsets between the seam's
+// vertices shrink in steps; at each the walls find a rough minimum with the contacts that are
+// there, and the next step starts from its extrapolation. A step that finds none is taken back and
+// halved. Folds snap on the way, so that a state need not be near a minimum to go on from: it
+// only must not be torn.
+#pragma once
+
+#include <functional>
+
+#include "coupled/coupled_path.h"
+
+namespace vasorod {
+
+/// One way of the seam of a CoupledStack.
+class SeamClosing {
+ public:
+  /// `stack` and `path` must outlive this; the path is at its start. `minimising`: options of all
+  /// minimisations, of which tolerances and limits are chosen here. `count` is called after each.
+  SeamClosing(CoupledStack& stack, CoupledPath& path, const CoupledMinimiserOptions& minimising,
+              std::function<void(const CoupledMinimiserSummary&)> count);
+
+  /// Goes to time 1, where joined walls then meet up to the seam. Returns `converged` there,
+  /// `iteration_limit` where no step leads on, or `interrupted`.
+  Status run();
+
+  double reached() const { return reached_; }  ///< the time of the last state that was found
+  int steps() const { return steps_; }         ///< that were taken, without those taken back
+  bool snapped() const { return snapped_; }    ///< a fold snapped on the way
+
+ private:
+  Status settle();
+  Status meet();
+  void take_back(const CoupledPath::Kept& kept);
+
+  CoupledStack& stack_;
+  CoupledPath& path_;
+  CoupledMinimiserOptions minimising_;
+  std::function<void(const CoupledMinimiserSummary&)> count_;
+  double reached_ = 0;
+  int steps_ = 0;
+  bool snapped_ = false;
+};
+
+}  // namespace vasorod

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "coupled/coupled_contacts.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+// Two tubes with a gap between their rims, held at their far ends. `way`: the step of the time on
+// which the seam is brought together; 0: its start is closed.
+CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1) {
+  const HeldTube half(30 * unit, 6 * unit, 0.6 * unit, 24, 18);
+  CoupledProblem problem;
+  add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
+  add_tube(problem, half, "upper", unit * (Vec3(0, 0, 30) + apart), {half.end()});
+  for (const int v : half.row(0)) problem.surfaces.seams.push_back({1, v, 0, v + 18 * 24});
+  carry_by_sections(problem);
+  if (way > 0)
+    problem.seam_way = SeamWay{[apart, unit, n = problem.surfaces.seams.size()](double t) {
+                                 return std::vector<Vec3>(n, (1 - t) * unit * apart);
+                               },
+                               way};
+  CoupledSolver solver(std::move(problem));
+  return solver.solve();
+}
+
+double largest_difference(const CoupledSolution& a, const CoupledSolution& b) {
+  double largest = 0;
+  for (size_t body = 0; body < a.surface.bodies.size(); ++body)
+    largest =
+        std::max(largest, (a.surface.bodies[body].positions - b.surface.bodies[body].positions)
+                              .rowwise()
+                              .norm()
+                              .maxCoeff());
+  return largest;
+}
+
+// Where nothing folds there is one minimum, whatever the way to it.
+TEST(SeamClosing, ItEndsInTheMinimumOfAClosedStart) {
+  for (const Vec3& apart : {Vec3(0, 0, 3), Vec3(1.5, -1, 2)}) {
+    const CoupledSolution closed = pulled_together(apart, 0);
+    ASSERT_EQ(closed.status, Status::converged);
+    for (const double step : {0.1, 0.5}) {
+      const CoupledSolution way = pulled_together(apart, step);
+      EXPECT_EQ(way.status, Status::converged);
+      EXPECT_TRUE(way.smallest_curvature_positive);
+      EXPECT_LT(largest_difference(way, closed), 1e-5 * 6);
+      EXPECT_NEAR(way.sections[1][0].force.z(), closed.sections[1][0].force.z(),
+                  1e-5 * std::abs(closed.sections[1][0].force.z()));
+    }
+  }
+}
+
+TEST(SeamClosing, TheUnitDoesNotMatter) {
+  const CoupledSolution mm = pulled_together({1.5, -1, 2}, 0.25),
+                        m = pulled_together({1.5, -1, 2}, 0.25, 1e-3);
+  ASSERT_EQ(m.status, mm.status);
+  EXPECT_EQ(m.surface.outer_iterations, mm.surface.outer_iterations);
+  EXPECT_LT((m.surface.bodies[1].positions * 1e3 - mm.surface.bodies[1].positions)
+                .rowwise()
+                .norm()
+                .maxCoeff(),
+            1e-6 * 6);
+}
+
+TEST(SeamClosing, TheCertificateSaysInHowManySteps) {
+  const CoupledSolution way = pulled_together({0, 0, 3}, 0.25);
+  ASSERT_EQ(way.notes.size(), 1u);
+  EXPECT_EQ(way.notes[0],
+            "the seam was brought together along a way of 4 steps, as the vessel "
+            "folds");
+  EXPECT_EQ(way.reached, 1);
+}
+
+TEST(SeamClosing, StoppedItKeepsTheLastState) {
+  const HeldTube half(30, 6, 0.6, 24, 18);
+  CoupledProblem problem;
+  add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
+  add_tube(problem, half, "upper", Vec3(0, 0, 33), {half.end()});
+  for (const int v : half.row(0)) problem.surfaces.seams.push_back({1, v, 0, v + 18 * 24});
+  carry_by_sections(problem);
+  problem.seam_way = SeamWay{[n = problem.surfaces.seams.size()](double t) {
+                               return std::vector<Vec3>(n, (1 - t) * Vec3(0, 0, 3));
+                             },
+                             0.25};
+  CoupledOptions options;
+  int asked = 0;
+  options.stop = [&] { return ++asked > 12; };
+  CoupledSolver solver(std::move(problem), options);
+  const CoupledSolution s = solver.solve();
+  EXPECT_EQ(s.status, Status::interrupted);
+  EXPECT_LT(s.reached, 1);
+  EXPECT_TRUE(s.surface.bodies[1].positions.allFinite());
+}
+
+}  // namespace
+}  // namespace vasorod

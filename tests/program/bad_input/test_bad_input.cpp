@@ -321,7 +321,7 @@ TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
     expect_refused(changed(glenn, from, to), words);
   expect_refused(changed(changed(glenn, "fidelity: skin", "fidelity: paper"),
                          "wall:", "pressure: {scan: 0.001}\n    wall:"),
-                 "found a pressure at fidelity paper, expected fidelity rod, skin or coupled");
+                 "found a pressure at fidelity paper, expected fidelity rod, skin, section or coupled");
 }
 
 TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {

@@ -32,6 +32,8 @@ struct Fidelity {
   std::function<void(Prediction&, const SolveOptions&)> solve;
   LumenOf lumen = LumenOf::none;  ///< takes a pressure in the lumen and an axial prestretch
   bool surgery = true;            ///< takes vessels that are cut, incised and joined
+  /// Takes some vessels only, and says where a state is beyond it: `accuracy:` goes on from there.
+  bool partial = false;
 };
 
 /// All fidelities, from cheap to expensive.

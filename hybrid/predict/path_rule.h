@@ -40,8 +40,8 @@ std::vector<double> pressing_times(double way, double depth);
 double carried_depth(const Prediction& prediction, size_t vessel);
 
 /// The times for a prediction: those of its motion, of what it presses into other vessels, and of
-/// its vessels' pressures. An
-/// operation jumps: its pose is only a start, and no path leads from rest to it.
+/// its vessels' pressures. An operation jumps: its pose is only a start, and no path leads from
+/// rest to it.
 std::vector<double> path_times(const Prediction& prediction);
 
 }  // namespace vasorod

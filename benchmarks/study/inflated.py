@@ -7,7 +7,7 @@ from cases import text_of
 from measure import compared, failed_of, result_of
 from runs import Run, hybrid_arguments
 from pressure import solved
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
 LAW = "neo-hookean"
 TUBE = {"length": 30, "radius": 3.3, "around": 60, "along": 96}
@@ -19,7 +19,8 @@ LOADS = {
     "stretch": {"move": [0, 0, 2]},
 }
 PRESSURES = (5, 10)  # mmHg, from a wall without stress
-FIDELITIES = ("coupled", "skin")
+FIDELITIES = ("section", "coupled", "skin")
+WALLS = ("section", "coupled")  # of which the bends are
 CELLS = (8, 12)  # of the shell, and those refined by 3/2
 FILE = "inflated.csv"
 
@@ -109,21 +110,22 @@ def bend_scene(section, share, ratio):
     }
 
 
-def bend_run(section, share, ratio):
+def bend_run(section, share, ratio, fidelity="coupled"):
     return Run(
-        f"inflated-bend-{section}-{share:g}-q{ratio:g}/coupled-{BENT_AROUND}",
+        f"inflated-bend-{section}-{share:g}-q{ratio:g}/{fidelity}-{BENT_AROUND}",
         "vasorod",
-        hybrid_arguments(),
+        hybrid_arguments(fidelity),
         {"scene.yaml": text_of(bend_scene(section, share, ratio))},
     )
 
 
 def bends():
-    """(section, share, ratio)"""
+    """(section, share, ratio, fidelity)"""
     return [
-        (section, share, ratio)
+        (section, share, ratio, fidelity)
         for section, shares in SHARES.items()
         for share in shares
+        for fidelity in WALLS
         for ratio in RATIOS
     ]
 
@@ -179,13 +181,13 @@ def load_rows(store):
 
 def bend_rows(store):
     rows, records = [], []
-    for section, share, ratio in bends():
-        run = bend_run(section, share, ratio)
+    for section, share, ratio, fidelity in bends():
+        run = bend_run(section, share, ratio, fidelity)
         record = store.record(run.identity)
         if record is None:
             continue
         records.append(record)
-        row = {"section": section, "share": share, "ratio": ratio}
+        row = {"fidelity": fidelity, "section": section, "share": share, "ratio": ratio}
         row |= {**dict.fromkeys(BEND_COLUMNS), "seconds": record["processor_seconds"]}
         row["failure"] = failed_of(store, [record])
         if row["failure"] is None:
@@ -203,8 +205,12 @@ def make_tables(store, folder):
         note = "Tubes from walls without stress to a pressure (mmHg) and a load, neo-hookean,"
         note += " against the reference's shell: RMS over R, force and moment over the"
         note += " larger reaction"
-        write_table(folder / FILE, rows, [note, *provenance(records)])
+        notes = [note, *provenance(records)]
+        plan = [(load, p, name) for name in FIDELITIES for load in LOADS for p in PRESSURES]
+        keys = ("load", "pressure", "fidelity")
+        write_table(folder / FILE, *extended(folder / FILE, keys, plan, rows, notes))
     rows, records = bend_rows(store)
     if rows:
         note = "Long tubes bent to a share of Brazier's curvature at pressures over p_c"
-        write_table(folder / BENDS, rows, [note, *provenance(records)])
+        notes, keys = [note, *provenance(records)], ("section", "share", "ratio", "fidelity")
+        write_table(folder / BENDS, *extended(folder / BENDS, keys, bends(), rows, notes))

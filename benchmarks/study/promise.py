@@ -1,19 +1,20 @@
-"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table. It is
-made from pulled, twisted and bent straight tubes; all other cases check that its promise is kept
-(see held_out)."""
+"""The table behind `accuracy: x`, hybrid/judge/accuracy_table.cpp, from the accuracy table and that
+of sections. It is made from pulled, twisted and bent straight tubes; all other cases check that its
+promise is kept (see held_out)."""
 
 import math
 
-from accuracy import measured
-from measure import converged, outcome, result_of
+import sections
+from measure import converged, failure_of, result_of
 from runs import Run, hybrid_arguments
 from tables import provenance, read_table, write_table
 
-FIDELITIES = ("skin", "paper", "coupled")
+FIDELITIES = ("skin", "paper", "section", "coupled")
 KINDS = ("stretch", "twist", "bend")
 # On what was measured: a tube twice as long exceeded the bare table by 41 %, a tapered one by 8 %.
 SAFETY = 1.5
-HEAD = """// Written by benchmarks/study/study.py promise from {source}: do not edit.
+HEAD = """// Written by benchmarks/study/study.py promise: do not edit. Made from
+// {source}.
 // clang-format off
 #include "judge/accuracy_table.h"
 
@@ -190,34 +191,48 @@ def all_runs(case):
     return list(runs_of(case).values())
 
 
-def make_table(store, cases, path):
+def make_table(store, cases, path, accuracy):
     """What `accuracy: x` chose on cases that neither the table nor its margin was made from, and
-    how far that is from the reference."""
+    how far that is from the reference by the accuracy table."""
+    known = {(row["case"], row["model"], row["around"]): row for row in accuracy}
     rows, records = [], []
-    for case, wanted, run, record, reference in measured(store, cases, runs_of, records):
-        chosen = result_of(store, run.identity)["fidelity"] if converged(store, record) else None
-        rows.append(
-            {
-                "case": case.name,
-                "wanted": wanted,
-                "chosen": chosen,
-                **outcome(store, case, run, reference, ("rms", "u_shape")),
-            }
-        )
+    for case in cases:
+        for wanted, run in runs_of(case).items():
+            record = store.record(run.identity)
+            if record is None:
+                continue
+            records.append(record)
+            row = {"case": case.name, "wanted": wanted, "chosen": None, "rms": None}
+            row |= {"u_shape": None, "failure": None}
+            if converged(store, record):
+                row["chosen"] = result_of(store, run.identity)["fidelity"]
+                own = known[case.name, row["chosen"], case.tube["around"]]
+                row |= {name: own[name] for name in ("rms", "u_shape")}
+            else:
+                row["failure"] = failure_of(store, record)
+            rows.append(row)
     if rows:
         write_table(
             path,
             rows,
             [
                 (
-                    "What accuracy: x chose on cases its table was not made from; rms: measured"
-                    " distance over R"
+                    "What accuracy: x chose on cases its table was not made from; rms: its measured"
+                    " distance over R, of accuracy.csv and sections.csv"
                 ),
                 *provenance(records),
             ],
         )
 
 
-def write_promise(baselines, target):
+def measurements(baselines):
+    """Of every fidelity, as rows of the accuracy table."""
     accuracy, _ = read_table(baselines / "accuracy.csv")
-    target.write_text(source_text(accuracy, "benchmarks/baselines/accuracy.csv"))
+    return accuracy + sections.beside(accuracy, read_table(baselines / sections.FILE)[0])
+
+
+SOURCE = "benchmarks/baselines/accuracy.csv and sections.csv"
+
+
+def write_promise(baselines, target):
+    target.write_text(source_text(measurements(baselines), SOURCE))

@@ -7,7 +7,7 @@ import time
 import counts
 import sensitivity
 from store import commit
-from tables import provenance, read_table, write_table
+from tables import extended, provenance, read_table, shown, write_table
 
 TOLERANCE = 0.005  # of the largest value the same quantity takes on its curve
 QUANTITIES = (
@@ -133,7 +133,7 @@ def check(store, baselines, quick=False, again=False, image=None):
 
 
 def accept(store, baselines, reason):
-    """Writes new curves; the reasons given so far stay in the file."""
+    """Writes new curves; those that were not run stay, and so do the reasons given so far."""
     path = baselines / FILE
     earlier = (
         [note for note in read_table(path)[1] if note.startswith("accepted ")]
@@ -144,16 +144,20 @@ def accept(store, baselines, reason):
     if not rows:
         return
     line = f"accepted {time.strftime('%Y-%m-%d', time.gmtime())} at {commit()}: {reason}"
-    write_table(
-        path,
-        rows,
-        [
-            (
-                "Moduli alone: variation is the RMS distance of material points to factor 1's shape"
-                " over R, force and moment those at the moved end; law Biot"
-            ),
-            *provenance(records),
-            *earlier,
-            line,
-        ],
-    )
+    note = "Moduli alone: variation is the RMS distance of material points to factor 1's shape"
+    note += " over R, force and moment those at the moved end; law Biot"
+    plan = [
+        (load, modulus, fidelity, float(shown(factor)))
+        for load in sensitivity.LOADS
+        for modulus in sensitivity.MODULI
+        for fidelity, factors in (
+            *((name, sensitivity.FACTORS) for name in sensitivity.FIDELITIES),
+            ("shell", sensitivity.REFERENCE_FACTORS),
+        )
+        for factor in factors
+    ]
+    rows = [{**row, "factor": float(shown(row["factor"]))} for row in rows]
+    keys = ("load", "modulus", "fidelity", "factor")
+    merged, notes = extended(path, keys, plan, rows, [note, *provenance(records)])
+    notes = [one for one in notes if "accepted " not in one]
+    write_table(path, merged, [*notes, *earlier, line])

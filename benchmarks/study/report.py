@@ -10,9 +10,10 @@ from chapters.join import join_section
 from chapters.laws import laws_section
 from chapters.pressure import pressure_section
 from chapters.promise import promise_section
-from chapters.sections import sections_section, speed_section
+from chapters.sections import refinement_section, sections_section, speed_section
 from chapters.sensitivity import sensitivity_section
 from chapters.trade import front_of, trade_section
+from sections import beside
 from tables import IMAGES, paragraph, read_table
 
 TABLES = (
@@ -20,6 +21,7 @@ TABLES = (
     "irregular",
     "sections",
     "sections_speed",
+    "sections_refinement",
     "laws",
     "promise",
     "sensitivity",
@@ -36,12 +38,17 @@ TABLES = (
 
 
 def read_tables(baselines):
-    """{name: (rows, notes)} of those that are there."""
-    return {
+    """{name: (rows, notes)} of those that are there; accuracy with the rows of sections."""
+    tables = {
         name: read_table(baselines / f"{name}.csv")
         for name in TABLES
         if (baselines / f"{name}.csv").exists()
     }
+    if "accuracy" in tables and "sections" in tables:
+        (rows, notes), (more, made) = tables["accuracy"], tables["sections"]
+        both = [*notes, *(f"section: {note}" for note in made[1:])]
+        tables["accuracy"] = rows + beside(rows, more), both
+    return tables
 
 
 def tables_page(tables):
@@ -61,6 +68,8 @@ def tables_page(tables):
         text.append(sections_section(*tables["sections"]))
     if "sections_speed" in tables:
         text.append(speed_section(*tables["sections_speed"]))
+    if "sections_refinement" in tables:
+        text.append(refinement_section(*tables["sections_refinement"]))
     if "laws" in tables:
         text.append(laws_section(*tables["laws"]))
     text.append(promise_section(accuracy, tables.get("promise")))

@@ -13,7 +13,7 @@ from measure import compared, converged, outcome, result_of
 from runs import Run, hybrid_arguments
 from tables import provenance, write_table
 
-FILE, SPEED = "sections.csv", "sections_speed.csv"
+FILE, SPEED, REFINEMENT = "sections.csv", "sections_speed.csv", "sections_refinement.csv"
 SURFACES = {"24": 24, "48": 48, "blue-noise": 48}  # by name: points around
 ARGUMENTS = ("--no-report",)
 
@@ -69,6 +69,26 @@ def speed_runs(case):
 def all_runs(case):
     runs = [*runs_of(case).values(), accuracy_shell(case)] if case.counted else []
     return runs + (list(speed_runs(case).values()) if case.name == trade.CASE else [])
+
+
+def refinement_run():
+    """The errors of given numbers of harmonics and spans (benchmarks/accuracy)."""
+    return Run("sections/refinement", "section_refinement", (), {})
+
+
+def refinement_rows(text):
+    """The table section_refinement prints: a row per space."""
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if line.startswith("|") and len(cells) == 6 and cells[0].isdigit():
+            yield {
+                "harmonics": int(cells[0]),
+                "spans": int(cells[1]),
+                "unknowns": int(cells[2]),
+                "rms": float(cells[3]),
+                "moment": float(cells[4]),
+                "settled": int(cells[5]),
+            }
 
 
 def timed():
@@ -128,6 +148,28 @@ def speed_rows(store, records):
         }
 
 
+def beside(accuracy, rows):
+    """The rows on generated tubes as rows of the accuracy table, of whose cases they are. Where its
+    reference is another, the distance of the two counts as the reference's own error."""
+    cases = {}
+    for row in accuracy:
+        cases.setdefault(row["case"], {})[row["model"]] = row
+    found = []
+    for row in rows:
+        of = cases.get(row["case"])
+        if of is None or not row["surface"].endswith(" around"):
+            continue
+        like = next(iter(of.values()))
+        same = {name: like[name] for name in like if name not in COLUMNS}
+        own = row["u_shape"]
+        if own is not None and row["reference"] != like["reference"]:
+            own += of["shell"]["rms"]
+        numbers = {name: row[name] for name in (*COLUMNS, "reference", "failure")}
+        around = int(row["surface"].removesuffix(" around"))
+        found.append({**same, **numbers, "model": "section", "around": around, "u_shape": own})
+    return found
+
+
 def shell_time(rows, rms, column):
     """The shell's time for this error, on the line through log error and log time of the runs
     beside it; None outside of its runs."""
@@ -145,7 +187,18 @@ def shell_time(rows, rms, column):
     return exp((1 - share) * log(a[column]) + share * log(b[column]))
 
 
+def make_refinement(store, path):
+    record = store.record(refinement_run().identity)
+    if record is None:
+        return
+    text = (store.folder(record["identity"]) / "output.txt").read_text()
+    note = "Fidelity section in given spaces against the finest of both kinds: RMS over R, moment"
+    note += " of the end over itself; t/R 0.1, L/R 10, half of Brazier's curvature, rigid ends"
+    write_table(path, list(refinement_rows(text)), [note, *provenance([record])])
+
+
 def make_tables(store, cases, baselines):
+    make_refinement(store, baselines / REFINEMENT)
     records = []
     rows = list(rows_of(store, cases, records))
     if rows:

@@ -69,13 +69,16 @@ def extended(path, keys, plan, rows, notes):
     `plan` (a list of the keys' values), and its comment lines: so a plan can grow without all of it
     being run again. A row that is no longer in the plan is left out."""
 
+    def as_read(values):  # a name that is a number is read as one
+        return tuple(number(one) if isinstance(one, str) else one for one in values)
+
     def by_keys(some):
-        return {tuple(row[key] for key in keys): row for row in some}
+        return {as_read(row[key] for key in keys): row for row in some}
 
     old_rows, old_notes = read_table(path) if Path(path).exists() else ([], [])
     fresh, old = by_keys(rows), by_keys(old_rows)
     merged = []
-    for values in map(tuple, plan):
+    for values in map(as_read, plan):
         if values in fresh:
             merged.append(fresh[values])
         elif values in old:

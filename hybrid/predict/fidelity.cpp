@@ -17,7 +17,7 @@ std::vector<Fidelity>& registry() {
       {"section",
        "walls of vessels without branches as harmonics around and splines along; no surgery, no "
        "contact",
-       true, false, solve_section, LumenOf::none, false},
+       true, false, solve_section, LumenOf::sections, false, true},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
        true, solve_coupled, LumenOf::wall},

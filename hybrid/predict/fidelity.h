@@ -14,9 +14,10 @@ namespace vasorod {
 
 /// What encloses the lumen of a fidelity's vessels and carries the stress they were seen with.
 enum class LumenOf {
-  none,  ///< nothing: scenes with a pressure or an axial prestretch are refused
-  rod,   ///< sections of the rods
-  wall,  ///< walls of triangles
+  none,      ///< nothing: scenes with a pressure or an axial prestretch are refused
+  rod,       ///< sections of the rods
+  sections,  ///< sections of the walls, whose solver makes the stress anew in each of its spaces
+  wall,      ///< walls of triangles
 };
 
 /// A solution method.
@@ -31,6 +32,8 @@ struct Fidelity {
   std::function<void(Prediction&, const SolveOptions&)> solve;
   LumenOf lumen = LumenOf::none;  ///< takes a pressure in the lumen and an axial prestretch
   bool surgery = true;            ///< takes vessels that are cut, incised and joined
+  /// Takes some vessels only, and says where a state is beyond it: `accuracy:` goes on from there.
+  bool partial = false;
 };
 
 /// All fidelities, from cheap to expensive.

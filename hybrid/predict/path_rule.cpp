@@ -83,6 +83,13 @@ std::vector<double> pressure_times(double scan, double after, double collapse) {
   return times;
 }
 
+std::vector<double> pressure_times(const PreparedVessel& vessel) {
+  if (!vessel.spec.pressure) return {1};
+  return pressure_times(
+      vessel.spec.pressure->scan, vessel.spec.pressure->after,
+      collapse_pressure(vessel.spec.wall->material, vessel.thickness(), vessel.vessel.mean_radius));
+}
+
 std::vector<double> pressing_times(double way, double depth) {
   if (depth <= deepest_start) return {1};
   std::vector<double> times;
@@ -126,10 +133,7 @@ std::vector<double> path_times(const Prediction& prediction) {
       const Points way = carried_surface(prediction.vessels[v]) - prepared.vessel.surface.points;
       add(pressing_times(way.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius, depth));
     }
-    if (!prepared.spec.pressure) continue;
-    add(pressure_times(prepared.spec.pressure->scan, prepared.spec.pressure->after,
-                       collapse_pressure(prepared.spec.wall->material, prepared.thickness(),
-                                         prepared.vessel.mean_radius)));
+    add(pressure_times(prepared));
   }
   return {times.begin(), times.end()};
 }

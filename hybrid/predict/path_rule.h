@@ -26,6 +26,9 @@ std::vector<double> path_times(double share);
 /// the pressure, whichever is larger.
 std::vector<double> pressure_times(double scan, double after, double collapse);
 
+/// The same of a vessel; one step without a pressure.
+std::vector<double> pressure_times(const PreparedVessel& vessel);
+
 /// The times, up to 1, of the steps of a motion that carries a vessel's wall through another
 /// vessel: `way`: how far its points move at most, `depth`: how deep they end inside the other
 /// vessel, both over the vessel's radius. Up to half a radius, one step; past it the start would
@@ -36,8 +39,9 @@ std::vector<double> pressing_times(double way, double depth);
 /// outside of, over its radius.
 double carried_depth(const Prediction& prediction, size_t vessel);
 
-/// The times for a prediction: those of its motion and those of its vessels' pressures. An
-/// operation jumps: its pose is only a start, and no path leads from rest to it.
+/// The times for a prediction: those of its motion, of what it presses into other vessels, and of
+/// its vessels' pressures. An operation jumps: its pose is only a start, and no path leads from
+/// rest to it.
 std::vector<double> path_times(const Prediction& prediction);
 
 }  // namespace vasorod

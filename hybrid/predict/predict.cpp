@@ -9,6 +9,7 @@
 #include "judge/choose_fidelity.h"
 #include "judge/criteria.h"
 #include "numerics/threads.h"
+#include "predict/chosen_fidelity.h"
 #include "predict/fidelity.h"
 #include "predict/fitted_vessels.h"
 #include "predict/input_hashes.h"
@@ -355,7 +356,12 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
   prediction.watch.lap("rod");
   if (fidelity->surfaces) keep_rods(prediction, options);
   options.progress("fidelity " + fidelity->name);
-  placed(place_in(scene) + ": ", [&] { fidelity->solve(prediction, options); });
+  placed(place_in(scene) + ": ", [&] {
+    if (options.fidelity || scene.fidelity)
+      fidelity->solve(prediction, options);
+    else
+      fidelity = &solve_chosen(*fidelity, dearest(), prediction, options);
+  });
   if (prediction.surfaces) options.progress(prediction.surfaces->solution.brief_report());
   prediction.watch.lap("solve");
   options.solved();

@@ -42,6 +42,14 @@ void require_one_pressure(const Scene& scene) {
                    ", expected one pressure, as the operation joins them to one lumen");
 }
 
+std::optional<std::string> rough_prestress(const std::string& vessel, double share) {
+  if (share <= largest_displacement) return std::nullopt;
+  return "prestress of " + vessel + ": it is that of a linear displacement of up to " +
+         number_text(100 * share, 2) +
+         " % of the radius; beyond 10 % this first step is rough, though the shape as seen is in "
+         "equilibrium with it";
+}
+
 namespace {
 
 void prestress_wall(PreparedVessel& prepared, const VesselConditions& conditions, bool cut,
@@ -54,12 +62,8 @@ void prestress_wall(PreparedVessel& prepared, const VesselConditions& conditions
   if (prepared.prestress_displacement.rows() == 0) return;
   const double share =
       prepared.prestress_displacement.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius;
-  if (share > largest_displacement)
-    prediction.notes.push_back(
-        "prestress of " + prepared.spec.name + ": it is that of a linear displacement of up to " +
-        number_text(100 * share, 2) +
-        " % of the radius; beyond 10 % this first step is rough, though the shape as seen is in "
-        "equilibrium with it");
+  if (const auto note = rough_prestress(prepared.spec.name, share))
+    prediction.notes.push_back(*note);
 }
 
 void prestress_rod(PredictedVessel& vessel, bool cut, Prediction& prediction) {
@@ -98,7 +102,7 @@ void prestress(Prediction& prediction, LumenOf lumen,
     const bool cut = is_opened(scene, spec.name);
     if (lumen == LumenOf::wall)
       prestress_wall(prepared, vessel.conditions, cut, prediction);
-    else
+    else if (lumen == LumenOf::rod)
       prestress_rod(vessel, cut, prediction);
   }
 }

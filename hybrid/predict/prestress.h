@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "predict/fidelity.h"
@@ -13,10 +14,14 @@ namespace vasorod {
 void require_one_pressure(const Scene& scene);
 
 /// Gives the vessels with a pressure or an axial prestretch the stress they were seen with, in what
-/// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod.
-/// Adds a note for each pressure. `begin` is called before each vessel. Throws InputError for a
-/// pressure that the wall cannot bear.
+/// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod,
+/// or leaves it to the fidelity's solver. Adds a note for each pressure. `begin` is called before
+/// each vessel. Throws InputError for a pressure that the wall cannot bear.
 void prestress(Prediction& prediction, LumenOf lumen,
                const std::function<void(const std::string&)>& begin);
+
+/// The sentence about a prestress of a displacement so large that this first step is rough; empty:
+/// it is not. `share`: its largest length over the vessel's radius.
+std::optional<std::string> rough_prestress(const std::string& vessel, double share);
 
 }  // namespace vasorod

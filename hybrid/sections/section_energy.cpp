@@ -1,11 +1,14 @@
 #include "sections/section_energy.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "data/index.h"
 #include "numerics/dense_blocks.h"
+#include "wall/axial_stretch.h"
+#include "wall/lumen.h"
 
 namespace vasorod {
 namespace {
@@ -13,19 +16,30 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The jet's vectors: order of their derivative along and around.
-constexpr std::array<int, 5> order_along{1, 0, 2, 1, 0}, order_around{0, 1, 0, 1, 2};
+// The jet's vectors, the point itself last: order of their derivative along and around.
+constexpr std::array<int, 6> order_along{1, 0, 2, 1, 0, 0}, order_around{0, 1, 0, 1, 2, 0};
+// The vectors of a WallPoint and of a LumenPoint.
+constexpr std::array<int, 5> of_wall{0, 1, 2, 3, 4};
+constexpr std::array<int, 3> of_lumen{5, 0, 1};
 
 // Two vectors of a jet whose orders along are these.
 struct Pair {
   int a, b;
 };
-std::vector<Pair> pairs_of(int along_a, int along_b) {
+// With six vectors, those of the point itself that meet in the lumen's Hessian follow.
+std::vector<Pair> pairs_of(const std::array<int, 2>& along, int vectors) {
   std::vector<Pair> pairs;
+  const auto add = [&](int a, int b) {
+    if (order_along[index(a)] == along[0] && order_along[index(b)] == along[1])
+      pairs.push_back({a, b});
+  };
   for (int a = 0; a < 5; ++a)
-    for (int b = 0; b < 5; ++b)
-      if (order_along[index(a)] == along_a && order_along[index(b)] == along_b)
-        pairs.push_back({a, b});
+    for (int b = 0; b < 5; ++b) add(a, b);
+  if (vectors == 6)
+    for (const int first : {0, 1}) {
+      add(5, first);
+      add(first, 5);
+    }
   return pairs;
 }
 constexpr std::array<std::array<int, 2>, 6> orders{
@@ -54,10 +68,10 @@ void gauss(int count, VectorXd& abscissa, VectorXd& weight) {
   }
 }
 
-// C = A B by the BLAS.
+// C = A B by the BLAS; of A as many columns as B has rows.
 void multiply(const MatrixXd& a, const MatrixXd& b, MatrixXd& c) {
   const int rows = static_cast<int>(a.rows()), columns = static_cast<int>(b.cols()),
-            inner = static_cast<int>(a.cols());
+            inner = static_cast<int>(b.rows());
   c.resize(rows, columns);
   const double one = 1, zero = 0;
   dgemm_("N", "N", &rows, &columns, &inner, &one, a.data(), &rows, b.data(), &inner, &zero,
@@ -68,15 +82,20 @@ void multiply(const MatrixXd& a, const MatrixXd& b, MatrixXd& c) {
 
 // The vectors of the jet at all points around one station, each points x 3.
 struct SectionEnergy::Jets {
-  std::array<MatrixXd, 5> vector;
+  std::array<MatrixXd, 6> vector;
   SurfaceJet at(Eigen::Index q) const {
     SurfaceJet jet;
     for (int a = 0; a < 5; ++a) jet.col(a) = vector[index(a)].row(q).transpose();
     return jet;
   }
+  Mat3 of_lumen_at(Eigen::Index q) const {
+    Mat3 jet;
+    for (int k = 0; k < 3; ++k) jet.col(k) = vector[index(of_lumen[index(k)])].row(q).transpose();
+    return jet;
+  }
 };
 
-SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space), rest_(wall.rest) {
+SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space), wall_(wall) {
   // Twice as many points as harmonics integrate a quadratic energy of the strains exactly; the
   // strains hold products of the surface's harmonics.
   const int around = 4 * space_.harmonics + 4;
@@ -85,7 +104,7 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
   for (int k = 0; k < 3; ++k) around_[index(k)] = harmonic_values(angles, space_.harmonics, k);
   VectorXd abscissa, weight;
   gauss(stations_per_span(), abscissa, weight);
-  const MatrixXd sections = rest_.coefficients;
+  const MatrixXd& sections = wall_.rest.coefficients;
   for (int span = 0; span < space_.along.spans(); ++span) {
     const double from = space_.along.begin(span), half = (space_.along.end(span) - from) / 2;
     for (Eigen::Index g = 0; g < abscissa.size(); ++g) {
@@ -100,17 +119,23 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
           sections.middleCols(basis.first, functions) * basis.values.row(1).transpose();
       const Vec3 axis(slope[0], slope[space_.modes()], slope[2 * space_.modes()]);
       const double thickness = wall.thickness(u);
+      station.u = u;
+      station.measure = half * weight[g] * 2 * std::numbers::pi / around;
       const Jets here = jets(sections, station);
       for (int q = 0; q < around; ++q)
-        station.points.emplace_back(
-            here.at(q), axis, wall.mid_offset - thickness / 2, wall.mid_offset + thickness / 2,
-            half * weight[g] * 2 * std::numbers::pi / around, wall.material);
+        station.points.emplace_back(here.at(q), axis, wall.mid_offset - thickness / 2,
+                                    wall.mid_offset + thickness / 2, station.measure,
+                                    wall.material);
       stations_.push_back(std::move(station));
     }
   }
-  const int modes = space_.modes();
+  set_products(5);
+}
+
+void SectionEnergy::set_products(int vectors) {
+  const int modes = space_.modes(), around = static_cast<int>(around_[0].rows());
   for (size_t o = 0; o < orders.size(); ++o) {
-    const std::vector<Pair> pairs = pairs_of(orders[o][0], orders[o][1]);
+    const std::vector<Pair> pairs = pairs_of(orders[o], vectors);
     MatrixXd& products = products_[o];
     products.resize(modes * modes, std::ssize(pairs) * around);
     for (size_t p = 0; p < pairs.size(); ++p)
@@ -123,6 +148,37 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
   }
 }
 
+void SectionEnergy::set_prestress(const MatrixXd& displacement, double axial_prestretch) {
+  const Vec3 strain = strain_of_stretch(wall_.material, axial_prestretch);
+  for (Station& station : stations_) {
+    const Jets rest = jets(wall_.rest.coefficients, station), moved = jets(displacement, station);
+    for (Eigen::Index q = 0; q < around_[0].rows(); ++q)
+      station.points[index(q)].set_prestress(rest.at(q), moved.at(q), strain);
+  }
+}
+
+void SectionEnergy::set_pressure(double pressure) {
+  pressure_ = pressure;
+  if (pressure != 0 && stations_.front().lumen.empty()) set_lumen();
+}
+
+void SectionEnergy::set_lumen() {
+  set_products(6);
+  const double thinning = thinning_exponent(wall_.material);
+  for (Station& station : stations_) {
+    const Jets rest = jets(wall_.rest.coefficients, station);
+    for (Eigen::Index q = 0; q < around_[0].rows(); ++q) {
+      const SurfaceJet jet = rest.at(q);
+      station.lumen.emplace_back(jet.col(0).cross(jet.col(1)).norm(), depth(station.u), thinning,
+                                 station.measure);
+    }
+  }
+}
+
+std::array<SectionLid, 2> SectionEnergy::lids() const {
+  return {SectionLid(space_.harmonics, false), SectionLid(space_.harmonics, true)};
+}
+
 SectionEnergy::Jets SectionEnergy::jets(const MatrixXd& coefficients,
                                         const Station& station) const {
   const Eigen::Index functions = station.basis.cols();
@@ -130,7 +186,7 @@ SectionEnergy::Jets SectionEnergy::jets(const MatrixXd& coefficients,
   const MatrixXd sections =
       coefficients.middleCols(station.first, functions) * station.basis.transpose();
   Jets jets;
-  for (size_t a = 0; a < 5; ++a)
+  for (size_t a = 0; a < index(vectors()); ++a)
     jets.vector[a].noalias() =
         around_[index(order_around[a])] * sections.col(order_along[a]).reshaped(space_.modes(), 3);
   return jets;
@@ -141,9 +197,19 @@ double SectionEnergy::gradient(const MatrixXd& coefficients, MatrixXd& gradient,
   gradient.setZero(coefficients.rows(), coefficients.cols());
   double energy = 0, square = 0;
   const Eigen::Index around = around_[0].rows();
-  std::array<MatrixXd, 5> force;
+  std::array<MatrixXd, 6> force;
   for (MatrixXd& f : force) f.resize(around, 3);
   MatrixXd sections(space_.row_size(), 3), local;
+  // Adds the forces on these vectors of the jets at a station.
+  const auto add = [&](const Station& station, const auto& used) {
+    sections.setZero();
+    for (const int a : used)
+      sections.col(order_along[index(a)]).reshaped(space_.modes(), 3) +=
+          around_[index(order_around[index(a)])].transpose() * force[index(a)];
+    local.noalias() = sections * station.basis;
+    square += local.squaredNorm();
+    gradient.middleCols(station.first, station.basis.cols()) += local;
+  };
   for (const Station& station : stations_) {
     const Jets here = jets(coefficients, station);
     for (Eigen::Index q = 0; q < around; ++q) {
@@ -151,14 +217,24 @@ double SectionEnergy::gradient(const MatrixXd& coefficients, MatrixXd& gradient,
       energy += e.membrane + e.bending;
       for (int a = 0; a < 5; ++a) force[index(a)].row(q) = e.gradient.col(a).transpose();
     }
-    sections.setZero();
-    for (size_t a = 0; a < 5; ++a)
-      sections.col(order_along[a]).reshaped(space_.modes(), 3) +=
-          around_[index(order_around[a])].transpose() * force[a];
-    local.noalias() = sections * station.basis;
-    square += local.squaredNorm();
-    gradient.middleCols(station.first, station.basis.cols()) += local;
+    add(station, of_wall);
+    if (pressure_ == 0) continue;
+    for (Eigen::Index q = 0; q < around; ++q) {
+      const PointVolume v = station.lumen[index(q)].volume(here.of_lumen_at(q), false);
+      energy -= pressure_ * v.value;
+      for (int k = 0; k < 3; ++k)
+        force[index(of_lumen[index(k)])].row(q) = -pressure_ * v.gradient.col(k).transpose();
+    }
+    add(station, of_lumen);
   }
+  if (pressure_ != 0)
+    for (const SectionLid& lid : lids()) {
+      const Eigen::Index row = lid.last() ? coefficients.cols() - 1 : 0;
+      VectorXd on_lid = VectorXd::Zero(space_.row_size());
+      energy -= pressure_ * lid.add_gradient(coefficients.col(row), -pressure_, on_lid);
+      square += on_lid.squaredNorm();
+      gradient.col(row) += on_lid;
+    }
   size = std::sqrt(square);
   return energy;
 }
@@ -175,21 +251,31 @@ void SectionEnergy::hessian(const MatrixXd& coefficients, BlockBand& hessian,
             square = modes * modes;
   // Columns (order pair, station): blocks of two sections' derivatives, modes^2 * 9.
   MatrixXd sums(square * 9, 6 * stations), values, product;
-  MatrixXd points(225, around);
+  const int rows = 3 * vectors();
+  MatrixXd points(rows * rows, around);
   for (int span = 0; span < space_.along.spans(); ++span) {
     for (int g = 0; g < stations; ++g) {
       const Station& station = stations_[index(span * stations + g)];
       const Jets here = jets(coefficients, station);
-      for (int q = 0; q < around; ++q)
-        points.col(q) =
-            station.points[index(q)].energy(here.at(q), true, stress_share).hessian.reshaped();
+      for (int q = 0; q < around; ++q) {
+        points.col(q).setZero();
+        auto point = points.col(q).reshaped(rows, rows);
+        point.topLeftCorner<15, 15>() =
+            station.points[index(q)].energy(here.at(q), true, stress_share).hessian;
+        if (pressure_ == 0) continue;
+        const PointVolume v = station.lumen[index(q)].volume(here.of_lumen_at(q), true);
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l)
+            point.block<3, 3>(3 * of_lumen[index(k)], 3 * of_lumen[index(l)]) -=
+                stress_share * pressure_ * v.hessian.block<3, 3>(3 * k, 3 * l);
+      }
       for (size_t o = 0; o < orders.size(); ++o) {
-        const std::vector<Pair> pairs = pairs_of(orders[o][0], orders[o][1]);
+        const std::vector<Pair> pairs = pairs_of(orders[o], vectors());
         values.resize(std::ssize(pairs) * around, 9);
         for (size_t p = 0; p < pairs.size(); ++p)
           for (int c = 0; c < 9; ++c)
             values.col(c).segment(static_cast<int>(p) * around, around) =
-                points.row(3 * pairs[p].a + c % 3 + 15 * (3 * pairs[p].b + c / 3)).transpose();
+                points.row(3 * pairs[p].a + c % 3 + rows * (3 * pairs[p].b + c / 3)).transpose();
         multiply(products_[o], values, product);
         sums.col(static_cast<int>(o) * stations + g) = product.reshaped();
       }
@@ -223,14 +309,20 @@ void SectionEnergy::hessian(const MatrixXd& coefficients, BlockBand& hessian,
         }
       }
   }
+  if (pressure_ != 0)
+    for (const SectionLid& lid : lids()) {
+      const int row = lid.last() ? hessian.rows() - 1 : 0;
+      lid.add_hessian(coefficients.col(row), -stress_share * pressure_, hessian.upper(row, row));
+    }
 }
 
 SectionEnergy::Report SectionEnergy::report(const MatrixXd& coefficients) const {
   Report report;
   for (const Station& station : stations_) {
     const Jets here = jets(coefficients, station);
-    const VectorXd section = rest_.coefficients.middleCols(station.first, station.basis.cols()) *
-                             station.basis.row(0).transpose();
+    const VectorXd section =
+        wall_.rest.coefficients.middleCols(station.first, station.basis.cols()) *
+        station.basis.row(0).transpose();
     for (Eigen::Index q = 0; q < around_[0].rows(); ++q) {
       const WallPoint& point = station.points[index(q)];
       const PointEnergy e = point.energy(here.at(q), false);

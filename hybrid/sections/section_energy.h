@@ -1,5 +1,8 @@
 // The elastic energy of a vessel's wall as a function of the coefficients of its surface
-// (section_shape.h), by Gauss points along each span and equally spaced points around.
+// (section_shape.h), by Gauss points along each span and equally spaced points around; and that of
+// a pressure p in its lumen, -p V, with the volume V between the lids over its ends
+// (lumen_point.h, section_lid.h). The sums around are exact for V, those along for the area of the
+// surface, so that V does not depend on the origin.
 //
 // Gradient and Hessian are summed factor by factor: around the section first, then along the span,
 // as products of dense matrices.
@@ -10,6 +13,8 @@
 #include <vector>
 
 #include "sections/block_band.h"
+#include "sections/lumen_point.h"
+#include "sections/section_lid.h"
 #include "sections/wall_point.h"
 
 namespace vasorod {
@@ -30,6 +35,15 @@ class SectionEnergy {
   const SectionSpace& space() const { return space_; }
   int unknowns() const { return space_.row_size() * space_.along.count(); }
 
+  /// At rest the wall carries the stress of this linear displacement, in coefficients, and of this
+  /// stretch along its axis (wall/wall_energy.h).
+  void set_prestress(const Eigen::MatrixXd& displacement, double axial_prestretch);
+  /// In the lumen, stress; at first 0.
+  void set_pressure(double pressure);
+  double pressure() const { return pressure_; }
+  /// From the given surface inwards to the inner face at rest, length.
+  double depth(double u) const { return wall_.thickness(u) / 2 - wall_.mid_offset; }
+
   /// Returns the energy (force * length) at these coefficients and writes its gradient, of the same
   /// size. `size`: the length of the gradients of all points, which nearly cancel at a minimum.
   double gradient(const Eigen::MatrixXd& coefficients, Eigen::MatrixXd& gradient,
@@ -39,7 +53,7 @@ class SectionEnergy {
                double stress_share = 1) const;
   BlockBand empty_hessian() const;
 
-  /// Energies and extremes of the strain in one state.
+  /// The wall's energies and extremes of its strain in one state.
   struct Report {
     double membrane = 0, bending = 0;
     FaceStretches faces;
@@ -51,19 +65,27 @@ class SectionEnergy {
   struct Station {                  // one Gauss point along
     int first = 0;                  // of its B-splines
     Eigen::MatrixXd basis;          // 3 x degree + 1
+    double u = 0, measure = 0;      // du dtheta of a point
     std::vector<WallPoint> points;  // around
+    std::vector<LumenPoint> lumen;  // the same, once there is a pressure
   };
   /// As many as the degree: measured, one more changes no digit that counts.
   int stations_per_span() const { return space_.along.degree(); }
+  /// Vectors of the jets: those of the wall, and the point itself where there is a pressure.
+  int vectors() const { return pressure_ == 0 ? 5 : 6; }
+  void set_products(int vectors);
+  void set_lumen();
   struct Jets;
   Jets jets(const Eigen::MatrixXd& coefficients, const Station& station) const;
+  std::array<SectionLid, 2> lids() const;
 
   SectionSpace space_;
-  SectionShape rest_;
+  SectionWall wall_;
+  double pressure_ = 0;
   std::vector<Station> stations_;          // stations_per_span() for each span
   std::array<Eigen::MatrixXd, 3> around_;  // points x modes, by derivative
   // Per pair of orders along (00, 01, 02, 11, 12, 22) the products of two harmonics at all points:
-  // modes^2 x (pairs of the jet's vectors * points).
+  // modes^2 x (pairs of the jet's vectors * points). Those with the point itself come last.
   std::array<Eigen::MatrixXd, 6> products_;
 };
 

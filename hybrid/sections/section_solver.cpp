@@ -11,6 +11,7 @@
 #include "data/sentence.h"
 #include "numerics/blas.h"
 #include "sections/section_newton.h"
+#include "sections/section_prestress.h"
 
 namespace vasorod {
 namespace {
@@ -61,6 +62,8 @@ struct Scaled {
     problem.material.young_axial /= stress;
     problem.material.young_transverse /= stress;
     problem.material.shear_axial /= stress;
+    problem.pressure.scan /= stress;
+    problem.pressure.after /= stress;
     for (auto& end : problem.ends)
       if (end) end = scaled(*end, length, force(), origin);
     problem.start = [start = given.start, size = length, from = origin](double t) {
@@ -154,15 +157,13 @@ class Solver {
       bool good = true;
       const int indefinite = indefinite_;
       if (before.rows() == 0) {
-        wall_.rest = in_space(fit_, space);
-        system.emplace(wall_, scaled_.problem.ends);
+        prepare(space, system);
         good = follow_path(*system, z);
       } else {
         // Displacements are carried from space to space, so that each has its own shape at rest.
         SectionShape moved = now;
         moved.coefficients -= in_space(fit_, now.space).coefficients;
-        wall_.rest = in_space(fit_, space);
-        system.emplace(wall_, scaled_.problem.ends);
+        prepare(space, system);
         system->set_time(1);
         z = system->unknowns_of(wall_.rest.coefficients + in_space(moved, space).coefficients,
                                 poses);
@@ -209,6 +210,19 @@ class Solver {
                     static_cast<int>(std::round(per_radius * scaled_.problem.length - 1e-6)));
   }
 
+  // The wall at rest in a space, with the stress that it was seen with.
+  void prepare(const SectionSpace& space, std::optional<SectionSystem>& system) {
+    const SectionProblem& mine = scaled_.problem;
+    wall_.rest = in_space(fit_, space);
+    system.emplace(wall_, mine.ends);
+    system->set_lumen(mine.pressure);
+    if (mine.pressure.scan == 0 && mine.axial_prestretch == 1) return;
+    const SectionShape seen{space, scan_displacement(wall_, mine.ends, mine.pressure.scan,
+                                                     mine.axial_prestretch, mine.name)};
+    solution_.prestress_displacement = points_of(seen, mine.at).rowwise().norm().maxCoeff();
+    system->set_prestress(seen.coefficients, mine.axial_prestretch);
+  }
+
   static std::array<Pose, 2> poses_of(const SectionSystem& system, const VectorXd& z) {
     std::array<Pose, 2> poses;
     const auto at = system.gradient(z);
@@ -223,8 +237,9 @@ class Solver {
   bool follow_path(SectionSystem& system, VectorXd& z) {
     const auto start_at = [&](double t) {
       const SectionProblem::Start start = scaled_.problem.start(t);
-      return std::pair(fit_sections(system.space(), scaled_.problem.at, start.points).coefficients,
-                       start.poses);
+      const SectionShape moved =
+          fit_sections(system.space(), scaled_.problem.at, start.points - scaled_.problem.rest);
+      return std::pair(MatrixXd(wall_.rest.coefficients + moved.coefficients), start.poses);
     };
     MatrixXd ahead, before;
     for (const double t : scaled_.problem.times) {
@@ -309,8 +324,14 @@ class Solver {
     solution_.report.bending *= scaled_.energy();
     for (Vec3* place : {&solution_.report.least_place, &solution_.report.largest_place})
       *place = scaled_.unscaled(*place);
-    Vec3 sum = Vec3::Zero();
     double largest = 0;
+    for (int e = 0; e < 2; ++e) {
+      const Vec3 lid = system.carried_lid(e, z);
+      solution_.lumen -= lid;
+      largest = std::max(largest, lid.norm());
+    }
+    Vec3 sum = solution_.lumen;
+    solution_.lumen *= scaled_.force();
     for (int e = 0; e < 2; ++e) {
       auto& end = solution_.ends[index(e)];
       end = system.wrench(e, z, at);

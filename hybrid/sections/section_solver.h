@@ -27,6 +27,8 @@ struct SectionProblem {
   double radius = 0;  ///< mean radius: the unit of length
   double length = 0;  ///< of the axis
   HeldEnds ends;
+  LumenPressure pressure;       ///< the wall at rest is in equilibrium with `scan`, stress
+  double axial_prestretch = 1;  ///< and with this stretch along its axis
   /// Times at which the path of motions and loads is solved; the last is 1.
   std::vector<double> times{1};
   /// Where the search begins at a time of the path.
@@ -58,6 +60,7 @@ struct SolvedSections {
   Points positions;                                    ///< of the vertices, n x 3
   std::array<std::optional<SectionSolution>, 2> ends;  ///< empty: free
   SectionEnergy::Report report;                        ///< energies, extremes of the faces
+  Vec3 lumen = Vec3::Zero();  ///< force of the pressure on the wall, without the lids of its ends
   double residual = 0, balance = 0;  ///< balance: |sum of forces| over the largest
   bool smallest_curvature_positive = false;
   int harmonics = 0, spans = 0, iterations = 0;
@@ -65,6 +68,8 @@ struct SolvedSections {
   double error = 0;
   /// RMS distance of the vertices from the shape at rest, over the radius. They are carried along.
   double fit_error = 0;
+  /// The largest displacement whose stress is the wall's prestress, over the radius.
+  double prestress_displacement = 0;
   Work work;
   std::vector<std::string> notes;
 };

@@ -42,6 +42,11 @@ VectorXd SectionSystem::part(int end, const VectorXd& z) const {
 void SectionSystem::set_time(double t) {
   for (auto& end : ends_)
     if (end) end->pose.set_time(t);
+  energy_.set_pressure(lumen_.scan + t * (lumen_.after - lumen_.scan));
+}
+
+void SectionSystem::set_prestress(const MatrixXd& displacement, double axial_prestretch) {
+  energy_.set_prestress(displacement, axial_prestretch);
 }
 
 VectorXd SectionSystem::unknowns_of(const MatrixXd& coefficients,
@@ -177,7 +182,30 @@ std::optional<SectionSolution> SectionSystem::wrench(int end, const VectorXd& z,
   wrench.center = placed.position;
   wrench.rotation = placed.rotation;
   wrench.load = held.pose.time() * held.pose.section().force;
+  Vec3 force, moment;
+  carried_lid(end, z, wrench.center, force, moment);
+  wrench.force += force;
+  wrench.moment += moment;
   return wrench;
+}
+
+void SectionSystem::carried_lid(int end, const VectorXd& z, const Vec3& center, Vec3& force,
+                                Vec3& moment) const {
+  force = moment = Vec3::Zero();
+  if (!ends_[index(end)] || energy_.pressure() == 0) return;
+  const auto& fixed = ends_[index(end)]->pose.section().fixed;
+  if (!fixed[0] && !fixed[1] && !fixed[2]) return;
+  const int row = end == 0 ? 0 : space().along.count() - 1;
+  SectionLid(space().harmonics, end == 1)
+      .wrench(coefficients(z).col(row), energy_.depth(end), center, force, moment);
+  force *= energy_.pressure();
+  moment *= energy_.pressure();
+}
+
+Vec3 SectionSystem::carried_lid(int end, const VectorXd& z) const {
+  Vec3 force, moment;
+  carried_lid(end, z, Vec3::Zero(), force, moment);
+  return force;
 }
 
 }  // namespace vasorod

@@ -15,6 +15,8 @@ using Mat2 = Eigen::Matrix2d;
 
 // Columns of a jet.
 enum { U, T, UU, UT, TT };
+// Those of the second form (uu, tt, ut).
+constexpr std::array<int, 3> second{UU, TT, UT};
 
 // The surface at a point: normal, dual base vectors, forms. Forms are ordered (uu, tt, ut).
 struct Surface {
@@ -35,7 +37,6 @@ struct Surface {
     inverse << metric[1] / det, -metric[2] / det, -metric[2] / det, metric[0] / det;
     dual[0] = inverse(0, 0) * x.col(U) + inverse(0, 1) * x.col(T);
     dual[1] = inverse(1, 0) * x.col(U) + inverse(1, 1) * x.col(T);
-    const std::array<int, 3> second{UU, TT, UT};
     for (int k = 0; k < 3; ++k) {
       const Vec3 d = x.col(second[static_cast<size_t>(k)]);
       bend[k] = -normal.dot(d);
@@ -43,6 +44,24 @@ struct Surface {
     }
   }
 };
+
+// Derivatives of (a, b) with respect to the jet.
+Eigen::Matrix<double, 6, 15> slopes_of_forms(const SurfaceJet& jet, const Surface& s) {
+  Eigen::Matrix<double, 6, 15> change = Eigen::Matrix<double, 6, 15>::Zero();
+  const auto put = [&](int row, int vector, const Vec3& value) {
+    change.block<1, 3>(row, 3 * vector) = value.transpose();
+  };
+  put(0, U, 2 * jet.col(U));
+  put(1, T, 2 * jet.col(T));
+  put(2, U, jet.col(T));
+  put(2, T, jet.col(U));
+  for (int k = 0; k < 3; ++k) {
+    put(3 + k, U, s.christoffel[0][k] * s.normal);
+    put(3 + k, T, s.christoffel[1][k] * s.normal);
+    put(3 + k, second[static_cast<size_t>(k)], -s.normal);
+  }
+  return change;
+}
 
 // (11, 22, 12) of J^-T a J^-1 from (uu, tt, ut) of a.
 Mat3 pull_back(const Mat2& jacobian) {
@@ -99,6 +118,26 @@ WallPoint::WallPoint(const SurfaceJet& jet, const Vec3& fibre, double inner, dou
         LargeStrainWall{inner, outer, bend_, material.shear_axial, material.poisson_tt, map, 1});
 }
 
+// The derivative of y by the forms (a, b); `membrane`: of e by the metric in the frame.
+Mat6 WallPoint::strain_slopes(const Mat3& membrane) const {
+  Mat6 map = Mat6::Zero();
+  map.topLeftCorner<3, 3>() = membrane * pull_;
+  map.bottomRightCorner<3, 3>() = Vec3(1, 1, 2).asDiagonal() * pull_;
+  return map;
+}
+
+void WallPoint::set_prestress(const SurfaceJet& rest, const SurfaceJet& displacement,
+                              const Vec3& strain) {
+  const Surface s(rest);
+  const MembraneStrain e = membrane_strain(law_, pull_ * s.metric);
+  prestrain_ = strain_slopes(e.derivative) * slopes_of_forms(rest, s) * displacement.reshaped();
+  prestrain_.head<3>() += strain;
+  // Of the Hessian at rest, with which the displacement was found.
+  const Mat6 stiffness =
+      large_ ? large_strain_energy(*large_, Vec6::Zero(), true).tangent : stiffness_;
+  prestress_ = stiffness * prestrain_;
+}
+
 Vec6 WallPoint::strains(const SurfaceJet& jet) const {
   const Surface s(jet);
   Vec6 y;
@@ -120,15 +159,19 @@ PointEnergy WallPoint::energy(const SurfaceJet& jet, bool with_hessian, double s
     const LargeStrainEnergy all = large_strain_energy(*large_, y, with_hessian);
     Vec6 flat = y;
     flat.tail<3>().setZero();
-    result.membrane = large_strain_energy(*large_, flat, false).value;
-    result.bending = all.value - result.membrane;
-    stress = all.stress;
+    const double membrane = large_strain_energy(*large_, flat, false).value;
+    result.membrane =
+        membrane + prestress_.dot(prestrain_) / 2 + prestress_.head<3>().dot(y.head<3>());
+    result.bending = all.value - membrane + prestress_.tail<3>().dot(y.tail<3>());
+    stress = all.stress + prestress_;
     tangent = all.tangent;
   } else {
-    stress = stiffness_ * y;
+    // A prestress is that of strains in the state of no stress, of which these are the sum.
+    const Vec6 whole = y + prestrain_;
+    stress = stiffness_ * whole;
     tangent = stiffness_;
-    result.membrane = e.strain.dot(stiffness_.topLeftCorner<3, 3>() * e.strain) / 2;
-    result.bending = y.dot(stress) / 2 - result.membrane;
+    result.membrane = whole.head<3>().dot(stiffness_.topLeftCorner<3, 3>() * whole.head<3>()) / 2;
+    result.bending = whole.dot(stress) / 2 - result.membrane;
   }
   result.membrane *= area_;
   result.bending *= area_;
@@ -145,24 +188,8 @@ PointEnergy WallPoint::energy(const SurfaceJet& jet, bool with_hessian, double s
   g.col(UT) = -of_bend[2] * n;
   if (!with_hessian) return result;
 
-  // Derivatives of (a, b) with respect to the jet.
-  Eigen::Matrix<double, 6, 15> change = Eigen::Matrix<double, 6, 15>::Zero();
-  const auto put = [&](int row, int vector, const Vec3& value) {
-    change.block<1, 3>(row, 3 * vector) = value.transpose();
-  };
-  put(0, U, 2 * jet.col(U));
-  put(1, T, 2 * jet.col(T));
-  put(2, U, jet.col(T));
-  put(2, T, jet.col(U));
-  const std::array<int, 3> second{UU, TT, UT};
-  for (int k = 0; k < 3; ++k) {
-    put(3 + k, U, s.christoffel[0][k] * n);
-    put(3 + k, T, s.christoffel[1][k] * n);
-    put(3 + k, second[static_cast<size_t>(k)], -n);
-  }
-  Mat6 map = Mat6::Zero();  // (a, b) to y
-  map.topLeftCorner<3, 3>() = e.derivative * pull_;
-  map.bottomRightCorner<3, 3>() = Vec3(1, 1, 2).asDiagonal() * pull_;
+  const Eigen::Matrix<double, 6, 15> change = slopes_of_forms(jet, s);
+  const Mat6 map = strain_slopes(e.derivative);
   Mat6 by_forms = map.transpose() * tangent * map;
   if (stress_share != 0)
     by_forms.topLeftCorner<3, 3>() += stress_share * pull_.transpose() *

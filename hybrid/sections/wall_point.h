@@ -5,6 +5,8 @@
 // metric a_AB = x_A . x_B, and c = b - b0 from the second fundamental form b_AB = -x_AB . n, both
 // pulled back to the frame (fibre, across) of the wall at rest. n points outward; b is positive
 // where the wall is convex.
+//
+// A prestress s adds s . y and a constant, as in wall/triangle_energy.h.
 #pragma once
 
 #include <array>
@@ -27,13 +29,18 @@ struct PointEnergy {
   Eigen::Matrix<double, 15, 15> hessian;  ///< only if requested
 };
 
-/// The wall at rest at one point. Lengths in one unit, moduli in one unit.
+/// The wall at rest at one point, free of stress unless a prestress is set. Lengths in one unit,
+/// moduli in one unit.
 class WallPoint {
  public:
   /// `jet`: at rest. `fibre`: any length, not normal to the surface. `inner`, `outer`: heights of
   /// the wall's faces over the given surface. `measure`: du dtheta of the point.
   WallPoint(const SurfaceJet& jet, const Vec3& fibre, double inner, double outer, double measure,
             const Material& material);
+
+  /// At rest the point carries the stress of this linear displacement (of the rest jet, which is
+  /// that of the constructor) and of `strain` (11, 22, 2*12).
+  void set_prestress(const SurfaceJet& rest, const SurfaceJet& displacement, const Vec3& strain);
 
   /// `stress_share`: of the Hessian's part that is proportional to the present stress. Without it
   /// (0) the Hessian of a quadratic law has no negative curvature.
@@ -44,12 +51,14 @@ class WallPoint {
 
  private:
   Vec6 strains(const SurfaceJet& jet) const;
+  Mat6 strain_slopes(const Mat3& membrane) const;
 
   Law law_ = Law::biot;
   // From (x_uu', x_tt', x_ut') of a tensor in the parameters to (11, 22, 12) in the frame.
   Mat3 pull_;
   Vec3 bend_;  // b0 (11, 22, 12), 1/length
   double area_ = 0, inner_ = 0, outer_ = 0;
+  Vec6 prestrain_ = Vec6::Zero(), prestress_ = Vec6::Zero();  // the stress per area
   Mat6 stiffness_;                                // per area, of the laws that are quadratic
   std::shared_ptr<const LargeStrainWall> large_;  // of the others
 };

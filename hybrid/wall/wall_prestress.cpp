@@ -5,6 +5,7 @@
 // another mesh of the same wall, u is interpolated and s made again.
 #include <Eigen/SparseCholesky>
 
+#include "wall/axial_stretch.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod {
@@ -17,11 +18,8 @@ void WallEnergy::set_prestress(const WallInput& input) {
     change.segment<3>(3 * i) = displacement.row(i).transpose();
   Eigen::SparseMatrix<double> stiffness = hessian(rest_).selfadjointView<Eigen::Lower>();
 
-  // The fibre's tension; the wall is free to contract across it.
-  const Mat3 plane = plane_stress(input.material);
   Vec6 stretch = Vec6::Zero();
-  stretch[0] = input.axial_prestretch - 1;
-  stretch[1] = -plane(0, 1) / plane(1, 1) * stretch[0];
+  stretch.head<3>() = strain_of_stretch(input.material, input.axial_prestretch);
   for (TriangleRest& rest : triangle_rest_) rest.prestress = rest.stiffness * stretch;
 
   // The normals of free edges follow in equilibrium.

@@ -197,8 +197,8 @@ TEST(Predict, ScenesThatCannotBeSolvedAreRefusedWithTheVessel) {
   scene.vessels[0].pressure = LumenPressure{0, 0.01};
   EXPECT_NE(
       refusal([&] { predict(scene); })
-          .find("vessel aorta: found a pressure at fidelity paper, expected fidelity rod, skin "
-                "or coupled, whose rods or walls"),
+          .find("vessel aorta: found a pressure at fidelity paper, expected fidelity rod, skin, "
+                "section or coupled, whose rods or walls"),
       std::string::npos);
 
   scene = stretched_tube(1e-3, "paper");

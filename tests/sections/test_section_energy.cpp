@@ -7,13 +7,13 @@ namespace vasorod {
 namespace {
 
 using Eigen::MatrixXd;
-using testing::disturbed, testing::moved, testing::straight_shape, testing::wall_of_shape;
+using testing::disturbed, testing::straight_shape, testing::wall_of_shape;
+
+using testing::moved;
 
 const SectionSpace space{2, AxialBasis(5, 3)};
 
-TEST(SectionEnergy, DerivativesMatchDifferences) {
-  const SectionEnergy energy(
-      wall_of_shape(disturbed(straight_shape(space, 1, 4), 0.02), 0.1, Law::biot, 0.03));
+void expect_derivatives(const SectionEnergy& energy) {
   const MatrixXd at = disturbed(straight_shape(space, 1.05, 4.2), 0.06).coefficients;
   MatrixXd gradient, low, high;
   double size = 0;
@@ -41,6 +41,57 @@ TEST(SectionEnergy, DerivativesMatchDifferences) {
     }
   EXPECT_LT(slope_error, 1e-7 * gradient.norm());
   EXPECT_LT(change_error, 1e-7 * largest);
+}
+
+TEST(SectionEnergy, DerivativesMatchDifferences) {
+  SectionEnergy energy(
+      wall_of_shape(disturbed(straight_shape(space, 1, 4), 0.02), 0.1, Law::biot, 0.03));
+  expect_derivatives(energy);
+  energy.set_pressure(0.1);
+  expect_derivatives(energy);
+  energy.set_prestress(disturbed(straight_shape(space, 0.02, 0.1), 0.01).coefficients, 1.05);
+  expect_derivatives(energy);
+}
+
+// What a pressure adds over itself.
+double volume(SectionEnergy& energy, const MatrixXd& at, MatrixXd& gradient) {
+  MatrixXd without;
+  double size = 0;
+  energy.set_pressure(0);
+  const double of_wall = energy.gradient(at, without, size);
+  energy.set_pressure(1);
+  const double volume = of_wall - energy.gradient(at, gradient, size);
+  gradient = without - gradient;
+  return volume;
+}
+
+TEST(SectionEnergy, TheLumenOfATubeIsThatOfItsInnerFaceOnItsStrip) {
+  const double radius = 2, length = 5, thickness = 0.1, offset = 0.02, nu = 0.3;
+  SectionEnergy energy(
+      wall_of_shape(straight_shape(space, radius, length), thickness, Law::biot, offset, nu));
+  MatrixXd unused;
+  const double depth = thickness / 2 - offset, side = 2 * std::numbers::pi * radius * length;
+  EXPECT_NEAR(volume(energy, straight_shape(space, radius, length).coefficients, unused),
+              std::numbers::pi * radius * radius * length - depth * side, 1e-12);
+  // Twice as long and as wide: the tissue thins by A^m, m = (1 - 2 nu) / (1 - nu).
+  EXPECT_NEAR(volume(energy, straight_shape(space, 2 * radius, 2 * length).coefficients, unused),
+              8 * std::numbers::pi * radius * radius * length -
+                  depth * side * std::pow(4, (1 - 2 * nu) / (1 - nu)),
+              1e-11);
+}
+
+TEST(SectionEnergy, TheLumenDoesNotDependOnTheOrigin) {
+  const SectionShape rest = disturbed(straight_shape(space, 1, 4), 0.02),
+                     now = disturbed(straight_shape(space, 1.05, 4.2), 0.06);
+  SectionEnergy energy(wall_of_shape(rest, 0.1));
+  MatrixXd gradient, there;
+  const Pose motion{exp_rotation(Vec3(0.7, -1.2, 0.4)), Vec3(30, 10, -20)};
+  const double one = volume(energy, now.coefficients, gradient),
+               other = volume(energy, moved(now, motion), there);
+  EXPECT_NEAR(one, other, 1e-10 * one);
+  // So that a closed lumen has no resultant: the first harmonics of all rows sum to nothing.
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(gradient.row(k * space.modes()).sum(), 0, 1e-12 * gradient.norm());
 }
 
 TEST(SectionEnergy, ARigidMotionCostsNothing) {

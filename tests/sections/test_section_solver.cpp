@@ -125,6 +125,113 @@ TEST(SectionSolver, TheEstimateHoldsAgainstAFinerSolution) {
   }
 }
 
+// Lame's thick tube in plane strain: the mid-wall moves by u(R), which of R 10, t 1 at a pressure
+// of E / 100 is .881404 (nu .3) and .746255 (nu .5). The held ends feel 2 nu p pi r_i^2. The lumen
+// leaves terms in (t / R)^2 out.
+TEST(SectionSolver, ATubeUnderPressureWidensAsLameSays) {
+  const double pressure = 1e-7;
+  for (const double nu : {0.0, 0.3, 0.5}) {
+    Tube tube(10);  // R 10, t 1
+    tube.problem.material = Material::isotropic(1, nu);
+    tube.problem.pressure = {0, pressure};
+    for (auto& end : tube.problem.ends) end->rigid = false;
+    const SolvedSections found = solve_sections(tube.problem);
+    EXPECT_EQ(found.status, Status::converged);
+    const double a = 9.5, b = 10.5;
+    const double exact =
+        (1 + nu) * pressure * a * a / (b * b - a * a) * ((1 - 2 * nu) * 10 + b * b / 10);
+    const Points moved = found.positions - tube.problem.rest;
+    double widening = 0;
+    for (Eigen::Index v = 0; v < moved.rows(); ++v)
+      widening += moved.row(v).head<2>().dot(tube.problem.rest.row(v).head<2>()) / 10 /
+                  double(moved.rows());
+    EXPECT_NEAR(widening / exact, 1, 5e-3) << nu;
+    const double lid = pressure * std::numbers::pi * a * a;
+    EXPECT_NEAR(found.ends[1]->force.z(), 2 * nu * lid, 5e-3 * lid) << nu;
+    EXPECT_LT(found.balance, 1e-6);
+  }
+}
+
+// A wall under the pressure and the stretch it was seen at stays as it is, in every space.
+TEST(SectionSolver, TheSeenShapeDoesNotDrift) {
+  for (const bool rigid : {true, false})
+    for (const double error : {1e-2, 1e-12}) {
+      Tube tube;
+      // Oval, tapered, bent.
+      for (Eigen::Index v = 0; v < tube.problem.rest.rows(); ++v) {
+        Vec3 p = tube.problem.rest.row(v);
+        p.head<2>() *= 1 - 0.02 * p.z();
+        p.x() *= 1.2;
+        const double turn = p.z() / 10;
+        tube.problem.rest.row(v) =
+            Vec3(10 - (10 - p.x()) * std::cos(turn), p.y(), (10 - p.x()) * std::sin(turn));
+      }
+      tube.end().rest.position = Vec3(10 - 10 * std::cos(1.0), 0, 10 * std::sin(1.0));
+      tube.end().rest.rotation = exp_rotation(Vec3(0, 1, 0));
+      for (auto& end : tube.problem.ends) end->rigid = rigid;
+      tube.problem.pressure = {0.004, 0.004};
+      tube.problem.axial_prestretch = rigid ? 1.08 : 1.01;
+      SectionOptions options;
+      options.error = error;
+      const SolvedSections found = solve_sections(tube.problem, options);
+      EXPECT_EQ(found.status, Status::converged)
+          << rigid << (found.notes.empty() ? "" : found.notes[0]);
+      EXPECT_GT(found.prestress_displacement, 0.01);
+      EXPECT_LT((found.positions - tube.problem.rest).rowwise().norm().maxCoeff(), 1e-9) << rigid;
+    }
+}
+
+// A ring collapses at p = 3 D / R^3. Free edges are softer: a tube as long as its radius comes
+// within 5 %.
+TEST(SectionSolver, ARingCollapsesAtItsPressure) {
+  const double t = 0.05, nu = 0.3, critical = 3 * t * t * t / (12 * (1 - nu * nu));
+  for (const double share : {0.95, 1.05}) {
+    Tube tube(1, 1, 1, 6);
+    tube.problem.thickness.setConstant(t);
+    for (auto& end : tube.problem.ends) end->rigid = false;
+    tube.problem.pressure = {0, -share * critical};
+    tube.problem.times = {0.5, 1};
+    const SolvedSections found = solve_sections(tube.problem);
+    EXPECT_EQ(found.smallest_curvature_positive, share < 1);
+    EXPECT_EQ(found.status, share < 1 ? Status::converged : Status::unstable)
+        << share << (found.notes.empty() ? "" : found.notes[0]);
+  }
+}
+
+// Bent to a fifth of Brazier's curvature, seen at the pressure: a section flattens 1 + p / p_c
+// times less than without one.
+TEST(SectionSolver, PressureKeepsABentTubeRound) {
+  const double nu = 0.5, critical = 3 * thickness * thickness * thickness / (12 * (1 - nu * nu));
+  const double curvature = 0.2 * 0.471 * thickness / std::sqrt(1 - nu * nu), angle = 10 * curvature;
+  double empty = 0;
+  for (const double ratio : {0.0, 1.0, 5.0}) {
+    Tube tube;
+    tube.problem.material = Material::isotropic(1, nu);
+    tube.problem.pressure = {ratio * critical, ratio * critical};
+    for (auto& end : tube.problem.ends) end->rigid = false;
+    tube.end().motion.rotate = {0, angle, 0};
+    tube.end().motion.move = {(1 - std::cos(angle)) / curvature, 0,
+                              std::sin(angle) / curvature - 10};
+    const SolvedSections found = solve_sections(tube.problem);
+    EXPECT_EQ(found.status, Status::converged);
+    // Of the section in the middle: its height in the plane of the bend against its width.
+    double low = 1e9, high = -1e9, wide = 0;
+    const Vec3 center((1 - std::cos(angle / 2)) / curvature, 0, std::sin(angle / 2) / curvature);
+    const Vec3 across(std::cos(angle / 2), 0, -std::sin(angle / 2));
+    for (Eigen::Index v = 0; v < found.positions.rows(); ++v) {
+      if (std::abs(tube.problem.rest(v, 2) - 5) > 1e-6) continue;
+      const Vec3 p = Vec3(found.positions.row(v)) - center;
+      low = std::min(low, p.dot(across));
+      high = std::max(high, p.dot(across));
+      wide = std::max(wide, 2 * std::abs(p.y()));
+    }
+    const double flattening = 1 - (high - low) / wide;
+    if (ratio == 0) empty = flattening;
+    EXPECT_NEAR(flattening / empty, 1 / (1 + ratio), 0.04) << ratio;
+  }
+  EXPECT_GT(empty, 0.01);
+}
+
 TEST(SectionSolver, AWallThatNothingHoldsAndOptionsThatSayNothingAreRefused) {
   Tube tube;
   tube.problem.ends[0].reset();

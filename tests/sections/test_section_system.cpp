@@ -53,6 +53,8 @@ VectorXd some_unknowns(SectionSystem& system, const SectionShape& shape) {
 TEST_P(SectionSystemOf, DerivativesMatchDifferences) {
   const SectionShape rest = disturbed(straight_shape(space, 1, length), 0.02);
   SectionSystem system(wall_of_shape(rest, 0.1), GetParam().ends);
+  system.set_lumen({0.01, 0.04});
+  system.set_prestress(disturbed(straight_shape(space, 0.01, 0.1), 0.01).coefficients, 1.02);
   const VectorXd z = some_unknowns(system, disturbed(straight_shape(space, 1, length), 0.04));
   ASSERT_EQ(z.size(), system.unknowns());
   const auto at = system.gradient(z);
@@ -106,6 +108,32 @@ TEST(SectionSystem, ForcesOfTheEndsAreTheEnergysSlopeAlongTheirMotion) {
     after[first + k] += h;
     const double found = (system.value(after) - system.value(before)) / (2 * h);
     EXPECT_NEAR(found, ends[1]->frame->col(k).dot(wrench.force - ends[1]->force), 1e-8);
+  }
+}
+
+// A support carries the lid of its end, an end that is free to move does not; with the lids the
+// walls' forces sum to nothing.
+TEST(SectionSystem, WithItsLidsTheForcesOfAWallSumToNothing) {
+  const SectionShape rest = straight_shape(space, 1, length);
+  for (const bool free : {false, true}) {
+    HeldEnds ends{held(false, true, all), held(true, true, free ? none : all)};
+    SectionSystem system(wall_of_shape(rest, 0.1), ends);
+    system.set_lumen({0, 0.04});
+    const VectorXd z = some_unknowns(system, disturbed(rest, 0.03));
+    const auto at = system.gradient(z);
+    // Of the free rows, what is not balanced here.
+    Vec3 inside = Vec3::Zero(), forces = Vec3::Zero(), lids = Vec3::Zero();
+    const Eigen::Index rows = at.rows.cols();
+    for (int k = 0; k < 3; ++k)
+      inside[k] = at.rows.row(k * space.modes()).segment(2, rows - 4).sum();
+    for (int e = 0; e < 2; ++e) {
+      forces += system.wrench(e, z, at)->force;
+      lids += system.carried_lid(e, z);
+    }
+    EXPECT_LT((inside + forces - lids).norm(), 1e-14);
+    EXPECT_EQ(system.carried_lid(1, z).norm() == 0, free);
+    const double area = system.carried_lid(0, z).norm() / 0.04;
+    EXPECT_NEAR(area, M_PI * (1 - 0.1), 0.1);
   }
 }
 

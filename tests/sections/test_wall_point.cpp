@@ -58,6 +58,31 @@ TEST_P(WallPointOfALaw, ARigidMotionCostsNothing) {
   EXPECT_LT(e.gradient.norm(), 1e-14);
 }
 
+// With the stress of a displacement: exact derivatives, and at rest the slope of the energy is the
+// Hessian there times that displacement.
+TEST_P(WallPointOfALaw, CarriesAPrestress) {
+  const SectionShape rest = disturbed(straight_shape(space, 1, 4), 0.02),
+                     now = disturbed(straight_shape(space, 1.1, 4.2), 0.07);
+  const SurfaceJet start = rest.jet(u, angle),
+                   displacement = disturbed(straight_shape(space, 0.02, 0.1), 0.01).jet(u, angle);
+  WallPoint point = some_point(GetParam());
+  const Eigen::Matrix<double, 15, 1> expected =
+      point.energy(start, true).hessian * displacement.reshaped();
+  point.set_prestress(start, displacement, Vec3::Zero());
+  const PointEnergy at = point.energy(start, false);
+  EXPECT_LT((at.gradient.reshaped() - expected).norm(), 1e-13 * expected.norm());
+  EXPECT_NEAR(at.membrane + at.bending, displacement.reshaped().dot(expected) / 2,
+              1e-13 * expected.norm());
+  point.set_prestress(start, displacement, Vec3(0.03, -0.01, 0));
+  expect_derivatives(point, now.jet(u, angle));
+  const Pose motion{exp_rotation(Vec3(0.7, -1.2, 0.4)), Vec3(3, 1, -2)};
+  const SectionShape there{space, moved(now, motion)};
+  const PointEnergy a = point.energy(now.jet(u, angle), false),
+                    b = point.energy(there.jet(u, angle), false);
+  EXPECT_NEAR(a.membrane, b.membrane, 1e-13);
+  EXPECT_NEAR(a.bending, b.bending, 1e-13);
+}
+
 TEST(WallPoint, APulledTubeHasTheEnergyOfItsStretch) {
   // Stretched along by e with its radius held: e^2 / 2 E / (1 - nu^2) t (1 + z/R) over the wall.
   const double thickness = 0.2, stretch = 0.01, poisson = 0.3, radius = 1, length = 4;

@@ -15,7 +15,7 @@ from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
 runs = inflated.all_runs()
-assert len({run.identity for run in runs}) == len(runs) == 44
+assert len({run.identity for run in runs}) == len(runs) == 72
 vessel = inflated.scene("twist", 10)["vessels"][0]
 assert vessel["pressure"] == {"after": 10} and vessel["law"] == "neo-hookean"
 

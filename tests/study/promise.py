@@ -8,7 +8,6 @@ from pathlib import Path
 SOURCE = Path(sys.argv[1])
 sys.path.insert(0, str(SOURCE / "benchmarks" / "study"))
 import promise  # noqa: E402
-from tables import read_table  # noqa: E402
 
 
 def row(**entries):
@@ -64,10 +63,10 @@ assert (promise.up(0.0123), promise.up(0.0120), promise.up(3.301), promise.up(0)
     "0.0",
 )
 
-accuracy, _ = read_table(SOURCE / "benchmarks" / "baselines" / "accuracy.csv")
+accuracy = promise.measurements(SOURCE / "benchmarks" / "baselines")
 committed = (SOURCE / "hybrid" / "judge" / "accuracy_table.cpp").read_text()
 assert (
-    promise.source_text(accuracy, "benchmarks/baselines/accuracy.csv") == committed
+    promise.source_text(accuracy, promise.SOURCE) == committed
 ), "study.py promise was not run after the last study.py tables"
 kept = promise.held_out(accuracy)
 assert len(kept) >= 6, "too few cases check the promise"

@@ -10,7 +10,11 @@ sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import sections  # noqa: E402
 import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
-from chapters.sections import sections_section, speed_section  # noqa: E402
+from chapters.sections import (  # noqa: E402
+    refinement_section,
+    sections_section,
+    speed_section,
+)
 from measure import converged, moved_end, norm, result_of, shapes  # noqa: E402
 from store import Store  # noqa: E402
 
@@ -68,3 +72,37 @@ table = sections_section(
     [row, {**row, "surface": "blue-noise", "rms": None, "failure": "status buckled"}], []
 )
 assert "| k | 0.010 / 0.20 | status buckled | 7, 22 | 0.0020 | 30 |" in table, table
+
+# What section_refinement prints: the order is that from one number of spans to the next.
+printed = """## Refinement
+| harmonics | spans | unknowns | rms | moment | settled |
+|---|---|---|---|---|---|
+| 11 | 10 | 900 | 0.008 | 0.01 | 1 |
+| 11 | 20 | 1800 | 0.001 | 0.0025 | 1 |
+| 3 | 20 | 480 | 0.02 | 0.03 | 0 |
+"""
+found = list(sections.refinement_rows(printed))
+assert [row["spans"] for row in found] == [10, 20, 20] and found[1]["rms"] == 0.001, found
+text = refinement_section(found, [])
+assert "| 11 | 20 | 1800 | 0.100000 | 3.0 | 0.250000 | 2.0 | yes |" in text, text
+assert "| 3 | 20 | 480 | 2.000000 | - | 3.000000 | - | no |" in text, text
+
+# As rows of the accuracy table they have what it says of the case; where it has another reference,
+# that one's distance is added to the error of theirs.
+numbers = {**dict.fromkeys(sections.COLUMNS, 0.5), "failure": None}
+one = {"case": "k", "around": 48.0, "demand_bend": 0.3, "reference": "solid", **numbers}
+accuracy = [{**one, "model": "skin"}, {**one, "model": "shell", "around": None, "rms": 0.01}]
+mine = {"case": "k", "surface": "24 around", **numbers, "rms": 0.002, "u_shape": 1e-4}
+rows = [
+    {**mine, "reference": "shell"},
+    {**mine, "reference": "solid", "surface": "48 around"},
+    {**mine, "reference": "solid", "surface": "blue-noise"},
+    {**mine, "case": "unknown", "reference": "solid"},
+]
+found = sections.beside(accuracy, rows)
+assert [(row["model"], row["around"], row["demand_bend"]) for row in found] == [
+    ("section", 24, 0.3),
+    ("section", 48, 0.3),
+], found
+assert [row["u_shape"] for row in found] == [1e-4 + 0.01, 1e-4]
+assert all(row.keys() == accuracy[0].keys() for row in found)

@@ -5,7 +5,7 @@ from chapters.aims import aims
 from names import title
 from tables import markdown, paragraph, percent, provenance_text, signed
 
-MODELS = ("rod", "skin", "paper", "coupled", "shell")
+MODELS = ("rod", "skin", "paper", "section", "coupled", "shell")
 
 
 def case_table(rows, models, column, form):
@@ -95,6 +95,7 @@ def accuracy_section(rows, notes, irregular):
             "`vasorod compare` finds each rest point of the model on the rest surface of the",
             "reference and takes the distance of the displacements. The reference of each case is",
             f"the 7-parameter shell or the solid, p = 4, on two meshes ({', '.join(references)}).",
+            "`section` is compared with the shell in every case.",
             "The error of the reference itself is its grid convergence index, with assumed order 2",
             "and a safety factor of 3. This is a comparison with a higher-fidelity model, not a",
             "validation by experiment.",

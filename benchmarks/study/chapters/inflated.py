@@ -38,22 +38,24 @@ def loads_section(rows, notes):
 def bends_section(rows, notes):
     soft = [row for row in rows if row["section"] == "soft"]
     empty = {
-        row["share"]: row["flattening"] for row in soft if row["ratio"] == 0 and not row["failure"]
+        (row["fidelity"], row["share"]): row["flattening"]
+        for row in soft
+        if row["ratio"] == 0 and not row["failure"]
     }
 
     def line(row):
-        start = [row["section"], f"{row['share']:g}", f"{row['ratio']:g}"]
+        start = [row["fidelity"], row["section"], f"{row['share']:g}", f"{row['ratio']:g}"]
         start.append(row["failure"] or "converged")
         if row["failure"]:
             return [*start, *["-"] * 5, f"{row['seconds']:.1f}"]
         over, expected = "-", "-"
-        if row in soft and row["share"] in empty:
-            over = f"{row['flattening'] / empty[row['share']]:.3f}"
+        if row in soft and (row["fidelity"], row["share"]) in empty:
+            over = f"{row['flattening'] / empty[row['fidelity'], row['share']]:.3f}"
             expected = f"{1 / (1 + row['ratio']):.3f}"
         numbers = [f"{row['moment']:.4g}", f"{row['wrinkling_ratio']:.2f}", f"{row['seconds']:.1f}"]
         return [*start, f"{row['flattening']:.4f}", over, expected, *numbers]
 
-    head = ("ends", "share", "p / p_c", "status", "flattening", "over that without")
+    head = ("fidelity", "ends", "share", "p / p_c", "status", "flattening", "over that without")
     head += ("1 / (1 + p / p_c)", "moment, N mm", "wrinkling ratio", "s")
     return "\n".join(
         [

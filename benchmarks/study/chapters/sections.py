@@ -1,5 +1,7 @@
 """Fidelity `section`: errors on tubes, and time against the shell's."""
 
+from math import log
+
 from sections import shell_time
 from tables import markdown, paragraph, percent, provenance_text
 
@@ -102,6 +104,52 @@ def speed_section(rows, notes):
                     ]
                     for row in rows
                 ],
+            ),
+            provenance_text(notes),
+        ]
+    )
+
+
+def order(before, row, name):
+    """By which power of the number of spans the error falls from one row to the next."""
+    if before is None or not before[name] or not row[name]:
+        return "-"
+    return f"{log(before[name] / row[name]) / log(row['spans'] / before['spans']):.1f}"
+
+
+def refinement_section(rows, notes):
+    def line(before, row, with_order):
+        cells = [f"{row['harmonics']:.0f}", f"{row['spans']:.0f}", f"{row['unknowns']:.0f}"]
+        cells += [percent(row["rms"], 6), order(before, row, "rms") if with_order else "-"]
+        cells += [percent(row["moment"], 6), order(before, row, "moment") if with_order else "-"]
+        return [*cells, "yes" if row["settled"] else "no"]
+
+    most = max(row["harmonics"] for row in rows)
+    along = [row for row in rows if row["harmonics"] == most]
+    around = [row for row in rows if row["harmonics"] < most]
+    lines = [line(before, row, True) for before, row in zip([None, *along], along)]
+    lines += [line(None, row, False) for row in around]
+    return "\n".join(
+        [
+            "### Its convergence\n",
+            paragraph(
+                "The tube of the time comparison in given spaces against a finer one: RMS distance",
+                "of material points, and the moment of the moved end. Order: by which power of the",
+                "number of spans the error falls from the row before, with cubic B-splines on",
+                "knots that are denser beside the ends.",
+            ),
+            markdown(
+                (
+                    "harmonics",
+                    "spans",
+                    "unknowns",
+                    "RMS, % R",
+                    "order",
+                    "moment, %",
+                    "order",
+                    "minimum",
+                ),
+                lines,
             ),
             provenance_text(notes),
         ]

@@ -80,7 +80,7 @@ def sensitivity_failures(rows):
 def sensitivity_section(rows, notes, parted):
     models = [
         m
-        for m in ("skin", "paper", "coupled")
+        for m in ("skin", "paper", "section", "coupled")
         if any(row["fidelity"] == m and row["force"] is not None for row in rows)
     ]
     text = [

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <vasorod/error.h>
 
@@ -7,6 +9,7 @@
 #include "data/sentence.h"
 #include "predict/fidelities/fidelities.h"
 #include "predict/path_rule.h"
+#include "predict/prestress.h"
 #include "predict/surface_bodies.h"
 #include "predict/vessel_wall.h"
 #include "predict/walls_means.h"
@@ -27,6 +30,8 @@ SectionProblem problem_of(const PredictedVessel& vessel, const VesselSections& s
   problem.thickness = wall.thickness;
   problem.mid_offset = wall.mid_offset;
   problem.material = wall.material;
+  problem.pressure = vessel.prepared.spec.pressure.value_or(LumenPressure{});
+  problem.axial_prestretch = wall.axial_prestretch;
   problem.radius = v.mean_radius;
   problem.length = length_scale(v.rod);
   std::vector<std::pair<size_t, size_t>> held;  // side and node
@@ -44,6 +49,21 @@ SectionProblem problem_of(const PredictedVessel& vessel, const VesselSections& s
     return start;
   };
   return problem;
+}
+
+// The steps of the motion and of the vessel's pressure.
+std::vector<double> times_of(const Prediction& prediction, const PredictedVessel& vessel) {
+  const std::vector<double> motion = path_times(share_of_limit(prediction)),
+                            pressure = pressure_times(vessel.prepared);
+  std::set<double> all(motion.begin(), motion.end());
+  all.insert(pressure.begin(), pressure.end());
+  return {all.begin(), all.end()};
+}
+
+// Whether anything moves or loads its wall.
+bool acts(const PredictedVessel& vessel) {
+  return vessel.rod_solved || vessel.prepared.spec.pressure ||
+         vessel.prepared.spec.axial_prestretch != 1;
 }
 
 BodySolution resting(const PredictedVessel& vessel) {
@@ -67,6 +87,7 @@ void take(SolvedSections&& found, SolvedSurfaces& surfaces) {
   BodySolution& body = all.bodies.back();
   body.modelled = true;
   body.positions = std::move(found.positions);
+  body.lumen = found.lumen;
   body.residual = found.balance;
   all.status = worse(all.status, found.status);
   all.residual = std::max(all.residual, found.residual);
@@ -94,6 +115,13 @@ std::string resolution(const std::string& name, const SolvedSections& found) {
   return text;
 }
 
+// Whether a note begins like this: where `accuracy:` was to choose, the mesh had a prestress first.
+bool is_noted(const Prediction& prediction, const std::string& beginning) {
+  return std::any_of(
+      prediction.notes.begin(), prediction.notes.end(),
+      [&](const std::string& note) { return note.compare(0, beginning.size(), beginning) == 0; });
+}
+
 }  // namespace
 
 void solve_section(Prediction& prediction, const SolveOptions& options) {
@@ -114,14 +142,18 @@ void solve_section(Prediction& prediction, const SolveOptions& options) {
     if (vessel.prepared.obstacle()) continue;
     sections.back() = sections_of(vessel.prepared.vessel, vessel.conditions, -1);
     ends.back() = resting_ends(sections.back());
-    if (vessel.rod_solved) {
+    if (vessel.prepared.spec.pressure) surfaces.terms.emplace_back("pressure");
+    if (acts(vessel)) {
       SectionProblem problem = problem_of(vessel, sections.back(), "vessel " + name + ": ");
-      problem.times = path_times(share_of_limit(prediction));
+      problem.times = times_of(prediction, vessel);
       SectionOptions how;
       how.stop = options.stop;
       options.progress("sections of " + name);
       SolvedSections found = solve_sections(problem, how);
       prediction.notes.push_back(resolution(name, found));
+      const auto rough = rough_prestress(name, found.prestress_displacement);
+      if (rough && !is_noted(prediction, "prestress of " + name))
+        prediction.notes.push_back(*rough);
       for (size_t k = 0; k < sections.back().nodes.size(); ++k) {
         const bool first =
             vessel.prepared.vessel.ends[index(problem.at.end[0])].node == sections.back().nodes[k];
@@ -129,7 +161,7 @@ void solve_section(Prediction& prediction, const SolveOptions& options) {
       }
       take(std::move(found), surfaces);
       // A rod that left its straight branch began the wall beside it.
-      if (vessel.rod.summary.status == Status::buckled)
+      if (vessel.rod_solved && vessel.rod.summary.status == Status::buckled)
         surfaces.solution.status = worse(surfaces.solution.status, Status::buckled);
     }
     for (const SectionSolution& end : ends.back()) {

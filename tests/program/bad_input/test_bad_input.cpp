@@ -319,9 +319,10 @@ TEST_F(BadInput, ThingsTheSceneSaysWrongly) {
            {"wall:", "pressure: {scan: 5}\n    wall:", "expected at most 242 mmHg"},
            {"wall:", "axial_prestretch: 2.5\n    wall:", "2.5"}})
     expect_refused(changed(glenn, from, to), words);
-  expect_refused(changed(changed(glenn, "fidelity: skin", "fidelity: paper"),
-                         "wall:", "pressure: {scan: 0.001}\n    wall:"),
-                 "found a pressure at fidelity paper, expected fidelity rod, skin or coupled");
+  expect_refused(
+      changed(changed(glenn, "fidelity: skin", "fidelity: paper"),
+              "wall:", "pressure: {scan: 0.001}\n    wall:"),
+      "found a pressure at fidelity paper, expected fidelity rod, skin, section or coupled");
 }
 
 TEST_F(BadInput, SaysFileLineFieldFoundAndExpected) {

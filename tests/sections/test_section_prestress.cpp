@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "sections/section_prestress.h"
+#include "some_tube.h"
+
+namespace vasorod {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+using testing::disturbed, testing::straight_shape, testing::wall_of_shape;
+
+const SectionSpace space{2, AxialBasis(7, 3)};
+constexpr double length = 5;
+
+HeldEnds ends_of(bool rigid) {
+  HeldEnds ends;
+  for (const bool last : {false, true}) {
+    HeldSection& end = ends[last ? 1 : 0].emplace();
+    end.rigid = rigid;
+    end.rest.position = {0, 0, last ? length : 0.0};
+  }
+  return ends;
+}
+
+class SectionPrestressOf : public ::testing::TestWithParam<Law> {};
+INSTANTIATE_TEST_SUITE_P(Laws, SectionPrestressOf,
+                         ::testing::Values(Law::biot, Law::svk, Law::neo_hookean));
+
+// Whatever its shape, the wall as it was seen is in equilibrium, and its energy's slope is exact.
+TEST_P(SectionPrestressOf, TheSeenShapeIsInEquilibrium) {
+  const SectionShape rest = disturbed(straight_shape(space, 1, length), 0.03);
+  const SectionWall wall = wall_of_shape(rest, 0.1, GetParam(), 0.02);
+  for (const bool rigid : {true, false}) {
+    const HeldEnds ends = ends_of(rigid);
+    const double pressure = 0.004, stretch = 1.06;
+    const MatrixXd seen = scan_displacement(wall, ends, pressure, stretch, "");
+    EXPECT_GT(seen.cwiseAbs().maxCoeff(), 0.02);
+    SectionSystem system(wall, ends);
+    system.set_lumen({pressure, 0});
+    system.set_prestress(seen, stretch);
+    system.set_time(0);
+    std::array<Pose, 2> poses;
+    for (size_t e = 0; e < 2; ++e) poses[e].position = ends[e]->rest.position;
+    const VectorXd z = system.unknowns_of(rest.coefficients, poses);
+    const SectionSystem::Gradient at = system.gradient(z);
+    EXPECT_LT(at.gradient.norm(), 1e-12 * at.size) << rigid;
+    // Without the pressure it is not.
+    system.set_time(1);
+    const SectionSystem::Gradient without = system.gradient(z);
+    EXPECT_GT(without.gradient.norm(), 1e-3 * without.size);
+  }
+}
+
+// Between soft ends held apart a straight tube of nu 0 widens by p r_i R^2 / (E t R) in all its
+// length: its hoop strain is p r_i / (E t), and its own prestress is that tension.
+TEST(SectionPrestress, OfATubeIsItsHoopTension) {
+  const double thickness = 0.02, pressure = 1e-5;
+  const SectionWall wall =
+      wall_of_shape(straight_shape(space, 1, length), thickness, Law::biot, 0, 0);
+  const MatrixXd seen = scan_displacement(wall, ends_of(false), pressure, 1, "");
+  const double strain = pressure * (1 - thickness / 2) / thickness;
+  EXPECT_NEAR(seen(1, 5) / strain, 1, 2e-3);
+  EXPECT_NEAR(seen(space.modes() + 2, 5) / strain, 1, 2e-3);
+  SectionEnergy energy(wall);
+  energy.set_prestress(seen, 1);
+  MatrixXd gradient;
+  double size = 0;
+  const double stored = energy.gradient(wall.rest.coefficients, gradient, size);
+  const double tension = pressure * (1 - thickness / 2);
+  EXPECT_NEAR(stored / (2 * M_PI * length * tension * strain / 2), 1, 5e-3);
+  const SectionEnergy::Report report = energy.report(wall.rest.coefficients);
+  EXPECT_NEAR(report.membrane + report.bending, stored, 1e-14 * stored);
+  EXPECT_NEAR(report.faces.largest, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace vasorod

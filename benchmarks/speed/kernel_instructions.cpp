@@ -9,11 +9,13 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <vasorod/tube.h>
 
 #include "../chain.h"
 #include "bodies/contact_pair.h"
+#include "numerics/cholesky.h"
 #include "paper/paper_energy.h"
 #include "wall/wall_energy.h"
 
@@ -22,18 +24,20 @@ namespace {
 using namespace vasorod;
 
 constexpr double radius = 8, thickness = 1.6, length = 40, nu = 0.3;
+constexpr int around = 64, along = 58;
 
-TubeSpec straight() {
+// Each `coarser` times as coarse.
+TubeSpec straight(int coarser = 1) {
   TubeSpec tube;
   tube.length = length;
   tube.radius = radius;
-  tube.around = 64;
-  tube.along = 58;
+  tube.around = around / coarser;
+  tube.along = along / coarser;
   return tube;
 }
 
-TubeSpec bent() {
-  TubeSpec tube = straight();
+TubeSpec bent(int coarser = 1) {
+  TubeSpec tube = straight(coarser);
   const double curvature = 0.5 * 0.471 * thickness / (radius * radius * std::sqrt(1 - nu * nu));
   tube.bend_deg = curvature * length * 180 / std::numbers::pi;
   return tube;
@@ -44,15 +48,15 @@ using Kernel = std::function<void()>;
 struct Wall {
   std::unique_ptr<WallEnergy> energy;
   Eigen::VectorXd q, gradient;
-  Wall() {
+  explicit Wall(int coarser = 1) {
     WallInput in;
-    in.rest = tube_surface(straight());
+    in.rest = tube_surface(straight(coarser));
     in.thickness.setConstant(in.rest.points.rows(), thickness);
     in.axis.assign(static_cast<std::size_t>(in.rest.triangles.rows()), Vec3::UnitZ());
     in.material = Material::isotropic(1, nu);
     energy = std::make_unique<WallEnergy>(in);
     q = energy->rest();
-    const Points points = tube_surface(bent()).points;
+    const Points points = tube_surface(bent(coarser)).points;
     for (Eigen::Index i = 0; i < points.rows(); ++i) q.segment<3>(3 * i) = points.row(i);
   }
 };
@@ -65,6 +69,28 @@ Kernel wall_gradient() {
 Kernel wall_hessian() {
   const auto wall = std::make_shared<Wall>();
   return [wall] { wall->energy->hessian(wall->q); };
+}
+
+// The numbers of a factor whose pattern is known, ordered as `coupled` orders it; of a mesh half as
+// fine.
+Kernel wall_factor() {
+  struct Factor {
+    Eigen::SparseMatrix<double> matrix;
+    Cholesky cholesky;
+  };
+  const auto factor = std::make_shared<Factor>();
+  const Wall wall(2);
+  factor->matrix = wall.energy->hessian(wall.energy->rest());
+  factor->matrix.diagonal() *= 1.01;  // a wall that nothing holds is only semidefinite
+  const int vertices = wall.energy->vertices();
+  std::vector<int> groups;
+  for (int i = 0; i < vertices; ++i) groups.push_back(3 * i);
+  for (int edge = 3 * vertices; edge < factor->matrix.cols(); ++edge) groups.push_back(edge);
+  factor->cholesky.analyse(factor->matrix,
+                           elimination_order(factor->matrix, groups, Ordering::nested_dissection));
+  return [factor] {
+    if (!factor->cholesky.factorise(factor->matrix)) std::abort();
+  };
 }
 
 // Another such tube at a distance of 1: all closest features are found from scratch.
@@ -101,11 +127,10 @@ Kernel rod_solve() {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const std::map<std::string, Kernel (*)()> kernels{{"wall_gradient", wall_gradient},
-                                                    {"wall_hessian", wall_hessian},
-                                                    {"contact_search", contact_search},
-                                                    {"paper_gradient", paper_gradient},
-                                                    {"rod_solve", rod_solve}};
+  const std::map<std::string, Kernel (*)()> kernels{
+      {"wall_gradient", wall_gradient},   {"wall_hessian", wall_hessian},
+      {"contact_search", contact_search}, {"paper_gradient", paper_gradient},
+      {"rod_solve", rod_solve},           {"wall_factor", wall_factor}};
   if (count == 1) {
     for (const auto& [name, make] : kernels) std::printf("%s\n", name.c_str());
     return 0;

@@ -71,12 +71,14 @@ def row_of(store, pick, record):
     return row
 
 
-def make_table(store, path):
+def make_table(store, path, whole=True):
+    """whole: not before all runs are finished."""
     if not has_anatomy():
         return
     found = [(pick, store.record(run(*pick).identity)) for pick in picks()]
-    if any(record is None for _, record in found):
+    if whole and any(record is None for _, record in found):
         return
+    found = [(pick, record) for pick, record in found if record is not None]
     write_table(
         path,
         [row_of(store, pick, record) for pick, record in found],

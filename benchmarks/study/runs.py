@@ -17,6 +17,7 @@ class Run:
     arguments: tuple
     files: dict = field(hash=False)  # name: text, or a function that makes it where it is needed
     keep: bool = False  # do not repeat it because the program was rebuilt
+    before: tuple = ()  # a program that runs the program, and its arguments
 
     def contents(self):
         return {
@@ -24,9 +25,10 @@ class Run:
         }
 
     def key(self):
-        return sha256(
-            json.dumps([self.program, list(self.arguments), self.contents()], sort_keys=True)
-        )
+        parts = [self.program, list(self.arguments), self.contents()]
+        if self.before:
+            parts.append(list(self.before))
+        return sha256(json.dumps(parts, sort_keys=True))
 
 
 def hybrid_arguments(fidelity=None):

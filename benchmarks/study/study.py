@@ -6,8 +6,10 @@
   study.py promise                      the table behind `accuracy: x`, from those
   study.py report                       docs/comparison.md, docs/extremes.md and the pages of their
                                         tables, from the tables alone
-  study.py check [--quick]              have the curves moved? exit 1 says where, and draws it
-  study.py accept --reason TEXT         yes, and this is why
+  study.py check [--quick] [--fem]      has a number of a table moved? exit 1 says where; --fem: in
+                                        the rows that compare with the reference
+  study.py accept --reason TEXT         yes, and this is why; --quick: for the rows that a quick
+                                        check repeats
 """
 
 import argparse
@@ -27,6 +29,7 @@ import laws  # noqa: E402
 import pressure  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
+import repeated  # noqa: E402
 import sections  # noqa: E402
 import sensitivity  # noqa: E402
 import shear_gap  # noqa: E402
@@ -156,14 +159,27 @@ def write_report(arguments):
 def check(arguments):
     image = arguments.results / "drift.png"
     store = open_store(arguments)
-    curves = regression.check(store, arguments.baselines, arguments.quick, arguments.again, image)
-    joins = join.check(store, arguments.baselines, arguments.quick, arguments.again)
-    if not (curves and joins):
+    baselines, quick, again = arguments.baselines, arguments.quick, arguments.again
+    if arguments.fem:
+        good = repeated.check(store, baselines, True, again)
+    else:
+        # Each says what moved, so all of them are asked.
+        curves = regression.check(store, baselines, quick, again, image)
+        joins = join.check(store, baselines, quick, again)
+        good = repeated.check(store, baselines, False, again) and curves and joins
+    if not good:
+        print("meant? study.py accept --reason '...' takes the new numbers")
         raise SystemExit(1)
 
 
 def accept(arguments):
     store = open_store(arguments)
+    if arguments.quick:
+        repeated.accept(store, arguments.baselines, arguments.fem, arguments.reason)
+        if not arguments.fem:
+            regression.accept_quick(store, arguments.baselines, arguments.reason)
+            join.accept_quick(store, arguments.baselines, arguments.reason)
+        return
     for load in sensitivity.LOADS:
         for one in sensitivity.runs(load):
             store.ensure(one)
@@ -213,12 +229,24 @@ def main():
         help="where the pages and their pictures go (default: docs)",
     )
     command.set_defaults(call=write_report)
-    command = commands.add_parser("check", help="have the baseline's curves moved?")
-    command.add_argument("--quick", action="store_true", help="five factors a curve instead of all")
+    fem = "the rows that compare with the reference (vasorod-fem)"
+    command = commands.add_parser("check", help="has a number of a baseline table moved?")
+    command.add_argument(
+        "--quick",
+        action="store_true",
+        help="few points of few curves and three joins instead of all",
+    )
+    command.add_argument("--fem", action="store_true", help=f"instead of the others {fem}")
     command.add_argument("--again", action="store_true", help="repeat finished runs too")
     command.set_defaults(call=check)
-    command = commands.add_parser("accept", help="take the curves as they are now for the baseline")
+    command = commands.add_parser(
+        "accept", help="take the numbers as they are now for the baseline"
+    )
     command.add_argument("--reason", required=True, help="why they moved")
+    command.add_argument(
+        "--quick", action="store_true", help="the rows that a quick check repeats, not all curves"
+    )
+    command.add_argument("--fem", action="store_true", help=f"with --quick: {fem}")
     command.set_defaults(call=accept)
     arguments = parser.parse_args()
     arguments.call(arguments)

@@ -19,7 +19,9 @@ def number(text):
 def shown(value):
     if value is None:
         return ""
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    if isinstance(value, float):
+        return f"{value:.0f}" if value.is_integer() and abs(value) < 1e15 else f"{value:.6g}"
+    return str(value)
 
 
 def provenance(records):
@@ -85,6 +87,18 @@ def extended(path, keys, plan, rows, notes):
             merged.append({name: old[values].get(name) for name in rows[0]})
     kept = len(merged) - len(fresh)
     return merged, [*notes, *(f"{kept} rows from before, {note}" for note in old_notes[1:] if kept)]
+
+
+def replace_rows(path, keys, rows, note):
+    """Puts `rows` in the place of the table's rows with the same `keys`, and `note` below its
+    comment lines. Columns that only the new rows have are empty in the others."""
+    old, notes = read_table(path)
+    fresh = {tuple(row[key] for key in keys): row for row in rows}
+    columns = list(old[0]) + [name for name in rows[0] if name not in old[0]]
+    if "failure" in columns:  # the last column of every table that has it
+        columns.append(columns.pop(columns.index("failure")))
+    merged = [fresh.get(tuple(row[key] for key in keys), row) for row in old]
+    write_table(path, [{name: row.get(name) for name in columns} for row in merged], [*notes, note])
 
 
 def value_or_range(values, form):

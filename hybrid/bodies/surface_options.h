@@ -36,8 +36,8 @@ struct SurfaceOptions : SolverOptions {
   int max_iterations = 3000;
   /// Of the true Hessian, per minimisation; 0: never.
   int max_factorisations = 40;
-  /// Called before each ordering and factorisation, which cannot be stopped inside, with its name.
-  /// May be empty.
+  /// Called before each ordering, which cannot be stopped inside, and each factorisation, with its
+  /// name. May be empty.
   std::function<void(const std::string& step)> step;
   /// Determine the sign of the smallest curvature of the Hessian at the end.
   bool certify = false;

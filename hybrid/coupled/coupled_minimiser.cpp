@@ -27,9 +27,6 @@ constexpr double neutral_curvature = 1e-6;
 // exceed `share_of_load` times the load.
 constexpr double rounding = 1e-14, share_of_load = 1e-2;
 
-// Thrown where CoupledMinimiserOptions::before says to stop.
-struct Interruption {};
-
 }  // namespace
 
 CoupledMinimiser::CoupledMinimiser(CoupledSystem& system, Work& work)
@@ -60,25 +57,25 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
 
 // The pattern changes with the contacts that press: fewer need no new analysis. An elimination
 // order is reused until its fill becomes too large.
-void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Before& before) {
+void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Breaks& breaks) {
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
-  if (before) before("ordering");
+  breaks.before("ordering");
   order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection, &work_);
   factor.analyse(matrix, order_);
   order_nonzeros_ = factor.factor_nonzeros();
 }
 
-bool CoupledMinimiser::factorise_rest(const Before& before) {
-  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_, before);
-  if (before) before("factorisation at rest");
+bool CoupledMinimiser::factorise_rest(const Breaks& breaks) {
+  if (!rest_factor_.analysed()) analyse(rest_factor_, rest_, breaks);
+  breaks.before("factorisation at rest");
   Matrix shifted = rest_;
   double shift = 0;
   // Mechanisms that only a motion or a load would excite make K0 singular to rounding. Walls many
   // times thicker than their triangles are high may make it negative, which no shift mends.
-  while (!rest_factor_.factorise(shifted)) {
+  while (!rest_factor_.factorise(shifted, breaks.inside)) {
     shift = shift == 0 ? 1e-10 : 10 * shift;
     if (shift > largest_shift || !(mean_stiffness_ > 0)) return false;
     shifted = rest_;
@@ -130,21 +127,21 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
 // Factorises H or, if Cholesky fails, H + shift D K0 D^T with the smallest shift of a geometric
 // sequence for which it succeeds.
 bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most,
-                                 const Before& before) {
-  before("Hessian");
+                                 const Breaks& breaks) {
+  breaks.before("Hessian");
   ++work_.counts.hessians;
   hessian_ = system_.hessian(z);
   if (!pad(analysed_, hessian_)) {
-    analyse(factor_, hessian_, before);
+    analyse(factor_, hessian_, breaks);
     analysed_ = hessian_;
   }
   metric_.resize(0, 0);
   Matrix shifted;
   for (;;) {
-    before("factorisation");
+    breaks.before("factorisation");
     ++factorisations;
     if (shift == 0) {
-      if (factor_.factorise(hessian_)) return true;
+      if (factor_.factorise(hessian_, breaks.inside)) return true;
     } else {
       if (metric_.size() == 0) {
         metric_ = rest_;
@@ -153,7 +150,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
         shifted = hessian_;
       }
       add_within(hessian_, shift, metric_, shifted);
-      if (factor_.factorise(shifted)) return true;
+      if (factor_.factorise(shifted, breaks.inside)) return true;
     }
     shift = shift == 0 ? first_shift : shift_growth * shift;
     if (shift > largest_shift || factorisations >= most) return false;
@@ -197,10 +194,10 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
                                                    const CoupledMinimiserOptions& options) {
   CoupledMinimiserSummary summary;
   try {
-    const Before before = [&](const std::string& step) {
+    const auto before = [&](const std::string& step) {
       if (options.before && options.before(step, z)) throw Interruption{};
     };
-    run(z, options, before, summary);
+    run(z, options, {before, options.stop_inside}, summary);
   } catch (const Interruption&) {
     summary.status = LbfgsStatus::interrupted;
     summary.residual = residual(z);
@@ -209,7 +206,7 @@ CoupledMinimiserSummary CoupledMinimiser::minimise(VectorXd& z,
 }
 
 void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
-                           const Before& before, CoupledMinimiserSummary& summary) {
+                           const Breaks& breaks, CoupledMinimiserSummary& summary) {
   const Evaluation evaluation = [this](const VectorXd& at, VectorXd& g, double& r) {
     return counted(at, g, r);
   };
@@ -222,7 +219,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   };
   const auto interrupted = [&] { return summary.status == LbfgsStatus::interrupted; };
   if (options.use_rest) {
-    if (!rest_factor_.factorised() && !factorise_rest(before)) {
+    if (!rest_factor_.factorised() && !factorise_rest(breaks)) {
       summary.unfactorised = true;
       summary.status = LbfgsStatus::iteration_limit;
       summary.residual = residual(z);
@@ -257,7 +254,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
          summary.iterations < options.max_iterations) {
     const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
-    if (!factorise(z, shift, summary.factorisations, options.max_factorisations, before)) {
+    if (!factorise(z, shift, summary.factorisations, options.max_factorisations, breaks)) {
       summary.unfactorised = true;
       summary.residual = factored_at;
       break;

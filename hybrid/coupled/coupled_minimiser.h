@@ -41,8 +41,9 @@ struct CoupledMinimiserOptions {
   /// whether steps are bounded by `closing_step` from here on. May be empty.
   std::function<bool(const Eigen::VectorXd& z)> follow;
   double closing_step = 0;  ///< LbfgsOptions::largest_step where `follow` asks for it
-  /// Called before each ordering and factorisation, which cannot be stopped inside, with the best
-  /// point so far; returning true interrupts. May be empty.
+  StopInside stop_inside;   ///< of a factorisation
+  /// Called before each ordering, which cannot be stopped inside, and each factorisation, with the
+  /// best point so far; returning true interrupts. May be empty.
   std::function<bool(const std::string& step, const Eigen::VectorXd& z)> before;
 };
 
@@ -82,13 +83,17 @@ class CoupledMinimiser {
   double counted(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual);
   double rounding_of_forces(const Eigen::VectorXd& z) const;
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
-  using Before = std::function<void(const std::string& step)>;  // may throw Interruption
-  void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Before& before,
+  // Both may end in an Interruption.
+  struct Breaks {
+    std::function<void(const std::string& step)> before;
+    StopInside inside;
+  };
+  void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Breaks& breaks,
            CoupledMinimiserSummary& summary);
-  bool factorise_rest(const Before& before);
-  void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Before& before);
+  bool factorise_rest(const Breaks& breaks);
+  void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most,
-                 const Before& before);
+                 const Breaks& breaks);
   enum class Saddle { left, neutral, kept };
   Saddle leave_saddle(Eigen::VectorXd& z);
 

@@ -99,7 +99,7 @@ class CoupledSolver::Data {
         {solution_.surface.outer_iterations, solution_.surface.iterations + iteration, residual});
   }
 
-  // Before a step at z that cannot be stopped inside: whether to stop; if not, the state is kept.
+  // Before a long step at z: whether to stop; if not, the state is kept.
   bool before(const std::string& step, const VectorXd& z) {
     if ((*stop_)()) return true;
     if (stack_.options.step) stack_.options.step(step);
@@ -193,6 +193,7 @@ class CoupledSolver::Data {
     inner.stop = [this](int iteration, double, double residual) {
       return stop(iteration, residual);
     };
+    inner.stop_inside = [this] { return (*stop_)(); };
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
     if (stack_.may_touch_itself()) {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };

@@ -64,7 +64,7 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   d.fronts.emplace(d.analysis->nodes());
 }
 
-bool Cholesky::factorise(const Matrix& matrix) {
+bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop) {
   const FactorTime time(data_->done);
   Data& d = *data_;
   if (d.done) {
@@ -76,7 +76,8 @@ bool Cholesky::factorise(const Matrix& matrix) {
   d.factorised = false;
   d.single_is = Data::Single::untried;
   if (!d.factor) d.factor.reset(new double[d.analysis->nodes().entries()]);
-  d.factorised = d.fronts->factorise(d.analysis->in_order(matrix), d.factor.get(), d.threads());
+  d.factorised =
+      d.fronts->factorise(d.analysis->in_order(matrix), d.factor.get(), d.threads(), stop);
   return d.factorised;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numerics/analysis.h"
+#include "numerics/stop_inside.h"
 #include "numerics/work.h"
 
 namespace vasorod {
@@ -32,8 +33,9 @@ class Cholesky {
   void analyse(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
 
   /// Factorises a matrix with the analysed pattern. Returns false when the matrix is not positive
-  /// definite; solve() must not be called then.
-  bool factorise(const Eigen::SparseMatrix<double>& matrix);
+  /// definite; solve() must not be called then. `stop` is asked on the way; where it says so,
+  /// Interruption is thrown, and there is no factor.
+  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {});
 
   /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns);

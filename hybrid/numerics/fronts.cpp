@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cholmod.h>
 #include <cstddef>
+#include <thread>
 
 #include "numerics/dense_blocks.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 // Rows of a panel: enough for the BLAS, few enough to share a front.
 constexpr int panel = 192;
+// Operations between two questions whether to stop: about a millisecond.
+constexpr double between_questions = 1e6;
 
 template <class Task>
 void for_panels(int threads, int size, Task task) {
@@ -87,14 +90,28 @@ bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Plac
   return true;
 }
 
-bool Fronts::factorise(const cholmod_sparse& matrix, double* factor, int threads) {
+bool Fronts::factorise(const cholmod_sparse& matrix, double* factor, int threads,
+                       const StopInside& stop) {
   std::vector<Places> places(index(threads), Places(index(nodes_.unknowns())));
-  std::atomic<bool> good = true;
+  std::atomic<bool> good = true, stopped = false;
+  const std::thread::id caller = std::this_thread::get_id();
+  double operations = 0;  // of the calling thread since the last question
   nodes_.upwards(threads, [&](int k, int thread, int share) {
-    if (good && !eliminate(k, matrix, factor, places[index(thread)], share)) good = false;
+    if (!good || stopped) return;
+    if (stop && std::this_thread::get_id() == caller) {
+      const double rows = nodes_[k].rows;
+      operations += rows * rows * nodes_[k].columns;
+      if (operations > between_questions) {
+        operations = 0;
+        stopped = stop();
+        if (stopped) return;
+      }
+    }
+    if (!eliminate(k, matrix, factor, places[index(thread)], share)) good = false;
   });
-  if (!good)
+  if (!good || stopped)
     for (std::unique_ptr<double[]>& change : changes_) change.reset();
+  if (stopped) throw Interruption{};
   return good;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "numerics/stop_inside.h"
 #include "numerics/supernodes.h"
 
 struct cholmod_sparse_struct;
@@ -22,8 +23,11 @@ class Fronts {
 
   /// Fills `factor`, nodes.entries() numbers, from the lower triangle of a matrix in the order of
   /// elimination. Returns false where the matrix is not positive definite; the factor is incomplete
-  /// then. The numbers do not depend on `threads`. Throws std::bad_alloc.
-  bool factorise(const cholmod_sparse_struct& matrix, double* factor, int threads);
+  /// then. The numbers do not depend on `threads`. `stop` is asked between fronts, from the calling
+  /// thread, each time they took some million operations. Throws Interruption where it says so,
+  /// and std::bad_alloc.
+  bool factorise(const cholmod_sparse_struct& matrix, double* factor, int threads,
+                 const StopInside& stop = {});
 
  private:
   // Of one thread, per row of the matrix: its place in the front at hand.

@@ -22,7 +22,8 @@ struct SolverProgress {
 struct SolverOptions {
   /// Wall-clock time limit in seconds.
   double time_limit = std::numeric_limits<double>::infinity();
-  /// Called once per iteration; returning true interrupts. May be empty.
+  /// Called once per iteration, and about every millisecond within a factorisation; returning true
+  /// interrupts. May be empty.
   std::function<bool()> stop;
   /// Called once per iteration. May be empty.
   std::function<void(const SolverProgress&)> progress;

@@ -28,11 +28,11 @@ constexpr double spring_share = 1.0 / 3;
 
 }  // namespace
 
-void PaperMinimiser::factorise(const Points& p) {
+void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
   ++work_.counts.hessians;
   const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, p, spring_share);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
-  if (!constant_.factorise(matrix))
+  if (!constant_.factorise(matrix, stop))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
 }
 
@@ -85,12 +85,13 @@ void PaperMinimiser::precondition(KeptFactor& factor, const VectorXd& gradient,
   points_of(direction) = solution_;
 }
 
-bool PaperMinimiser::factorise_hessian(const Points& p, double& blend, int& factorisations) {
+bool PaperMinimiser::factorise_hessian(const Points& p, double& blend, int& factorisations,
+                                       const StopInside& stop) {
   for (;; blend = blend == 0 ? 0.02 : std::min(1.0, 3 * blend)) {
     const Eigen::SparseMatrix<double> hessian = hessian_at(p, blend);
     hessian_.analyse(hessian, 3);
     ++factorisations;
-    if (hessian_.factorise(hessian)) return true;
+    if (hessian_.factorise(hessian, stop)) return true;
     if (blend >= 1) return false;
   }
 }
@@ -137,7 +138,12 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
       summary.status = LbfgsStatus::interrupted;
       break;
     }
-    if (!factorise_hessian(p, blend, summary.factorisations)) break;
+    try {
+      if (!factorise_hessian(p, blend, summary.factorisations, options.stop_inside)) break;
+    } catch (const Interruption&) {
+      summary.status = LbfgsStatus::interrupted;
+      break;
+    }
     inner.max_iterations =
         std::min(iterations_per_hessian, options.max_iterations - summary.iterations);
     take(lbfgs(evaluation, by_hessian, x, inner));
@@ -168,10 +174,10 @@ double PaperMinimiser::residual(const Points& p) {
   return value;
 }
 
-bool PaperMinimiser::stable(const Points& p) {
+bool PaperMinimiser::stable(const Points& p, const StopInside& stop) {
   const Eigen::SparseMatrix<double> hessian = hessian_at(p, 0);
   hessian_.analyse(hessian, 3);
-  return hessian_.factorise(hessian);
+  return hessian_.factorise(hessian, stop);
 }
 
 }  // namespace vasorod

@@ -21,8 +21,9 @@ struct PaperMinimiserOptions {
   /// Start with the last true Hessian that was factorised, if there is one.
   bool reuse_hessian = false;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
-  /// Called before each factorisation, which cannot be stopped inside, with the best positions so
-  /// far; returning true interrupts. May be empty.
+  StopInside stop_inside;                                                   ///< of a factorisation
+  /// Called before each factorisation, with the best positions so far; returning true interrupts.
+  /// May be empty.
   std::function<bool(const Points& p)> before;
 };
 
@@ -42,8 +43,9 @@ class PaperMinimiser {
       : system_(system), constant_(constant), work_(work), bound_(&work), hessian_(&work) {}
 
   /// Factorises the constant matrix: paper_energy_bound() with the springs' mean share and the
-  /// contacts that carry pressure at p. Required at first and after the contacts changed.
-  void factorise(const Points& p);
+  /// contacts that carry pressure at p. Required at first and after the contacts changed. Throws
+  /// Interruption where `stop` says so.
+  void factorise(const Points& p, const StopInside& stop = {});
 
   PaperMinimiserSummary minimise(Points& p, const PaperMinimiserOptions& options);
 
@@ -57,8 +59,9 @@ class PaperMinimiser {
   /// is kept, which depends on the time.
   double residual(const Points& p);
 
-  /// Whether the Hessian at p is positive definite, i.e. a minimum at p is stable.
-  bool stable(const Points& p);
+  /// Whether the Hessian at p is positive definite, i.e. a minimum at p is stable. Throws
+  /// Interruption where `stop` says so.
+  bool stable(const Points& p, const StopInside& stop = {});
 
  private:
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
@@ -66,7 +69,8 @@ class PaperMinimiser {
   Eigen::SparseMatrix<double> hessian_at(const Points& p, double blend);
   void precondition(KeptFactor& factor, const Eigen::VectorXd& gradient,
                     Eigen::VectorXd& direction);
-  bool factorise_hessian(const Points& p, double& blend, int& factorisations);
+  bool factorise_hessian(const Points& p, double& blend, int& factorisations,
+                         const StopInside& stop);
 
   const PaperSystem& system_;
   KeptFactor& constant_;

@@ -51,7 +51,11 @@ class PaperRun {
   SurfaceSolution run() {
     if (std::any_of(scaled_.bodies.begin(), scaled_.bodies.end(),
                     [](const ScaledBody& b) { return b.modelled; })) {
-      iterate();
+      try {
+        iterate();
+      } catch (const Interruption&) {
+        interrupt();
+      }
     } else {
       solution_.status = Status::converged;
     }
@@ -104,12 +108,15 @@ class PaperRun {
     return stop_({solution_.outer_iterations, solution_.iterations + iteration, residual});
   }
 
-  // Before a factorisation, which cannot be stopped inside: whether to stop; if not, the state is
-  // kept.
+  void interrupt() {
+    solution_.status = Status::interrupted;
+    solution_.residual = minimiser_->residual(positions_);
+  }
+
+  // Before a factorisation: whether to stop; if not, the state is kept.
   bool before_factorisation() {
     if (stop_()) {
-      solution_.status = Status::interrupted;
-      solution_.residual = minimiser_->residual(positions_);
+      interrupt();
       return true;
     }
     if (options_.step) options_.step("factorisation");
@@ -129,13 +136,14 @@ class PaperRun {
   void iterate() {
     build();
     if (before_factorisation()) return;
-    minimiser_->factorise(positions_);
+    minimiser_->factorise(positions_, inside_);
     PaperMinimiserOptions inner;
     inner.max_iterations = options_.max_iterations;
     inner.max_factorisations = options_.max_factorisations;
     inner.stop = [this](int iteration, double, double residual) {
       return stop(iteration, residual);
     };
+    inner.stop_inside = inside_;
     inner.before = [this](const Points&) { return before_factorisation(); };
     const bool constrained = !problem_.seams.empty() || !problem_.contacts.empty();
     double tolerance =
@@ -175,7 +183,7 @@ class PaperRun {
       const bool balanced = imbalance <= options_.balance_tolerance;
       if (at_rest && seam_closed && pressed_right && (balanced || tolerance <= finest_tolerance)) {
         const bool asked = options_.certify;
-        solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_);
+        solution_.smallest_curvature_positive = asked && minimiser_->stable(positions_, inside_);
         if (contact.slip > 0)
           solution_.notes.push_back(
               "the set of walls in contact did not settle until they stuck: " +
@@ -212,12 +220,12 @@ class PaperRun {
         for (const int b : contact.touched) body(b).modelled = true;
         build();
         if (before_factorisation()) return;
-        minimiser_->factorise(positions_);
+        minimiser_->factorise(positions_, inside_);
       } else {
         stack_contacts();
         if (!contact.pressed_changed) continue;
         if (before_factorisation()) return;
-        minimiser_->factorise(positions_);
+        minimiser_->factorise(positions_, inside_);
       }
     }
   }
@@ -227,6 +235,7 @@ class PaperRun {
   KeptFactor& bound_;
   Work& work_;
   StopCheck stop_;
+  StopInside inside_ = [this] { return stop_(); };
   ScaledBodies scaled_;
   BodyContacts contacts_;
   std::vector<Vec3> seam_multipliers_;

@@ -14,7 +14,7 @@ namespace vasorod::planner {
 namespace {
 
 constexpr std::size_t most_jobs = 64;  // whose end may still be asked for
-// A step that cannot be stopped inside (the factorisation of a large matrix) is waited for so long;
+// A step that cannot be stopped inside (the ordering of a large matrix) is waited for so long;
 // then the state before it is the result.
 constexpr std::chrono::milliseconds patience(1500);
 // For which the answer to a request to stop waits for the stop.

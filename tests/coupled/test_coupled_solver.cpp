@@ -237,5 +237,39 @@ TEST(CoupledSolver, StoppedItKeepsTheBestState) {
   EXPECT_TRUE(std::isfinite(solution.membrane_energy));
 }
 
+// At the first, a middle and the last question that is asked within a factorisation; the solver
+// then solves as ever.
+TEST(CoupledSolver, StoppedWithinAFactorisationItKeepsTheStateBefore) {
+  const HeldTube tube = thin_tube();
+  CoupledOptions options;
+  bool within = false;
+  int asked = 0, last = 0;
+  options.step = [&](const std::string&) { within = true; };
+  options.progress = [&](const SolverProgress&) { within = false; };
+  options.stop = [&] { return within && ++asked == last; };
+  const auto problem = [&] { return bent(tube, strain(0, 2e-3, 0), tube.start(), tube.end()); };
+  const CoupledSolution whole = CoupledSolver(problem(), options).solve();
+  ASSERT_EQ(whole.status, Status::converged);
+  const int questions = asked;
+  ASSERT_GT(questions, 10);
+  for (const int at : {1, questions / 2, questions}) {
+    asked = 0;
+    last = at;
+    CoupledSolver solver(problem(), options);
+    const CoupledSolution solution = solver.solve();
+    EXPECT_EQ(solution.status, Status::interrupted) << at;
+    EXPECT_EQ(asked, at) << "it went on";
+    EXPECT_TRUE(solution.surface.bodies[0].positions.allFinite());
+    EXPECT_FALSE(solution.smallest_curvature_positive);
+    last = 0;
+    const CoupledSolution after = solver.solve();
+    EXPECT_EQ(after.status, Status::converged) << at;
+    EXPECT_LT((after.surface.bodies[0].positions - whole.surface.bodies[0].positions)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-6 * tube.tube.radius);
+  }
+}
+
 }  // namespace
 }  // namespace vasorod

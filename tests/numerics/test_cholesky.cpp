@@ -74,6 +74,25 @@ TEST(Cholesky, CountsFactorisationsThatFailSolvesAndEntries) {
   EXPECT_GT(work.factor_seconds, 0) << "it is measured; how long is not tested";
 }
 
+TEST(Cholesky, HasNoFactorWhereItWasStoppedAndOneAfterwards) {
+  const Matrix a = random_positive(900, 1, 0);
+  Work work;
+  Cholesky cholesky(&work);
+  cholesky.analyse(a);
+  ASSERT_TRUE(cholesky.factorise(a));
+  int asked = 0;
+  EXPECT_THROW(cholesky.factorise(a, [&] { return ++asked == 2; }), Interruption);
+  EXPECT_EQ(asked, 2);
+  EXPECT_FALSE(cholesky.factorised());
+  ASSERT_TRUE(cholesky.factorise(a, [] { return false; }));
+  EXPECT_TRUE(cholesky.factorised());
+  EXPECT_EQ(work.counts.factorisations, 3);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(a.rows(), -1, 2);
+  Eigen::VectorXd x(a.rows());
+  cholesky.solve(b.data(), x.data(), 1);
+  EXPECT_LT((a * x - b).norm(), 1e-12 * b.norm());
+}
+
 // In single precision: close to the exact solution, symmetric and positive.
 TEST(Cholesky, PreconditionsAlmostAsItSolves) {
   const Matrix a = random_positive(400, 1, 0);

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "numerics/analysed_grid.h"
 #include "numerics/fronts.h"
@@ -51,6 +52,38 @@ TEST(Fronts, AMatrixThatIsNotPositiveDefiniteIsFoundWhereverItIs) {
     }
   a.matrix.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(factorise(1));
+}
+
+// At every question in turn, and from the calling thread alone; the next factor is as ever.
+TEST(Fronts, IsStoppedBetweenFrontsAndFactorisesAfterwards) {
+  AnalysedGrid a(36);
+  Fronts fronts(a.nodes);
+  std::vector<double> factor(a.nodes.entries()), expected(a.nodes.entries());
+  ASSERT_TRUE(fronts.factorise(a.analysis.in_order(a.matrix), expected.data(), 1));
+  for (const int threads : {1, 3}) {
+    int asked = 0, last = 0;
+    bool elsewhere = false;
+    const auto stop = [&] {
+      static const std::thread::id caller = std::this_thread::get_id();
+      elsewhere |= std::this_thread::get_id() != caller;
+      return ++asked == last;
+    };
+    const auto factorise = [&] {
+      asked = 0;
+      return fronts.factorise(a.analysis.in_order(a.matrix), factor.data(), threads, stop);
+    };
+    ASSERT_TRUE(factorise());
+    const int questions = asked;
+    ASSERT_GT(questions, 5) << threads;
+    for (last = 1; last <= (threads == 1 ? questions : 3); ++last) {
+      EXPECT_THROW(factorise(), Interruption) << last;
+      EXPECT_EQ(asked, last);
+    }
+    last = 0;
+    ASSERT_TRUE(factorise());
+    EXPECT_EQ(dense_factor(a.nodes, factor), dense_factor(a.nodes, expected));
+    EXPECT_FALSE(elsewhere);
+  }
 }
 
 }  // namespace

@@ -23,6 +23,21 @@ double misfit(KeptFactor& factor, const Eigen::SparseMatrix<double>& m) {
   return (m * x - b).cwiseAbs().maxCoeff();
 }
 
+// The matrix that could not be factorised is not taken for the factor's.
+TEST(KeptFactor, StoppedItFactorisesTheSameMatrixAnew) {
+  constexpr int n = 200;
+  Eigen::SparseMatrix<double> dense(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; j += 1 + (i + j) % 7 * (i != j)) dense.coeffRef(i, j) = 1;
+  Eigen::SparseMatrix<double> m = dense.transpose() * dense;
+  for (int i = 0; i < n; ++i) m.coeffRef(i, i) += n;
+  KeptFactor factor;
+  EXPECT_THROW(factor.factorise(m, [] { return true; }), Interruption);
+  ASSERT_TRUE(factor.factorise(m));
+  EXPECT_EQ(factor.factorisations(), 2);
+  EXPECT_LT(misfit(factor, m), 1e-8);
+}
+
 TEST(KeptFactor, IsRenewedOnlyWhereTheMatrixHasChanged) {
   KeptFactor factor;
   for (const double diagonal : {2.5, 2.5, 3.0}) {

@@ -159,6 +159,31 @@ TEST(PaperSolver, CanBeInterrupted) {
   EXPECT_TRUE(s.bodies[0].positions.allFinite());
 }
 
+// At the first, a middle and the last question that is asked within a factorisation.
+TEST(PaperSolver, CanBeInterruptedWithinAFactorisation) {
+  const Glenn glenn;
+  PaperOptions options;
+  options.certify = true;
+  bool within = false;
+  int asked = 0, last = 0;
+  options.step = [&](const std::string&) { within = true; };
+  options.progress = [&](const SolverProgress&) { within = false; };
+  options.stop = [&] { return within && ++asked == last; };
+  ASSERT_EQ(solve_paper(glenn.problem, options).status, Status::converged);
+  const int questions = asked;
+  ASSERT_GT(questions, 2);
+  for (const int at : {1, questions / 2, questions}) {
+    asked = 0;
+    last = at;
+    const SurfaceSolution s = solve_paper(glenn.problem, options);
+    EXPECT_EQ(s.status, Status::interrupted) << at;
+    EXPECT_EQ(asked, at) << "it went on";
+    for (const BodySolution& body : s.bodies) EXPECT_TRUE(body.positions.allFinite());
+    EXPECT_TRUE(std::isfinite(s.residual));
+    EXPECT_FALSE(s.smallest_curvature_positive);
+  }
+}
+
 TEST(PaperSolver, BadInputIsASentence) {
   Glenn glenn;
   const auto sentence = [](const BodyProblem& problem) -> std::string {

@@ -27,7 +27,7 @@ struct SolveOptions {
   /// Number of threads. The numbers do not depend on it.
   int threads = 1;
   /// Called often; returning true ends the solve with the best state so far. Asked between vessels,
-  /// stages, iterations and factorisations, not inside them. May be empty.
+  /// stages and iterations and within factorisations, not within orderings. May be empty.
   std::function<bool()> stop;
   /// Seconds for which reading, fitting and surgery go on to reach a first state after `stop` was
   /// first true; then StoppedEarly is thrown.

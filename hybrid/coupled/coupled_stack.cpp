@@ -10,6 +10,7 @@
 #include "coupled/free_motions.h"
 #include "coupled/wall_lumen.h"
 #include "data/index.h"
+#include "wall/shear_band.h"
 
 namespace vasorod {
 namespace {
@@ -72,8 +73,12 @@ void CoupledStack::set_sections(int b, const std::vector<HeldSection>& sections)
 
 void CoupledStack::set_material(int b, const Material& material) {
   problem.vessels[index(b)]->wall.material = material;
-  energies_[index(b)].reset();
+  const std::unique_ptr<WallEnergy> before = std::move(energies_[index(b)]);
   if (!system || first_wall[index(b)] < 0) return;
+  if (energy_of(index(b)).leans() != before->leans()) {
+    system.reset();  // other unknowns
+    return;
+  }
   system->set_energy(first_wall[index(b)], energy_of(index(b)));
   minimiser->renew_rest();
 }
@@ -83,6 +88,7 @@ WallInput CoupledStack::scaled_wall(size_t b) const {
                                    scaled.pressure());
   wall.name = "vessel " + problem.surfaces.bodies[b].name;
   wall.glued = glued_marks(problem.vessels[b]->sections, wall.rest.points.rows());
+  wall.lean = shear_band(wall);
   return wall;
 }
 

@@ -55,6 +55,10 @@ int CoupledSystem::add_wall(WallEnergy& energy, const Points& rest,
     groups_.push_back(unknowns_);
     wall.unknown[index(edge.unknown)] = unknowns_++;
   }
+  for (const WallLean& lean : energy.leans()) {
+    groups_.push_back(unknowns_);
+    wall.unknown[index(lean.unknown)] = unknowns_++;
+  }
   for (const SectionPose& pose : wall.sections) {
     wall.pose_unknown.push_back(unknowns_);
     if (pose.unknowns() > 0) groups_.push_back(unknowns_);
@@ -128,9 +132,10 @@ void CoupledSystem::put(int w, const Points& x, bool keep_edges, VectorXd& z) {
   const int vertices = wall.energy->vertices();
   for (int v = 0; v < vertices; ++v)
     if (wall.unknown[index(3 * v)] >= 0) z.segment<3>(wall.unknown[index(3 * v)]) = x.row(v);
-  if (!keep_edges)
-    for (int e = 0; e < wall.energy->free_edges(); ++e)
-      z[wall.unknown[index(3 * vertices + e)]] = 0;
+  if (keep_edges) return;
+  for (const WallEdge& edge : wall.energy->edges())
+    if (!edge.glued) z[wall.unknown[index(edge.unknown)]] = 0;
+  for (const WallLean& lean : wall.energy->leans()) z[wall.unknown[index(lean.unknown)]] = 0;
 }
 
 void CoupledSystem::put_pose(int w, int section, const Mat3& rotation, const Vec3& position,

@@ -4,6 +4,7 @@
 // Unknowns z, wall by wall:
 // - positions of the vertices on no rigid section;
 // - xi per edge with a free normal;
+// - the lean of each vertex that has one;
 // - poses of the sections that are not fixed.
 //
 // Vertices and rim normals of a rigid section follow its pose:
@@ -120,18 +121,19 @@ class CoupledSystem {
   double worst_tie(const Eigen::VectorXd& z) const;
   bool has_ties() const;
 
-  /// Copies the positions of one wall into z; xi of its edges becomes 0 unless `keep_edges`.
+  /// Copies the positions of one wall into z; xi of its edges and its leans become 0 unless
+  /// `keep_edges`.
   void put(int wall, const Points& x, bool keep_edges, Eigen::VectorXd& z);
   /// Copies the pose of a section (rotation from rest) into z, as far as it is free.
   void put_pose(int wall, int section, const Mat3& rotation, const Vec3& position,
                 Eigen::VectorXd& z);
 
-  /// Copies the xi of a wall from its configuration q into z.
+  /// Copies the xi and the leans of a wall from its configuration q into z.
   void put_edges(int wall, const Eigen::VectorXd& q, Eigen::VectorXd& z);
 
   /// Replaces the motions and loads of a wall's sections; rings and fixed freedoms stay.
   void set_sections(int wall, const std::vector<HeldSection>& sections);
-  /// Replaces the energy of a wall; the triangles stay.
+  /// Replaces the energy of a wall; the triangles and the leaning vertices stay.
   void set_energy(int wall, WallEnergy& energy);
   /// Whether every load has a potential.
   bool has_potential() const;

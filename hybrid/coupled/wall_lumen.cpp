@@ -8,6 +8,7 @@
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
 #include "numerics/cholesky.h"
+#include "wall/shear_band.h"
 
 namespace vasorod {
 namespace {
@@ -58,6 +59,7 @@ Points scan_displacement(const WallInput& given, std::vector<HeldSection> sectio
     section.force = section.moment = section.body_moment = Vec3::Zero();
   }
   wall.glued = glued_marks(sections, wall.rest.points.rows());
+  wall.lean = shear_band(wall);
   WallEnergy stretched(wall);
   wall.axial_prestretch = 1;
   WallEnergy free_of_stress(wall);

@@ -4,6 +4,10 @@
 
 namespace vasorod {
 
+Vec2 transverse_shear(const Material& m) {
+  return {m.shear_axial, m.young_transverse / (2 * (1 + m.poisson_tt))};
+}
+
 double ordinary_shear(const Material& m) {
   const double poisson = m.poisson_lt * std::sqrt(m.young_transverse / m.young_axial);
   return std::sqrt(m.young_axial * m.young_transverse) / (2 * (1 + poisson));

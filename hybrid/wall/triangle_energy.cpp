@@ -45,8 +45,22 @@ double collapse_stiffness(const TriangleRest& rest) {
   return (rest.stiffness(0, 0) + rest.stiffness(1, 1)) / 2;
 }
 
+Vec6 of_lean(const TriangleRest& rest, const TriangleState& state) {
+  if (!rest.leaning) return Vec6::Zero();
+  return rest.leaning->strains * state.lean;
+}
+
+double shear_energy(const TriangleRest& rest, const TriangleState& state) {
+  return rest.leaning ? state.lean.dot(rest.leaning->stiffness * state.lean) / 2 : 0;
+}
+
+// The triangle's 2 e12 over its partner's. A lean does not count.
+double apart_from_partner(const TriangleRest& rest, const TriangleState& state, const Vec6& y) {
+  return y[2] - of_lean(rest, state)[2] - state.partner_shear;
+}
+
 double relieved(const TriangleRest& rest, const TriangleState& state, const Vec6& y) {
-  const double apart = y[2] - state.partner_shear;
+  const double apart = apart_from_partner(rest, state, y);
   return rest.relief / 4 * apart * apart;
 }
 
@@ -70,12 +84,13 @@ Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& st
                     ? state.half_sine[k]
                     : 2 * Height(rest.gradients.col(k), state.metric).value * slope(state, k)) -
                rest.bending[k];
+  if (rest.leaning) y += of_lean(rest, state);
   return y;
 }
 
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state) {
   const Vec6 y = triangle_strains(law, rest, state);
-  const double before = rest.stored + rest.prestress.dot(y);
+  const double before = rest.stored + rest.prestress.dot(y) + shear_energy(rest, state);
   if (rest.large) return before + large_strain_energy(*rest.large, y, false).value;
   return before + y.dot(rest.stiffness * y) / 2 - relieved(rest, state, y) +
          collapse_stiffness(rest) * CollapseBarrier(state.metric).value;
@@ -100,9 +115,15 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   }
   e.value += rest.stored + rest.prestress.dot(e.strains);
   e.stress += rest.prestress;
+  e.shear = shear_energy(rest, state);
+  e.value += e.shear;
+  if (rest.leaning) {
+    e.lean_gradient = rest.leaning->strains.transpose() * e.stress;
+    e.lean_gradient += rest.leaning->stiffness * state.lean;
+  }
   if (rest.relief > 0) {
     e.value -= relieved(rest, state, e.strains);
-    e.stress[2] -= rest.relief * (e.strains[2] - state.partner_shear);
+    e.stress[2] -= rest.relief * apart_from_partner(rest, state, e.strains);
   }
   const CollapseBarrier stop(state.metric);
   e.value += collapse_stiffness(rest) * stop.value;
@@ -154,6 +175,11 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   }
   if (with_hessian) {
     Eigen::Matrix<double, 6, 9> kd = *stiffness * d;
+    if (rest.leaning) {
+      e.lean_slopes.noalias() = kd.transpose() * rest.leaning->strains;
+      e.lean_hessian = rest.leaning->stiffness;
+      e.lean_hessian += rest.leaning->strains.transpose() * *stiffness * rest.leaning->strains;
+    }
     kd.row(2) -= rest.relief * d.row(2);
     e.hessian.noalias() += d.transpose() * kd;
   }

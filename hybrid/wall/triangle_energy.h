@@ -31,6 +31,9 @@
 //
 // A wall with a law for large strains has E(y) of large_strain_wall.h, of which K is the Hessian at
 // rest, in place of 1/2 y^T K y.
+//
+// Where the wall shears across its thickness (leaning_triangle.h), y includes the bending of the
+// director's lean, L l, and 1/2 l^T S l is added.
 #pragma once
 
 #include <array>
@@ -39,6 +42,7 @@
 #include <vasorod/types.h>
 
 #include "wall/large_strain_wall.h"
+#include "wall/leaning_triangle.h"
 #include "wall/plane_stress.h"
 
 namespace vasorod {
@@ -59,6 +63,8 @@ struct TriangleRest {
   double stored = 0;              ///< the prestress' energy at rest, s . K^-1 s / 2
   /// The wall of a law for large strains; null: the energy is quadratic in y.
   std::shared_ptr<const LargeStrainWall> large;
+  /// Null: the director is the surface's normal.
+  std::shared_ptr<const LeaningTriangle> leaning;
 };
 
 /// K^-1 s: the strains of the rest shape in the state without stress.
@@ -73,6 +79,7 @@ struct TriangleState {
   /// On a glued rim the normal of the section gives b_k itself (length); half_sine then holds b_k,
   /// in place of theta_k.
   std::array<bool, 3> given{};
+  Vec3 lean = Vec3::Zero();  ///< l of the vertices
 };
 
 /// The energy of a triangle (force * length) and its derivatives with respect to (C11, C22, C12,
@@ -80,10 +87,15 @@ struct TriangleState {
 struct TriangleEnergy {
   Vec6 strains;  ///< y
   Vec6 stress;   ///< dE/dy: K y, minus the relief
+  double shear;  ///< 1/2 l^T S l, part of `value`
   double value;
   Vec9 gradient;
   Mat9 hessian;                               ///< only if requested
   Eigen::Matrix<double, 6, 9> strain_slopes;  ///< of y by the nine scalars; only if requested
+  // Where the wall leans:
+  Vec3 lean_gradient;                       ///< dE/dl
+  Eigen::Matrix<double, 9, 3> lean_slopes;  ///< d2E by a scalar and by l; only if requested
+  Mat3 lean_hessian;                        ///< only if requested
 };
 
 TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,

@@ -116,6 +116,11 @@ Mat6 triangle_stiffness(const Eigen::Matrix<double, 2, 3>& gradients, const Wall
   return facet.area * facet.ratio * facet.map.transpose() * stiffness * facet.map;
 }
 
+WallPiece curved_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
+  const Facet facet(gradients, section);
+  return {facet.map, facet.area * facet.ratio};
+}
+
 WallPiece wall_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section) {
   const Facet facet(gradients, section);
   Mat6 stiffness = wall_section_stiffness(section), strains = Mat6::Identity();

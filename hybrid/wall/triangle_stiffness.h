@@ -26,6 +26,9 @@ struct WallPiece {
   double area;   ///< length^2
 };
 
+/// The strains of the curved piece itself, without the corrections of the section's bending.
+WallPiece curved_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section);
+
 WallPiece wall_piece(const Eigen::Matrix<double, 2, 3>& gradients, const WallSection& section);
 
 }  // namespace vasorod

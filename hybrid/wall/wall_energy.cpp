@@ -52,6 +52,10 @@ TriangleState WallEnergy::state(const Eigen::VectorXd& q, const Geometry& g, int
     const int partner = partner_[static_cast<size_t>(triangle)];
     s.partner_shear = membrane_strain(law_, metric_of(deformation(q, partner))).strain[2];
   }
+  if (triangle_rest_[static_cast<size_t>(triangle)].leaning)
+    for (int k = 0; k < 3; ++k)
+      if (const int at = lean_unknown_[static_cast<size_t>(triangles_(triangle, k))]; at >= 0)
+        s.lean[k] = q[at];
   const Sides& sides = sides_[static_cast<size_t>(triangle)];
   for (int k = 0; k < 3; ++k) {
     const auto e = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
@@ -108,6 +112,10 @@ double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient)
     const auto v = triangles_.row(t);
     const Sides& sides = sides_[static_cast<size_t>(t)];
     for (int k = 0; k < 3; ++k) gradient.segment<3>(3 * v[k]) += stress * rest.gradients.col(k);
+    if (rest.leaning)
+      for (int k = 0; k < 3; ++k)
+        if (const int at = lean_unknown_[static_cast<size_t>(v[k])]; at >= 0)
+          gradient[at] += e.lean_gradient[k];
     for (int k = 0; k < 3; ++k) {
       const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
       const int unknown = edges_[edge].unknown;
@@ -173,10 +181,11 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
       alone.tail<3>() = bending;
       const double only_bend = large_strain_energy(*rest.large, alone, false).value;
       alone << strain, Vec3::Zero();
-      coupling = e.value - rest.stored - rest.prestress.dot(e.strains) - only_bend -
+      coupling = e.value - rest.stored - rest.prestress.dot(e.strains) - e.shear - only_bend -
                  large_strain_energy(*rest.large, alone, false).value;
       bend = only_bend + rest.prestress.tail<3>().dot(bending);
     }
+    bend += e.shear;
     report.membrane += e.value - bend - coupling;
     report.bending += bend;
     report.coupling += coupling;

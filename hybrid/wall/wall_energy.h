@@ -4,6 +4,7 @@
 // Unknowns q, in this order:
 // - the vertices (x, y, z each, length);
 // - one number xi per free edge (no unit);
+// - the lean of every vertex that has one (no unit): leaning_triangle.h;
 // - the normal m (3 numbers, no unit) of each edge on a glued rim.
 //
 // The normal of a free edge is
@@ -30,6 +31,8 @@
 
 namespace vasorod {
 
+class BlockPattern;
+
 /// A wall at rest, free of stress unless a prestress is given. Lengths in one unit, moduli in one
 /// unit.
 struct WallInput {
@@ -42,7 +45,10 @@ struct WallInput {
   /// The wall at rest carries the stress of this linear displacement, n x 3, length; empty: none.
   Points prestress_displacement;
   double axial_prestretch = 1;  ///< and that of this stretch along the fibre
-  std::string name = "wall";    ///< begins the sentence of an error
+  /// Per vertex the direction in which its director may lean, of any length, zero where it may not
+  /// (shear_band.h); n x 3; empty: nowhere.
+  Points lean;
+  std::string name = "wall";  ///< begins the sentence of an error
 };
 
 /// The wall in other units: lengths but those of `rest` divided by `length`, moduli by `stress`.
@@ -57,6 +63,13 @@ struct WallEdge {
   int unknown = 0;
 };
 
+/// A vertex whose director may lean, and the position of its unknown in q.
+struct WallLean {
+  int vertex = 0;
+  int unknown = 0;
+  bool operator==(const WallLean&) const = default;
+};
+
 /// The least and the largest principal stretch of a wall's two faces, and where on the given
 /// surface.
 struct FaceExtremes : FaceStretches {
@@ -65,7 +78,8 @@ struct FaceExtremes : FaceStretches {
 
 /// Energies, strains and stresses of the wall in one state.
 struct WallReport {
-  double membrane = 0, bending = 0, coupling = 0;  ///< their sum is the wall's energy
+  /// Their sum is the wall's energy; shear across the wall is part of `bending`.
+  double membrane = 0, bending = 0, coupling = 0;
   /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12); change
   /// of the second fundamental form (1/length); the conjugate stress resultants per rest area
   /// (force/length, force).
@@ -86,6 +100,7 @@ class WallEnergy {
   int glued_edges() const { return glued_edges_; }
   int unknowns() const { return static_cast<int>(rest_.size()); }
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
+  const std::vector<WallLean>& leans() const { return leans_; }  ///< sorted by vertex
 
   /// q at rest: without a prestress, energy and gradient are zero.
   const Eigen::VectorXd& rest() const { return rest_; }
@@ -130,9 +145,12 @@ class WallEnergy {
   HingeSide side(const Eigen::VectorXd& q, const Geometry& g, int edge, int which) const;
 
   void number_edges(const WallInput& input);
+  void number_unknowns(const WallInput& input);
   void set_rest(const WallInput& input);
   void set_rest_normals(const Points& vertex_normal);
   void set_pattern();
+  void couple_leans(int first_lean, BlockPattern& pattern);
+  void place_leans(const BlockPattern& pattern);
   void set_relief(double share);
   void set_prestress(const WallInput& input);
   void set_stored();
@@ -146,6 +164,8 @@ class WallEnergy {
                                   const Deformation& f) const;
   void add_triangle(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
                     double* values) const;
+  void add_leans(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
+                 double* values) const;
   void add_hinges(const Eigen::VectorXd& q, const Geometry& g, const std::vector<double>& by_angle,
                   double* values) const;
   void add_partners(const Eigen::VectorXd& q, double* values) const;
@@ -157,6 +177,10 @@ class WallEnergy {
   std::vector<WallEdge> edges_;
   std::vector<std::array<int, 2>> edge_triangle_, edge_apex_;
   std::vector<double> xi_rest_;  // per edge
+  std::vector<WallLean> leans_;
+  std::vector<int> lean_unknown_;  // per vertex: in q, -1: none; empty if no vertex has a lean
+  // Per triangle: the directions of its vertices' leans in its frame; empty if there are none.
+  std::vector<Eigen::Matrix<double, 2, 3>> lean_directions_;
   std::vector<Sides> sides_;
   std::vector<TriangleRest> triangle_rest_;
   std::vector<int> partner_;  // per triangle, shear_pairs.h; empty until a material needs it
@@ -170,6 +194,13 @@ class WallEnergy {
     std::array<int, 45> place{};
   };
   std::vector<Places> places_;
+  // Per triangle: the nodes of its vertices' leans (-1: none) and, per lean, the position of its
+  // block with each of the nine nodes and the three leans. Empty if there are no leans.
+  struct LeanPlaces {
+    std::array<int, 3> node{};
+    std::array<std::array<int, 12>, 3> place{};
+  };
+  std::vector<LeanPlaces> lean_places_;
   std::vector<int> node_stride_, node_unknown_;
 };
 

@@ -37,12 +37,17 @@ Eigen::Matrix<double, 3, 9> metric_by_vertices(const TriangleRest& rest,
 void WallEnergy::set_pattern() {
   std::vector<int> sizes(static_cast<size_t>(vertices_), 3);
   std::vector<int> edge_node(edges_.size());
-  for (const bool glued : {false, true})
+  const auto number = [&](bool glued) {
     for (size_t e = 0; e < edges_.size(); ++e)
       if (edges_[e].glued == glued) {
         edge_node[e] = static_cast<int>(sizes.size());
         sizes.push_back(glued ? 3 : 1);
       }
+  };
+  number(false);
+  const auto first_lean = static_cast<int>(sizes.size());
+  sizes.insert(sizes.end(), leans_.size(), 1);
+  number(true);
   BlockPattern pattern(sizes);
   places_.resize(sides_.size());
   for (size_t t = 0; t < sides_.size(); ++t) {
@@ -57,6 +62,7 @@ void WallEnergy::set_pattern() {
       for (size_t j = 0; j < i; ++j)
         if (node[i] >= 0 && node[j] >= 0) pattern.couple(node[i], node[j]);
   }
+  couple_leans(first_lean, pattern);
   hessian_ = pattern.build();
   for (Places& p : places_)
     for (int i = 0; i < 9; ++i)
@@ -65,8 +71,42 @@ void WallEnergy::set_pattern() {
         if (a >= 0 && b >= 0)
           p.place[static_cast<size_t>(pair(i, j))] = pattern.place(std::max(a, b), std::min(a, b));
       }
+  place_leans(pattern);
   node_stride_.resize(sizes.size());
   for (size_t i = 0; i < sizes.size(); ++i) node_stride_[i] = pattern.stride(static_cast<int>(i));
+}
+
+// Numbers the leans of each triangle and couples them with its nodes.
+void WallEnergy::couple_leans(int first_lean, BlockPattern& pattern) {
+  if (leans_.empty()) return;
+  std::vector<int> node_of(static_cast<size_t>(vertices_), -1);
+  for (size_t i = 0; i < leans_.size(); ++i)
+    node_of[static_cast<size_t>(leans_[i].vertex)] = first_lean + static_cast<int>(i);
+  lean_places_.resize(sides_.size());
+  for (size_t t = 0; t < sides_.size(); ++t) {
+    auto& lean = lean_places_[t].node;
+    for (size_t i = 0; i < 3; ++i)
+      lean[i] = node_of[static_cast<size_t>(triangles_(static_cast<int>(t), static_cast<int>(i)))];
+    for (size_t i = 0; i < 3; ++i) {
+      if (lean[i] < 0) continue;
+      for (const int other : places_[t].node)
+        if (other >= 0) pattern.couple(lean[i], other);
+      for (size_t j = 0; j < i; ++j)
+        if (lean[j] >= 0) pattern.couple(lean[i], lean[j]);
+    }
+  }
+}
+
+void WallEnergy::place_leans(const BlockPattern& pattern) {
+  for (size_t t = 0; t < lean_places_.size(); ++t) {
+    const auto& lean = lean_places_[t].node;
+    const auto node_at = [&](size_t j) { return j < 9 ? places_[t].node[j] : lean[j - 9]; };
+    for (size_t i = 0; i < 3; ++i)
+      for (size_t j = 0; j < 12; ++j)
+        if (const int other = node_at(j); lean[i] >= 0 && other >= 0)
+          lean_places_[t].place[i][j] =
+              pattern.place(std::max(lean[i], other), std::min(lean[i], other));
+  }
 }
 
 namespace {
@@ -172,6 +212,11 @@ std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
       scalars[6 + k] = edge.glued ? 0 : sides.sign[k] * change[edge.unknown];
     }
     all.push_back(e.strain_slopes * scalars);
+    const auto& leaning = triangle_rest_[static_cast<size_t>(t)].leaning;
+    if (!leaning) continue;
+    for (int k = 0; k < 3; ++k)
+      if (const int at = lean_unknown_[static_cast<size_t>(triangles_(t, k))]; at >= 0)
+        all.back() += change[at] * leaning->strains.col(k);
   }
   return all;
 }
@@ -190,7 +235,10 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
       if (const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
           !edges_[edge].rim)
         by_angle[edge] += e.gradient[3 + k];
-    add_triangle(static_cast<size_t>(t), e, derivatives(q, g, t, f), values);
+    const TriangleDerivatives d = derivatives(q, g, t, f);
+    add_triangle(static_cast<size_t>(t), e, d, values);
+    if (triangle_rest_[static_cast<size_t>(t)].leaning)
+      add_leans(static_cast<size_t>(t), e, d, values);
   }
   add_hinges(q, g, by_angle, values);
   add_partners(q, values);
@@ -261,6 +309,30 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
       if (node[static_cast<size_t>(6 + l)] < 0) continue;
       values[place[static_cast<size_t>(pair(6 + k, 6 + l))]] +=
           sign * sides.sign[l] * e.hessian(6 + k, 6 + l);
+    }
+  }
+}
+
+// Adds what the leans of a triangle have to do with its scalars and with each other.
+void WallEnergy::add_leans(size_t t, const TriangleEnergy& e, const TriangleDerivatives& d,
+                           double* values) const {
+  Adder adder{values, node_stride_};
+  const auto& node = places_[t].node;
+  const LeanPlaces& leans = lean_places_[t];
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<size_t>(i);
+    const int lean = leans.node[at];
+    if (lean < 0) continue;
+    const auto& place = leans.place[at];
+    const Vec9 slope = e.lean_slopes.col(i);
+    const Row9 own = slope.head<6>().transpose() * d.own;
+    for (int k = 0; k < 3; ++k) {
+      const auto n = static_cast<size_t>(k);
+      adder.add<1, 3>(lean, node[n], place[n], own.segment<3>(3 * k));
+      if (node[3 + n] >= 0)
+        adder.add<1, 3>(lean, node[3 + n], place[3 + n], slope[3 + k] * d.across[n].transpose());
+      if (node[6 + n] >= 0) values[place[6 + n]] += sides_[t].sign[k] * slope[6 + k];
+      if (k <= i && leans.node[n] >= 0) values[place[9 + n]] += e.lean_hessian(i, k);
     }
   }
 }

@@ -22,15 +22,16 @@ void WallEnergy::set_prestress(const WallInput& input) {
   stretch.head<3>() = strain_of_stretch(input.material, input.axial_prestretch);
   for (TriangleRest& rest : triangle_rest_) rest.prestress = rest.stiffness * stretch;
 
-  // The normals of free edges follow in equilibrium.
+  // The normals of free edges and the leans follow in equilibrium.
   Eigen::VectorXd force;
   gradient(rest_, force);
   force += stiffness * change;
   const Eigen::Index first = 3 * Eigen::Index{vertices_};
-  const Eigen::SparseMatrix<double> of_edges =
-      stiffness.block(first, first, free_edges_, free_edges_);
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(of_edges);
-  change.segment(first, free_edges_) = -factor.solve(force.segment(first, free_edges_));
+  const Eigen::Index following = free_edges_ + std::ssize(leans_);
+  const Eigen::SparseMatrix<double> of_directors =
+      stiffness.block(first, first, following, following);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(of_directors);
+  change.segment(first, following) = -factor.solve(force.segment(first, following));
 
   const std::vector<Vec6> strain = strain_change(rest_, change);
   for (size_t t = 0; t < triangle_rest_.size(); ++t) {

@@ -7,6 +7,7 @@
 
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
+#include "wall/held_thickness.h"
 #include "wall/shear_pairs.h"
 #include "wall/triangle_stiffness.h"
 #include "wall/wall_energy.h"
@@ -37,6 +38,10 @@ void check(const WallInput& in) {
            " displacements of the prestress, expected one per vertex (", n, ")");
   if (!in.prestress_displacement.allFinite())
     refuse(in.name, "found a displacement of the prestress that is not finite");
+  if (in.lean.rows() != 0 && in.lean.rows() != n)
+    refuse(in.name, "found ", in.lean.rows(), " directions of leans, expected one per vertex (", n,
+           ")");
+  if (!in.lean.allFinite()) refuse(in.name, "found a direction of a lean that is not finite");
   if (!(in.axial_prestretch > 0) || !std::isfinite(in.axial_prestretch))
     refuse(in.name, "axial prestretch = ", in.axial_prestretch, ", expected a positive number");
   for (int i = 0; i < n; ++i)
@@ -128,7 +133,20 @@ void WallEnergy::number_edges(const WallInput& input) {
     edge_apex_.push_back(apex);
     ++(e.glued ? glued_edges_ : free_edges_);
   }
-  int xi = 3 * vertices_, normal = xi + free_edges_;
+  number_unknowns(input);
+}
+
+void WallEnergy::number_unknowns(const WallInput& input) {
+  int xi = 3 * vertices_, lean = xi + free_edges_;
+  if (!input.lean.isZero(0)) {
+    lean_unknown_.assign(static_cast<size_t>(vertices_), -1);
+    for (int v = 0; v < vertices_; ++v) {
+      if (input.lean.row(v).isZero(0)) continue;
+      leans_.push_back({v, lean});
+      lean_unknown_[static_cast<size_t>(v)] = lean++;
+    }
+  }
+  int normal = lean;
   for (WallEdge& e : edges_) {
     e.unknown = e.glued ? normal : xi;
     (e.glued ? normal : xi) += e.glued ? 3 : 1;
@@ -192,6 +210,14 @@ void WallEnergy::set_rest(const WallInput& input) {
     section.curvature = limited({turning(0, 0), turning(1, 1), (turning(0, 1) + turning(1, 0)) / 2},
                                 largest_thickness_ratio / reach);
     sections_.push_back(section);
+    if (leans_.empty()) continue;
+    Eigen::Matrix<double, 2, 3> directions;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 d = input.lean.row(v[k]);
+      const Vec2 in_plane = f.transpose() * d;
+      directions.col(k) = in_plane.isZero(0) ? in_plane : in_plane.normalized();
+    }
+    lean_directions_.push_back(directions);
   }
   set_material(input.material);
 }
@@ -200,8 +226,7 @@ void WallEnergy::set_material(const Material& material) {
   check_material(material, name_);
   law_ = material.law;
   const Mat3 stiffness = plane_stress(material);
-  const Vec2 shear(material.shear_axial,
-                   material.young_transverse / (2 * (1 + material.poisson_tt)));
+  const Vec2 shear = transverse_shear(material);
   for (size_t t = 0; t < sections_.size(); ++t) {
     WallSection section = sections_[t];
     section.stiffness = stiffness;
@@ -209,6 +234,20 @@ void WallEnergy::set_material(const Material& material) {
     TriangleRest& rest = triangle_rest_[t];
     rest.stiffness = triangle_stiffness(rest.gradients, section);
     rest.large.reset();
+    rest.leaning.reset();
+    if (!lean_directions_.empty() && !lean_directions_[t].isZero(0)) {
+      std::array<bool, 3> glued{};
+      for (size_t k = 0; k < 3; ++k) {
+        glued[k] = edges_[static_cast<size_t>(sides_[t].edge[k])].glued;
+        if (!glued[k] || law_ == Law::neo_hookean) continue;
+        const Vec2 across = rest.gradients.col(static_cast<int>(k));
+        const double length = 2 * rest.area * across.norm();
+        rest.stiffness.topLeftCorner<3, 3>() +=
+            length * held_thickness(material, section.outer - section.inner, across.normalized());
+      }
+      rest.leaning = std::make_shared<LeaningTriangle>(
+          leaning_triangle(rest.gradients, section, lean_directions_[t], glued));
+    }
     if (law_ != Law::neo_hookean) continue;
     const WallPiece piece = wall_piece(rest.gradients, section);
     rest.large = std::make_shared<LargeStrainWall>(

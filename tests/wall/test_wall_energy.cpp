@@ -53,6 +53,13 @@ std::vector<Case> cases() {
   all.push_back({"neo-hookean slit", slit_wall(neo_hookean)});
   all.push_back({"stiff in shear", slit_wall(stiff_in_shear)});
   all.push_back({"three around", tube_wall(tube(3, 1, 3, 2), 0.3, fibred, true)});
+  for (const Material& material : {isotropic, stiff_in_shear, neo_hookean}) {
+    Case leaning{"leaning", slit_wall(material)};
+    leaning.input.lean = Points::Zero(leaning.input.rest.points.rows(), 3);
+    for (int v = 0; v < leaning.input.lean.rows(); ++v)
+      if (v % 5 != 2) leaning.input.lean.row(v) << 0.1 * v, 0.2, 1;
+    all.push_back(leaning);
+  }
   Case outer{"outer face", tube_wall(tube(3, 1, 7, 4), 0.3, isotropic, true)};
   outer.input.mid_offset = -0.15;
   all.push_back(outer);

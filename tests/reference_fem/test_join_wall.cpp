@@ -25,9 +25,9 @@ JoinProblem problem_of(const std::string& text) {
   return read_join(scene_of_text(text), std::nullopt);
 }
 
-JoinCells coarse(const JoinProblem& problem, int layers, int degree = 2) {
+JoinCells coarse(const JoinProblem& problem, int layers) {
   JoinCells cells = first_cells(problem, 2, 0, 1);
-  cells.degree = degree;
+  cells.degree = 2;
   cells.layers = layers;
   return cells;
 }

@@ -105,6 +105,33 @@ Chart chart_of(const JoinWall& wall) {
   return [&wall](const Vec3& p) { return wall.shape.point(wall.parameters(p)); };
 }
 
+/// The strip of a vessel that was not cut, from that of its kept part: goes on beyond the cut with
+/// cells that grow away from it, and is closed.
+Strip seen_strip(const JoinWall& wall, Strip strip, bool whole_around) {
+  for (double& s : strip.along) s = wall.kept_from + s * (wall.kept_to - wall.kept_from);
+  const double cut = wall.kept_from > 0 ? wall.kept_from : wall.kept_to,
+               far = wall.kept_from > 0 ? 0 : 1, stump = std::abs(far - cut) * wall.whole.length;
+  if (stump > 0) {
+    const double like_the_kept = static_cast<double>(strip.along.size() - 1) /
+                                 grading.cells(wall.shape.length) * grading.cells(stump);
+    const int count = std::max(1, static_cast<int>(std::ceil(like_the_kept)));
+    std::vector<double> beyond;
+    append(beyond, unit_stations(stump, count), cut, far);
+    if (far == 0) {
+      beyond.pop_back();
+      strip.along.insert(strip.along.begin(), beyond.begin(), beyond.end());
+    } else {
+      strip.along.insert(strip.along.end(), beyond.begin() + 1, beyond.end());
+    }
+  }
+  strip.welded.assign(strip.along.size(), whole_around ? 1 : 0);
+  return strip;
+}
+
+bool same(double a, double b) {
+  return std::abs(a - b) < 1e-12;
+}
+
 bool at_mid_wall(const Mesh& mesh, int node) {
   return std::abs(mesh.parameters(node, 2) - 0.5) < 1e-9;
 }
@@ -189,6 +216,28 @@ JoinMesh make_join_mesh(const JoinProblem& problem, const JoinCells& cells,
     mesh.seam.push_back({a, b, lips[k].first, mesh.vein.nodes.row(a) - mesh.artery.nodes.row(b)});
   }
   return mesh;
+}
+
+JoinMesh make_seen_mesh(const JoinProblem& problem, const JoinCells& cells,
+                        const Processes& processes) {
+  const auto [mirror_x, mirror_y] = problem.mirror;
+  const JoinWall vein = as_seen(problem.vein), artery = as_seen(problem.artery);
+  return {make_strip(seen_strip(problem.vein, vein_strip(problem, cells), !mirror_x && !mirror_y),
+                     chart_of(vein), processes),
+          make_strip(seen_strip(problem.artery, artery_strip(problem, cells), !mirror_y),
+                     chart_of(artery), processes),
+          {}};
+}
+
+std::array<bool, 2> planes_of_vein(const JoinProblem& problem, const Vec3& at) {
+  return {problem.mirror[0] && same(std::abs(at[0]), 0.25),
+          problem.mirror[1] && (same(at[0], 0) || same(at[0], 0.5))};
+}
+
+std::array<bool, 2> planes_of_artery(const JoinProblem& problem, const Vec3& at) {
+  const Incision& incision = problem.incision;
+  return {problem.mirror[0] && same(at[1], 0.5 * (incision.from + incision.to)),
+          problem.mirror[1] && (same(at[0], 0) || same(at[0], 0.5))};
 }
 
 Folded fold_vein(const JoinProblem& problem, double share, double fraction) {

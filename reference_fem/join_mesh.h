@@ -41,6 +41,17 @@ struct JoinMesh {
 JoinMesh make_join_mesh(const JoinProblem& problem, const JoinCells& cells,
                         const Processes& processes = {});
 
+/// The whole meshes of both vessels as they were seen: not cut, the incision closed, of the same
+/// part of the planes of symmetry. Where a vessel is kept, its cells are the join's, but for those
+/// around an elliptic hole.
+JoinMesh make_seen_mesh(const JoinProblem& problem, const JoinCells& cells,
+                        const Processes& processes = {});
+
+/// Whether a point of a vessel's strip is in the planes with normal x and y. The artery's incision
+/// counts as closed.
+std::array<bool, 2> planes_of_vein(const JoinProblem& problem, const Vec3& parameter);
+std::array<bool, 2> planes_of_artery(const JoinProblem& problem, const Vec3& parameter);
+
 /// The meshes' lines across the axes, fractions of them.
 struct JoinLines {
   std::vector<double> vein, artery;

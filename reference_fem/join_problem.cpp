@@ -37,11 +37,25 @@ void require_tube(const Scene& scene, const VesselSpec& vessel) {
   if (vessel.role == Role::obstacle) refuse(scene, "the obstacle " + name);
   if (!vessel.tube) refuse(scene, "the surface of " + name);
   if (vessel.tube->bend_deg != 0) refuse(scene, "the bent tube " + name);
-  require_no_prestress(scene, vessel);
 }
 
+/// Held when the vessel was seen: the ends with a condition; both where an operation opens the
+/// vessel across, or no end has one.
+std::vector<EndProblem> held_when_seen(const std::vector<EndProblem>& ends, bool opened) {
+  std::vector<EndProblem> held = ends;
+  for (const int side : {0, 1}) {
+    const bool named = std::any_of(ends.begin(), ends.end(),
+                                   [&](const EndProblem& end) { return end.side == side; });
+    if (named || !(opened || ends.empty())) continue;
+    held.emplace_back();
+    held.back().side = side;
+  }
+  return held;
+}
+
+/// `opened`: across, by a cut or at an end that is joined.
 JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnits& units,
-                 std::optional<LawKind> law) {
+                 std::optional<LawKind> law, bool opened) {
   JoinWall wall;
   wall.name = vessel.name;
   wall.shape = shape_of(vessel, units);
@@ -50,7 +64,9 @@ JoinWall wall_of(const Scene& scene, const VesselSpec& vessel, const ProblemUnit
   if (wall.law == LawKind::split_neo_hookean) refuse(scene, "the law split-neo-hookean");
   require_admissible(scene, wall.name, wall.law, wall.moduli);
   wall.ends = ends_of(scene, wall.name, wall.shape, units);
-  if (vessel.pressure) wall.pressure = vessel.pressure->after / units.stress;
+  wall.seen = seen_state(scene, vessel, units);
+  wall.whole = wall.shape;
+  wall.ends_when_seen = held_when_seen(wall.ends, opened);
   return wall;
 }
 
@@ -89,7 +105,9 @@ TubeShape part(const TubeShape& tube, double from, double to) {
 int cut_tube(const Scene& scene, double at, const EndSelector& keep, double unit, JoinWall& tube) {
   if (!(at > equal && at < 1 - equal)) refuse(scene, "a cut at an end of " + in_quotes(tube.name));
   const int kept_side = side_of(scene, tube.shape, keep, unit);
-  tube.shape = kept_side == 0 ? part(tube.shape, 0, at) : part(tube.shape, at, 1);
+  tube.kept_from = kept_side == 0 ? 0 : at;
+  tube.kept_to = kept_side == 0 ? at : 1;
+  tube.shape = part(tube.shape, tube.kept_from, tube.kept_to);
   std::erase_if(tube.ends, [&](const EndProblem& end) { return end.side != kept_side; });
   return 1 - kept_side;
 }
@@ -115,6 +133,7 @@ void cut(const Scene& scene, const GlennSpec& spec, JoinProblem& problem) {
 
 void to_frame(const Pose& frame, JoinWall& wall) {
   wall.shape.placement = frame.inverse() * wall.shape.placement;
+  wall.whole.placement = frame.inverse() * wall.whole.placement;
   const Mat3 turn = frame.rotation.transpose();
   for (EndProblem& end : wall.ends)
     for (Vec3 EndProblem::*vector :
@@ -189,11 +208,11 @@ JoinProblem read_glenn_join(const Scene& scene, std::optional<LawKind> law) {
   problem.cut_pick = spec.cut.point;
   problem.vein_first = scene.vessels.front().name == spec.svc;
   problem.units = {vein.tube->radius, vein.wall->material.young_axial};
-  problem.vein = wall_of(scene, vein, problem.units, law);
+  problem.vein = wall_of(scene, vein, problem.units, law, true);
   const Vec3 cut_at = locate(scene, "cut", problem.vein, spec.cut.point, problem.units.length);
   problem.units.length *= problem.vein.shape.radius_at(cut_at[1]);
-  problem.vein = wall_of(scene, vein, problem.units, law);
-  problem.artery = wall_of(scene, artery, problem.units, law);
+  problem.vein = wall_of(scene, vein, problem.units, law, true);
+  problem.artery = wall_of(scene, artery, problem.units, law, false);
   cut(scene, spec, problem);
 
   const Vec3 pick =
@@ -286,12 +305,12 @@ JoinProblem read_end_to_end(const Scene& scene, std::optional<LawKind> law) {
   problem.vein_first = scene.vessels.front().name == first.name;
   problem.units = {first.tube->radius, first.wall->material.young_axial};
   // The unit of length is the radius of the first rim.
-  problem.vein = wall_of(scene, first, problem.units, law);
+  problem.vein = wall_of(scene, first, problem.units, law, true);
   const int side = take_rim(scene, spec.rims[0], problem.units.length, problem.vein).side;
   problem.units.length *= rim_radius(problem.vein.shape, side);
   const double unit = problem.units.length;
-  problem.vein = wall_of(scene, first, problem.units, law);
-  problem.artery = wall_of(scene, second, problem.units, law);
+  problem.vein = wall_of(scene, first, problem.units, law, true);
+  problem.artery = wall_of(scene, second, problem.units, law, true);
   const TubeRim one = take_rim(scene, spec.rims[0], unit, problem.vein),
                 other = take_rim(scene, spec.rims[1], unit, problem.artery);
   problem.seam_side = one.side;
@@ -330,6 +349,16 @@ JoinProblem read_end_to_end(const Scene& scene, std::optional<LawKind> law) {
 }
 
 }  // namespace
+
+JoinWall as_seen(const JoinWall& wall) {
+  JoinWall seen = wall;
+  seen.shape = wall.whole;
+  seen.kept_from = 0;
+  seen.kept_to = 1;
+  seen.hole.reset();
+  seen.ends = wall.ends_when_seen;
+  return seen;
+}
 
 Vec3 JoinWall::parameters(double share, double fraction, double depth) const {
   const Vec2 at = hole ? hole->place(share, fraction) : Vec2(share, fraction);
@@ -371,7 +400,16 @@ JoinProblem read_join(const Scene& scene, std::optional<LawKind> law) {
   for (const VesselSpec& vessel : scene.vessels) require_tube(scene, vessel);
   if (!scene.contact || !scene.contact->empty())
     refuse(scene, scene.contact ? "a pair in `contact`" : "no `contact: []`");
-  return scene.glenn ? read_glenn_join(scene, law) : read_end_to_end(scene, law);
+  JoinProblem problem = scene.glenn ? read_glenn_join(scene, law) : read_end_to_end(scene, law);
+  const double first = problem.vein.seen.pressure.after,
+               second = problem.artery.seen.pressure.after;
+  if (std::abs(first - second) > 1e-9 * std::abs(second))
+    throw InputError(scene.file.string() + ": pressure.after: found " +
+                     number(first * problem.units.stress) + " and " +
+                     number(second * problem.units.stress) + ' ' + scene.units.stress + " in " +
+                     problem.vein.name + " and " + problem.artery.name +
+                     ", expected one pressure, as the operation joins them to one lumen");
+  return problem;
 }
 
 }  // namespace vasorod::fem

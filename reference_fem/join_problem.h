@@ -28,17 +28,24 @@ struct JoinWall {
   Moduli moduli;
   LawKind law = LawKind::neo_hookean;
   std::vector<EndProblem> ends;
-  double pressure = 0;     ///< follower pressure on the inner face, dimensionless
+  SeenState seen;          ///< its pressures act on the inner face
   double first_angle = 0;  ///< of the first line, radians
   int turn = 1;            ///< sense of the tube's angle along the strip
   /// The hole around which the strip is laid; empty: none, or a slit.
   std::optional<HoleChart> hole;
+  /// The vessel as it was seen, not cut; `shape` is its part between two fractions of its axis.
+  TubeShape whole;
+  double kept_from = 0, kept_to = 1;
+  std::vector<EndProblem> ends_when_seen;  ///< all held
 
   /// The tube's parameters at a share of the circumference, a fraction of the axis and a depth,
   /// which counts inwards where `turn` is negative, so that the strip is right-handed.
   Vec3 parameters(double share, double fraction, double depth = 0.5) const;
   Vec3 parameters(const Vec3& strip) const { return parameters(strip[0], strip[1], strip[2]); }
 };
+
+/// The vessel as it was seen: not cut, not incised, all of `ends_when_seen` held.
+JoinWall as_seen(const JoinWall& wall);
 
 /// The slit, a part of the artery's first line, or the elliptic hole around which that part is
 /// laid. A point of its rim is named by its share of the rim's length from the tip at +x, first
@@ -80,6 +87,8 @@ struct JoinProblem {
   Pose frame;                    ///< the problem's axes in the scene's, dimensionless position
   ProblemUnits units;
 
+  /// Whether a wall carried a stress when it was seen.
+  bool stressed() const { return vein.seen.stressed() || artery.seen.stressed(); }
   /// The number of copies of the model that make the whole.
   int copies() const { return (mirror[0] ? 2 : 1) * (mirror[1] ? 2 : 1); }
   /// A vector of the problem in the scene's axes.

@@ -44,7 +44,7 @@ void report_forces(const JoinProblem& problem, const JoinWall& wall, const JoinF
   }
   balance.load = units.force() * problem.in_scene(forces.load);
   balance.join = units.force() * problem.in_scene(forces.seam);
-  if (wall.pressure == 0 && largest > 0)
+  if (!wall.seen.pressed() && largest > 0)
     balance.residual = (balance.support + balance.load + balance.join).norm() / largest;
   result.balance.push_back(balance);
 }

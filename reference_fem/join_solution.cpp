@@ -5,45 +5,11 @@
 #include <memory>
 
 #include "reference_fem/clock.h"
+#include "reference_fem/join_wall.h"
 #include "reference_fem/model_pair.h"
-#include "reference_fem/tube_ends.h"
 
 namespace vasorod::fem {
 namespace {
-
-/// One wall's model and the sections of its ends.
-struct WallModel {
-  std::unique_ptr<Model> model;
-  std::vector<Section> sections;
-};
-
-template <class Wall>
-WallModel with_ends(std::unique_ptr<Wall> model, const JoinWall& wall) {
-  WallModel out;
-  for (const EndProblem& end : wall.ends) {
-    out.sections.push_back(end_section(*model, wall.shape, end.side, end.soft));
-    apply(end, out.sections.back());
-  }
-  out.model = std::move(model);
-  return out;
-}
-
-WallModel wall_model(const JoinWall& wall, const Mesh& mesh) {
-  const MaterialLaw law(wall.law, wall.moduli);
-  const Axes axes = [&wall](const Vec3& p) { return wall.shape.axes(wall.parameters(p)); };
-  if (mesh.dim == 3) {
-    auto solid = std::make_unique<Solid>(mesh, law, axes);
-    // The strip's depth counts inwards where it turns against the tube's angle.
-    if (wall.pressure != 0) solid->add_pressure(2, wall.turn > 0 ? 0 : 1, wall.pressure);
-    return with_ends(std::move(solid), wall);
-  }
-  const ShellBody body{
-      [axes](const Vec3& p) { return Vec3(axes(p).col(0)); },
-      [&wall](const Vec3& p) { return wall.shape.thickness_at(wall.parameters(p)[1]); }, axes};
-  auto shell = std::make_unique<Shell>(mesh, law, body, wall.law == LawKind::svk ? 2 : 5);
-  if (wall.pressure != 0) shell->add_pressure(wall.pressure);
-  return with_ends(std::move(shell), wall);
-}
 
 /// Both walls as one model. The vein's degrees of freedom come first.
 struct JoinModel {
@@ -53,6 +19,15 @@ struct JoinModel {
         artery(wall_model(problem.artery, mesh.artery)),
         pair(*vein.model, *artery.model) {}
 
+  /// Gives the models the stress of the vessels as seen and the pressures of the path.
+  SeenDisplacements load(const JoinProblem& problem, const JoinCells& cells,
+                         const Processes& processes) {
+    const SeenDisplacements largest =
+        prestress_join(problem, cells, mesh, *vein.model, *artery.model, processes);
+    vein.model->set_pressure(problem.vein.seen.pressure);
+    artery.model->set_pressure(problem.artery.seen.pressure);
+    return largest;
+  }
   int components() const { return pair.components(); }
   int first_of_vein(int node) const { return components() * node; }
   int first_of_artery(int node) const { return vein.model->dof_count() + components() * node; }
@@ -70,30 +45,21 @@ void tie_seam(const JoinModel& model, Supports& supports) {
 }
 
 /// In a plane of symmetry displacement and director stay in the plane. The rim's displacement is
-/// the lip's.
+/// the lip's; the incision is open.
 void hold_planes(const JoinProblem& problem, const JoinModel& model, Supports& supports) {
-  const auto hold = [&](int first_dof, int axis, bool displacement) {
-    if (displacement) supports.prescribed.emplace_back(first_dof + axis, 0.0);
-    if (model.components() == 7) supports.prescribed.emplace_back(first_dof + 3 + axis, 0.0);
-  };
-  const auto is = [](double a, double b) { return std::abs(a - b) < 1e-12; };
   const Mesh &vein = model.mesh.vein, &artery = model.mesh.artery;
   std::vector<char> tied(static_cast<std::size_t>(vein.node_count()), 0);
   for (const SeamPair& pair : model.mesh.seam) tied[static_cast<std::size_t>(pair.vein)] = 1;
-  for (int node = 0; node < vein.node_count(); ++node) {
-    const Vec3 at = vein.parameters.row(node);
-    const int dof = model.first_of_vein(node);
-    const bool free = tied[static_cast<std::size_t>(node)] == 0;
-    if (problem.mirror[0] && is(std::abs(at[0]), 0.25)) hold(dof, 0, free);
-    if (problem.mirror[1] && (is(at[0], 0) || is(at[0], 0.5))) hold(dof, 1, free);
-  }
+  for (int node = 0; node < vein.node_count(); ++node)
+    hold_in_planes(planes_of_vein(problem, vein.parameters.row(node)), model.first_of_vein(node),
+                   model.components(), tied[static_cast<std::size_t>(node)] == 0, supports);
   const Incision& incision = problem.incision;
   for (int node = 0; node < artery.node_count(); ++node) {
     const Vec3 at = artery.parameters.row(node);
-    const int dof = model.first_of_artery(node);
-    const bool lip = is(at[0], 0) && at[1] > incision.from + 1e-12 && at[1] < incision.to - 1e-12;
-    if (problem.mirror[0] && is(at[1], 0.5 * (incision.from + incision.to))) hold(dof, 0, true);
-    if (problem.mirror[1] && ((is(at[0], 0) && !lip) || is(at[0], 0.5))) hold(dof, 1, true);
+    std::array<bool, 2> planes = planes_of_artery(problem, at);
+    if (at[0] < 1e-12 && at[1] > incision.from + 1e-12 && at[1] < incision.to - 1e-12)
+      planes[1] = false;
+    hold_in_planes(planes, model.first_of_artery(node), model.components(), true, supports);
   }
 }
 
@@ -284,12 +250,14 @@ JoinSolution solve_join(const JoinProblem& problem, const JoinCells& cells,
                         const Processes& processes) {
   JoinSolution solution;
   const double start = now();
-  const JoinModel model(problem, cells, processes);
+  JoinModel model(problem, cells, processes);
+  solution.seen = model.load(problem, cells, processes);
   Supports supports;
   tie_seam(model, supports);
   hold_planes(problem, model, supports);
   const std::vector<ModelledEnd> ends = add_ends(problem, model, supports);
-  const System system(model.pair, std::move(supports), processes);
+  System system(model.pair, std::move(supports), processes);
+  if (problem.stressed()) system.start_from(system.rest());
   solution.unknowns = system.size();
   // the nodes at a part's two ends are on planes of symmetry, each shared by two parts
   solution.pairs = static_cast<int>(model.mesh.seam.size());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference_fem/join_mesh.h"
+#include "reference_fem/join_wall.h"
 #include "reference_fem/mid_wall.h"
 #include "reference_fem/stepper.h"
 
@@ -37,6 +37,7 @@ struct JoinSolution {
   int pairs = 0;  ///< tied pairs of nodes
   JoinForces on_vein, on_artery;
   MidWall vein, artery;
+  SeenDisplacements seen;
   /// By share of the seam: the vein's rim; the slit's lips, or the second tube's rim.
   Points rim_rest, rim, lips_rest, lips;
   double mesh_seconds = 0;

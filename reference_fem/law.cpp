@@ -16,13 +16,6 @@ Vec6 stress_vector(const Mat3& m) {
   return v;
 }
 
-/// Six strain components with engineering shears.
-Vec6 strain_vector(const Mat3& m) {
-  Vec6 v;
-  v << m(0, 0), m(1, 1), m(2, 2), 2 * m(0, 1), 2 * m(0, 2), 2 * m(1, 2);
-  return v;
-}
-
 /// (C^-1 (.) C^-1)_IJKL = 1/2 (Ci_IK Ci_JL + Ci_IL Ci_JK) as a 6x6 matrix for engineering strains.
 Mat6 inverse_square(const Mat3& Ci) {
   Mat6 m;
@@ -35,7 +28,49 @@ Mat6 inverse_square(const Mat3& Ci) {
   return m;
 }
 
+/// The energy T0 : (U - I) + 1/2 (U - I) : C : (U - I). T = T0 + C : (U - I) is conjugate to U; S
+/// solves S U + U S = 2 T. All derivatives are Sylvester equations with U. In U's eigenbasis they
+/// are solved by division by sums of stretches, so repeated stretches are no special case.
+Response of_stretch(const Mat3& C, const Vec6& T0, const Mat6& stiffness) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(C);
+  const Mat3& N = eigen.eigenvectors();
+  const Vec3 stretch = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const Mat3 sums = stretch.replicate<1, 3>() + stretch.transpose().replicate<3, 1>();
+  const auto sylvester = [&](const Mat3& right) -> Mat3 {
+    return N * (N.transpose() * right * N).cwiseQuotient(sums) * N.transpose();
+  };
+  // U - I = (C - I) (U + I)^-1, without cancellation at small strain
+  const Mat3 strain = N *
+                      ((N.transpose() * (C - Mat3::Identity()) * N)
+                           .diagonal()
+                           .cwiseQuotient(stretch + Vec3::Ones()))
+                          .asDiagonal() *
+                      N.transpose();
+  const Vec6 strain6 = strain_components(strain);
+  const Vec6 T6 = T0 + stiffness * strain6;
+
+  Response out;
+  out.energy = 0.5 * strain6.dot(T0 + T6);
+  const Mat3 S = sylvester(2 * stress_tensor(T6));
+  out.stress = stress_vector(S);
+  for (int b = 0; b < 6; ++b) {
+    Vec6 dE6 = Vec6::Zero();
+    dE6[b] = b < 3 ? 1.0 : 0.5;
+    const Mat3 dU = sylvester(2 * stress_tensor(dE6));
+    const Mat3 dT = stress_tensor(stiffness * strain_components(dU));
+    out.tangent.col(b) = stress_vector(sylvester(2 * dT - S * dU - dU * S));
+  }
+  return out;
+}
+
 }  // namespace
+
+Response& Response::operator+=(const Response& other) {
+  energy += other.energy;
+  stress += other.stress;
+  tangent += other.tangent;
+  return *this;
+}
 
 Moduli Moduli::isotropic(double young, double nu) {
   return {young, young, nu, nu, young / (2 * (1 + nu)), true};
@@ -100,6 +135,8 @@ MaterialLaw MaterialLaw::split(double mu, double kappa) {
   law.kind_ = LawKind::split_neo_hookean;
   law.mu_ = mu;
   law.kappa_ = kappa;
+  law.stiffness_.topLeftCorner<3, 3>().setConstant(kappa - 2 * mu / 3);
+  law.stiffness_.diagonal() += mu * Vec6(Vec6(2, 2, 2, 1, 1, 1));
   return law;
 }
 
@@ -120,49 +157,32 @@ Response MaterialLaw::evaluate(const Mat3& F) const {
   Response out = isochoric(F);
   const Response held = pressure_response(F, u.slope);
   const Vec6 ci = stress_vector(C.inverse());
+  out += held;
   out.energy += u.energy;
-  out.stress += held.stress;
-  out.tangent += held.tangent + J * J * u.curvature * ci * ci.transpose();
+  out.tangent += J * J * u.curvature * ci * ci.transpose();
   return out;
 }
 
-// T = C : (U - I) is conjugate to U; S solves S U + U S = 2 T. All derivatives are Sylvester
-// equations with U. In U's eigenbasis they are solved by division by sums of stretches, so repeated
-// stretches are no special case.
 Response MaterialLaw::biot(const Mat3& C) const {
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(C);
-  const Mat3& N = eigen.eigenvectors();
-  const Vec3 stretch = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-  const Mat3 sums = stretch.replicate<1, 3>() + stretch.transpose().replicate<3, 1>();
-  const auto sylvester = [&](const Mat3& right) -> Mat3 {
-    return N * (N.transpose() * right * N).cwiseQuotient(sums) * N.transpose();
-  };
-  // U - I = (C - I) (U + I)^-1, without cancellation at small strain
-  const Mat3 strain = N *
-                      ((N.transpose() * (C - Mat3::Identity()) * N)
-                           .diagonal()
-                           .cwiseQuotient(stretch + Vec3::Ones()))
-                          .asDiagonal() *
-                      N.transpose();
-  const Vec6 strain6 = strain_vector(strain);
-  const Vec6 T6 = stiffness_ * strain6;
+  return of_stretch(C, Vec6::Zero(), stiffness_);
+}
 
+Vec6 MaterialLaw::uniaxial_strain(double stretch) const {
+  const Vec6 under_a_unit_pull = stiffness_.llt().solve(Vec6::Unit(2));
+  return (stretch - 1) / under_a_unit_pull[2] * under_a_unit_pull;
+}
+
+Response MaterialLaw::of_prestress(const Mat3& F, const Vec6& s) const {
+  const Mat3 C = F.transpose() * F;
+  if (kind_ != LawKind::svk) return of_stretch(C, s, Mat6::Zero());
   Response out;
-  out.energy = 0.5 * strain6.dot(T6);
-  const Mat3 S = sylvester(2 * stress_tensor(T6));
-  out.stress = stress_vector(S);
-  for (int b = 0; b < 6; ++b) {
-    Vec6 dE6 = Vec6::Zero();
-    dE6[b] = b < 3 ? 1.0 : 0.5;
-    const Mat3 dU = sylvester(2 * stress_tensor(dE6));
-    const Mat3 dT = stress_tensor(stiffness_ * strain_vector(dU));
-    out.tangent.col(b) = stress_vector(sylvester(2 * dT - S * dU - dU * S));
-  }
+  out.stress = s;
+  out.energy = s.dot(strain_components(0.5 * (C - Mat3::Identity())));
   return out;
 }
 
 Response MaterialLaw::svk(const Mat3& C) const {
-  const Vec6 E = strain_vector(0.5 * (C - Mat3::Identity()));
+  const Vec6 E = strain_components(0.5 * (C - Mat3::Identity()));
   Response out;
   out.stress = stiffness_ * E;
   out.energy = 0.5 * E.dot(out.stress);

@@ -10,6 +10,12 @@
 // C is transversely isotropic with the third local axis as fibre (isotropic as a special case); the
 // neo-Hookean laws are isotropic. F maps from *local* axes: F = (dx/dX) Q with the fibre in Q's
 // third column, so no stiffness has to be rotated.
+//
+// A wall that carries a stress s at rest has in addition the energy
+//
+//   s : Y,  Y = E for St. Venant-Kirchhoff, Y = U - I for the other laws
+//
+// so that s + C : Y is the stress of the two laws that are linear in Y.
 #pragma once
 
 #include <string>
@@ -49,12 +55,21 @@ inline Mat3 stress_tensor(const Vec6& s) {
   return S;
 }
 
+/// The six components of a strain with engineering shears, from its tensor.
+inline Vec6 strain_components(const Mat3& m) {
+  Vec6 v;
+  v << m(0, 0), m(1, 1), m(2, 2), 2 * m(0, 1), 2 * m(0, 2), 2 * m(1, 2);
+  return v;
+}
+
 /// Response at a point. S and E in the order 11 22 33 12 13 23; the tangent is dS/dE with
 /// engineering shears.
 struct Response {
   double energy = 0;            ///< stress
   Vec6 stress = Vec6::Zero();   ///< S, local axes
   Mat6 tangent = Mat6::Zero();  ///< dS/dE
+
+  Response& operator+=(const Response& other);
 };
 
 /// The contribution of a pressure p conjugate to J: S = p J C^-1, and its tangent at constant p.
@@ -81,6 +96,12 @@ class MaterialLaw {
   LawKind kind() const { return kind_; }
   /// Requires det F > 0.
   Response evaluate(const Mat3& F) const;
+  /// What a stress s at rest adds (order 11 22 33 12 13 23, local axes). Requires det F > 0.
+  Response of_prestress(const Mat3& F, const Vec6& s) const;
+  /// dS/dE at F = I.
+  const Mat6& linear_stiffness() const { return stiffness_; }
+  /// The strain of a stretch along the fibre under which the wall is free to contract across it.
+  Vec6 uniaxial_strain(double stretch) const;
 
   /// Whether the energy is isochoric(F) + volumetric(det F).
   bool splits() const { return kind_ == LawKind::split_neo_hookean; }

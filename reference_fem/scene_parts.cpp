@@ -2,11 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <sstream>
+#include <utility>
 
 #include <vasorod/error.h>
 
 namespace vasorod::fem {
 namespace {
+
+/// Around the wall by a pressure, as R p / (E t); more is a mistaken unit.
+constexpr double largest_stretch = 0.5;
 
 Pose placement(const TubeSpec& tube, double unit) {
   Pose pose;
@@ -115,13 +120,27 @@ void require_admissible(const Scene& scene, const std::string& vessel, LawKind l
   }
 }
 
-void require_no_prestress(const Scene& scene, const VesselSpec& vessel) {
-  const bool pressed = vessel.pressure && vessel.pressure->scan != 0;
-  if (!pressed && vessel.axial_prestretch == 1) return;
-  throw InputError(
-      scene.file.string() + ": " + vessel.name + ": found " +
-      (pressed ? "a pressure of the scan" : "an axial prestretch") +
-      ", expected none: the finite-element reference starts from walls without stress");
+SeenState seen_state(const Scene& scene, const VesselSpec& vessel, const ProblemUnits& units) {
+  SeenState seen;
+  seen.axial_stretch = vessel.axial_prestretch;
+  if (!vessel.pressure) return seen;
+  const double lumen = vessel.tube->radius - vessel.wall->thickness / 2,
+               per_stretch =
+                   vessel.wall->material.young_transverse * vessel.wall->thickness / lumen;
+  for (const auto& [key, pressure] :
+       {std::pair("scan", vessel.pressure->scan), {"after", vessel.pressure->after}})
+    if (pressure > largest_stretch * per_stretch) {
+      std::ostringstream sentence;
+      sentence.precision(4);
+      sentence << scene.file.string() << ": " << vessel.name << ": pressure." << key << ": found "
+               << pressure << ' ' << scene.units.stress << ", which would stretch the wall by "
+               << 100 * pressure / per_stretch << " %, expected at most "
+               << largest_stretch * per_stretch << ' ' << scene.units.stress
+               << ": are its unit (units.pressure) and the wall's right?";
+      throw InputError(sentence.str());
+    }
+  seen.pressure = {vessel.pressure->scan / units.stress, vessel.pressure->after / units.stress};
+  return seen;
 }
 
 void apply(const EndProblem& end, Section& section) {

@@ -10,6 +10,7 @@
 #include <vasorod/scene.h>
 
 #include "reference_fem/law.h"
+#include "reference_fem/prestress.h"
 #include "reference_fem/section.h"
 #include "reference_fem/tube.h"
 
@@ -48,8 +49,9 @@ void require_held(const Scene& scene, const std::vector<EndProblem>& ends, const
 /// Throws InputError, naming the vessel, if the law refuses the moduli.
 void require_admissible(const Scene& scene, const std::string& vessel, LawKind law,
                         const Moduli& moduli);
-/// Throws InputError if the vessel has a pressure of the scan or an axial prestretch.
-void require_no_prestress(const Scene& scene, const VesselSpec& vessel);
+/// The vessel's pressures and prestretch. Throws InputError for a pressure that its wall cannot
+/// bear.
+SeenState seen_state(const Scene& scene, const VesselSpec& vessel, const ProblemUnits& units);
 /// Gives a section of the model the condition of its end.
 void apply(const EndProblem& end, Section& section);
 

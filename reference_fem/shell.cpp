@@ -100,7 +100,7 @@ bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangen
   static thread_local std::vector<Mat9> tangents;
   tangents.resize(static_cast<size_t>(count));
   Eigen::MatrixX3d stress(3 * count, 3);
-  terms.energy = 0;
+  terms.energy = prestress_.empty() ? 0 : prestress_[c].stored;
   terms.residual = Eigen::VectorXd::Zero(7 * n);
   if (want_tangent) terms.tangent = Eigen::MatrixXd::Zero(7 * n, 7 * n);
 
@@ -118,7 +118,8 @@ bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangen
       const Mat3 F =
           point.axes + (du + zeta * dw + (w + zeta * beta * d) * normal.transpose()) * point.pull;
       if (!(F.determinant() > 0)) return false;
-      const Response response = law_.evaluate(F);
+      Response response = law_.evaluate(F);
+      if (!prestress_.empty()) response += law_.of_prestress(F, prestress_[c].stress.col(at));
       terms.energy += point.weight * response.energy;
       const Mat3 P = point.weight * F * stress_tensor(response.stress);
       stress.middleRows<3>(3 * at) = P.transpose();
@@ -150,7 +151,7 @@ bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangen
     terms.residual.segment((3 + i) * n, n) = r.tail(n);
   }
   if (!want_tangent) {
-    if (pressure_ != 0) press(cell, u, load, want_tangent, terms);
+    if (!symmetric()) press(cell, u, load, want_tangent, terms);
     return true;
   }
 
@@ -173,7 +174,7 @@ bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangen
       }
     }
   terms.tangent.topRightCorner(6 * n, n) = terms.tangent.bottomLeftCorner(n, 6 * n).transpose();
-  if (pressure_ != 0) press(cell, u, load, want_tangent, terms);
+  if (!symmetric()) press(cell, u, load, want_tangent, terms);
   return true;
 }
 

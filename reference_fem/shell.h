@@ -13,8 +13,8 @@
 #include <functional>
 
 #include "reference_fem/mesh.h"
-#include "reference_fem/model.h"
 #include "reference_fem/solid.h"
+#include "reference_fem/vessel_model.h"
 
 namespace vasorod::fem {
 
@@ -25,7 +25,7 @@ struct ShellBody {
   Axes axes;                                     ///< local material axes, third the fibre
 };
 
-class Shell final : public Model {
+class Shell final : public VesselModel {
  public:
   /// Through-thickness Gauss points, 2, 3 or 5: 2 integrate S = C : E; other laws need 3, and 5 in
   /// folds as sharp as the wall is thick.
@@ -37,15 +37,16 @@ class Shell final : public Model {
   int components() const override { return 7; }  ///< u, w (director difference), beta (1/length)
   int cell_count() const override { return mesh_.cell_count(); }
   int owner(int cell) const override { return mesh_.owner[static_cast<std::size_t>(cell)]; }
-  /// Adds a follower pressure (stress, scaled by the load) on the inner face.
-  void add_pressure(double pressure) { pressure_ += pressure; }
-  bool symmetric() const override { return pressure_ == 0; }
+  void set_pressure(const LumenPressure& pressure) override { pressure_ = pressure; }
+  void set_prestress(double axial_stretch, const DofValues& u) override;
+  bool symmetric() const override { return pressure_.scan == 0 && pressure_.after == 0; }
   std::vector<int> dofs(int cell) const override;
   bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
 
  private:
   void press(int cell, const DofValues& u, double load, bool want_tangent, CellTerms& terms) const;
+  CellPrestress prestress_of(std::size_t cell, double axial_stretch, const DofValues& u) const;
 
   struct Point {
     double zeta = 0, weight = 0;  ///< weight: volume
@@ -56,9 +57,10 @@ class Shell final : public Model {
   MaterialLaw law_;
   int depth_points_;
   Points directors_;
-  double pressure_ = 0;
+  LumenPressure pressure_;
   std::vector<Eigen::VectorXd> thickness_;  ///< per cell and surface point, length
   std::vector<std::vector<Point>> points_;  ///< per cell: depth_points_ per surface point
+  std::vector<CellPrestress> prestress_;    ///< per cell, points in the same order; empty: none
 };
 
 }  // namespace vasorod::fem

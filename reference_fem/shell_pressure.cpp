@@ -30,7 +30,7 @@ void Shell::press(int cell, const DofValues& u, double load, bool want_tangent,
     const double half = thickness_[c][q] / 2;
     const Mat3 A = Mat3::Identity() + (gradient * (ue - half * de)).transpose();
     const Vec3 along = A * e1, across = A * e2, area = along.cross(across);
-    const double p = load * pressure_ * mesh_.weights[c][q];
+    const double p = pressure_at(pressure_, load) * mesh_.weights[c][q];
     const Eigen::VectorXd N = mesh_.shape.row(q);
     for (Eigen::Index i = 0; i < 3; ++i) {
       terms.residual.segment(i * n, n) -= p * area[i] * N;

@@ -1,6 +1,7 @@
 #include "reference_fem/solid.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "geometry/rigid_motion.h"
 #include "reference_fem/point_tangent.h"
@@ -26,7 +27,17 @@ Solid::Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes)
 }
 
 void Solid::add_pressure(int direction, int side, double pressure) {
-  pressures_.push_back({face_of(mesh_, direction, side), pressure});
+  pressures_.push_back({face_of(mesh_, direction, side), {0, pressure}});
+}
+
+void Solid::set_pressure(const LumenPressure& pressure) {
+  for (Pressure& face : pressures_) face.value = pressure;
+}
+
+bool Solid::symmetric() const {
+  return std::none_of(pressures_.begin(), pressures_.end(), [](const Pressure& face) {
+    return face.value.scan != 0 || face.value.after != 0;
+  });
 }
 
 int Solid::cell_count() const {
@@ -93,6 +104,7 @@ bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangen
   VolumeProjection::Terms projected;
   if (projection_) projected = projection_->evaluate(mesh_.weights[c], volume, law_);
   terms.energy = projected.energy;
+  if (!prestress_.empty()) terms.energy += prestress_[c].stored;
   for (int q = 0; q < points; ++q) {
     const Mat3& F = gradients[static_cast<size_t>(q)];
     Response response = projection_ ? law_.isochoric(F) : law_.evaluate(F);
@@ -101,6 +113,7 @@ bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangen
       response.stress += held.stress;
       response.tangent += held.tangent;
     }
+    if (!prestress_.empty()) response += law_.of_prestress(F, prestress_[c].stress.col(q));
     const double w = mesh_.weights[c][q];
     terms.energy += w * response.energy;
     stress.middleRows<3>(3 * q) = w * (F * stress_tensor(response.stress)).transpose();
@@ -154,7 +167,7 @@ void Solid::evaluate_face(const Pressure& pressure, const std::vector<int>& node
   for (Eigen::Index q = 0; q < face.weights.size(); ++q) {
     const Vec3 along = x * face.slope[0].row(q).transpose(),
                across = x * face.slope[1].row(q).transpose();
-    const double w = load * pressure.value * face.weights[q];
+    const double w = pressure_at(pressure.value, load) * face.weights[q];
     const Vec3 area = along.cross(across);
     for (Eigen::Index a = 0; a < n; ++a)
       for (Eigen::Index i = 0; i < 3; ++i)

@@ -7,7 +7,7 @@
 
 #include "reference_fem/law.h"
 #include "reference_fem/mesh.h"
-#include "reference_fem/model.h"
+#include "reference_fem/vessel_model.h"
 #include "reference_fem/volume_projection.h"
 
 namespace vasorod::fem {
@@ -15,12 +15,14 @@ namespace vasorod::fem {
 /// Local material axes (columns, third = fibre) at a point of the parameter cube.
 using Axes = std::function<Mat3(const Vec3&)>;
 
-class Solid final : public Model {
+class Solid final : public VesselModel {
  public:
   Solid(Mesh mesh, const MaterialLaw& law, const Axes& axes);
   /// Adds a follower pressure (stress, scaled by the load) on the faces where the parameter in
   /// `direction` is 0 or 1.
   void add_pressure(int direction, int side, double pressure);
+  void set_pressure(const LumenPressure& pressure) override;
+  void set_prestress(double axial_stretch, const DofValues& u) override;
 
   const Mesh& mesh() const { return mesh_; }
   int node_count() const override { return mesh_.node_count(); }
@@ -30,22 +32,24 @@ class Solid final : public Model {
   std::vector<int> dofs(int cell) const override;
   bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
-  bool symmetric() const override { return pressures_.empty(); }
+  bool symmetric() const override;
 
  private:
   struct Pressure {
     FaceMesh face;
-    double value;
+    LumenPressure value;
   };
   void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const DofValues& u,
                      double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
+  CellPrestress prestress_of(std::size_t cell, double axial_stretch, const DofValues& u) const;
 
   Mesh mesh_;
   MaterialLaw law_;
   /// Per cell and point; mesh_.gradient refers to these axes.
   std::vector<std::vector<Mat3>> axes_;
   std::vector<Pressure> pressures_;
+  std::vector<CellPrestress> prestress_;        ///< per cell; empty: none
   std::optional<VolumeProjection> projection_;  ///< split laws only
 };
 

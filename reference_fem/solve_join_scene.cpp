@@ -147,6 +147,8 @@ Result solve_join_scene(const Scene& scene, const SolveOptions& options) {
   result.certificate.notes.push_back("laws: " + to_string(problem.vein.law) + " of " +
                                      problem.vein.name + ", " + to_string(problem.artery.law) +
                                      " of " + problem.artery.name);
+  note_prestress(problem.vein.name, solution.seen.vein, result);
+  note_prestress(problem.artery.name, solution.seen.artery, result);
   report_path(solution.summary, result);
   if (problem.copies() > 1)
     result.certificate.notes.push_back(

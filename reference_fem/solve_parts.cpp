@@ -61,6 +61,15 @@ void report_path(const StepperSummary& summary, Result& result) {
         text("the load passed a maximum at %.6f and came down before it went on", load));
 }
 
+void note_prestress(const std::string& vessel, double share, Result& result) {
+  if (share > 0.1)
+    result.certificate.notes.push_back(
+        "prestress of " + vessel +
+        text(": it is that of a linear displacement of up to %.2g %% of the radius; beyond 10 %% "
+             "this first step is rough, though the shape as seen is in equilibrium with it",
+             100 * share));
+}
+
 std::string error_note(const std::string& what, const Convergence& c, double ratio) {
   std::string line =
       text("u_num of %s: %.2e (GCI, r = %.1f, order %.2f %s, Fs = %.2f)", what.c_str(),

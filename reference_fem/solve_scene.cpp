@@ -134,7 +134,7 @@ void report_ends(const TubeProblem& problem, const TubeSolution& solution, Resul
     result.ends.push_back(reaction);
   }
   // pressure is a force too: the ends alone balance only without it
-  if (problem.pressure == 0 && largest > 0)
+  if (!problem.seen.pressed() && largest > 0)
     balance.residual = (balance.support + balance.load).norm() / largest;
   result.balance.push_back(balance);
 }
@@ -179,6 +179,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   const Level& last = levels.back();
   const TubeSolution& solution = last.solution;
   result.certificate.notes.push_back("law: " + to_string(problem.law));
+  note_prestress(problem.vessel, solution.seen_displacement, result);
   report_path(solution.summary, result);
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(

@@ -162,6 +162,15 @@ State System::rest() const {
   return state;
 }
 
+void System::start_from(const State& state) {
+  start_load_.resize(0);
+  start_scale_ = 0;
+  Assembly assembly;
+  assemble(state, 0, false, assembly);
+  start_load_ = std::move(assembly.residual);
+  start_scale_ = assembly.scale;
+}
+
 void System::prescribe(State& state, double load) const {
   for (const auto& [dof, value] : supports_.prescribed) state.u[dof] = load * value;
   for (size_t s = 0; s < supports_.sections.size(); ++s) {
@@ -334,7 +343,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
   processes_.sum(out.residual.data(), static_cast<size_t>(out.residual.size()));
   processes_.sum(out.nodal.data(), static_cast<size_t>(out.nodal.size()));
   for (Vec6& force : out.section_force) processes_.sum(force.data(), 6);
-  out.scale = std::sqrt(out.scale);
+  out.scale = std::max(std::sqrt(out.scale), start_scale_);
   if (supports_.dead_load.size() > 0) {
     for (size_t d = 0; d < index_.size(); ++d) {
       const double f = load * supports_.dead_load[static_cast<Eigen::Index>(d)];
@@ -344,6 +353,7 @@ void System::assemble(const State& state, double load, bool want_tangent, Assemb
     out.scale += std::abs(load) * supports_.dead_load.norm();
   }
   add_sections(state, load, want_tangent && processes_.first(), out);
+  if (start_load_.size() > 0) out.residual -= (1 - load) * start_load_;
   out.admissible = true;
 }
 

@@ -56,6 +56,10 @@ class System {
   /// Number of multipliers, the last unknowns.
   int multipliers() const;
   State rest() const;
+  /// Makes `state` the equilibrium at load 0: what is out of balance there is a load on the
+  /// unknowns that fades with 1 - load. So a path can begin at a vessel as it was seen, whose wall
+  /// carried a stress before it was cut or an end was freed.
+  void start_from(const State& state);
 
   /// Sets prescribed values to their values at `load`, members of sections to their pose, slaves
   /// beside their masters.
@@ -69,8 +73,10 @@ class System {
   struct Assembly {
     bool admissible = false;   ///< false: det F <= 0 somewhere
     double energy = 0;         ///< strain energy, stress length^3
-    Eigen::VectorXd residual;  ///< of the unknowns
-    double scale = 0;          ///< root of the sum over cells of |internal force|^2
+    Eigen::VectorXd residual;  ///< of the unknowns, less the fading load of start_from()
+    /// Root of the sum over cells of |internal force|^2, at least that of start_from(): a wall may
+    /// lose all its stress along the path.
+    double scale = 0;
     Sparse tangent;
     /// Force of a section on the model, and moment about its current centre.
     std::vector<Vec6> section_force;
@@ -98,6 +104,8 @@ class System {
   std::vector<std::array<int, 6>> pose_index_;        // per section: unknown or -1
   std::vector<std::array<int, 6>> multiplier_index_;  // per section: unknown or -1
   std::vector<std::vector<int>> cell_dofs_;
+  Eigen::VectorXd start_load_;  // on the unknowns, times 1 - load; empty: none
+  double start_scale_ = 0;      // of the internal forces there
   Sparse pattern_;
   int size_ = 0;
   bool symmetric_ = true, conservative_ = true;

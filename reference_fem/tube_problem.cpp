@@ -50,12 +50,12 @@ double graded_inverse(double s) {
   return p;
 }
 
-std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
-                             const Processes& processes, std::vector<Section>& sections,
-                             const Mesh*& mesh) {
+std::unique_ptr<VesselModel> build(const TubeProblem& problem, ModelKind kind, const TubeMesh& size,
+                                   const Processes& processes, std::vector<Section>& sections,
+                                   const Mesh*& mesh) {
   const TubeShape& shape = problem.shape;
   const MaterialLaw law(problem.law, problem.moduli);
-  const auto finish = [&](auto model) -> std::unique_ptr<Model> {
+  const auto finish = [&](auto model) -> std::unique_ptr<VesselModel> {
     for (const EndProblem& end : problem.ends) {
       Section section = end_section(*model, shape, end.side, end.soft);
       apply(end, section);
@@ -77,7 +77,7 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
                            block, [&](const Vec3& p) { return shape.point(place(p)); }, processes)
                      : read_solid(file, shape, size.degree, processes);
     auto solid = std::make_unique<Solid>(std::move(cells), law, axes);
-    if (problem.pressure != 0) solid->add_pressure(2, 0, problem.pressure);
+    if (problem.seen.pressed()) solid->add_pressure(2, 0, problem.seen.pressure.after);
     return finish(std::move(solid));
   }
   const ShellBody body{[=](const Vec3& p) { return Vec3(shape.axes(place(p)).col(0)); },
@@ -91,7 +91,6 @@ std::unique_ptr<Model> build(const TubeProblem& problem, ModelKind kind, const T
                                  : read_surface(file, shape, size.degree, processes);
   auto shell =
       std::make_unique<Shell>(std::move(cells), law, body, problem.law == LawKind::svk ? 2 : 3);
-  if (problem.pressure != 0) shell->add_pressure(problem.pressure);
   return finish(std::move(shell));
 }
 
@@ -112,8 +111,7 @@ TubeProblem read_problem(const Scene& scene, ModelKind kind, std::optional<LawKi
   require_held(scene, problem.ends, "the tube");
   if (kind == ModelKind::shell && problem.law == LawKind::split_neo_hookean)
     refuse(scene, "the law split-neo-hookean with `--model shell`", "it with `--model solid` only");
-  require_no_prestress(scene, vessel);
-  if (vessel.pressure) problem.pressure = vessel.pressure->after / problem.stress_unit;
+  problem.seen = seen_state(scene, vessel, units);
   return problem;
 }
 
@@ -125,7 +123,14 @@ TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMe
   const Mesh* mesh = nullptr;
   Supports supports;
   const auto model = build(problem, kind, size, processes, supports.sections, mesh);
-  const System system(*model, std::move(supports), processes);
+  if (problem.seen.stressed()) {
+    const Eigen::VectorXd u = seen_displacement(*model, problem.seen, supports, processes);
+    model->set_prestress(problem.seen.axial_stretch, u);
+    solution.seen_displacement = largest_displacement(u, model->components());
+  }
+  model->set_pressure(problem.seen.pressure);
+  System system(*model, std::move(supports), processes);
+  if (problem.seen.stressed()) system.start_from(system.rest());
   solution.unknowns = system.size();
   const auto abscissa = [&](double s) { return size.file.empty() ? graded_inverse(s) : s; };
   std::vector<Vec3> at;

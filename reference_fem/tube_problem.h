@@ -26,7 +26,7 @@ struct TubeProblem {
   TubeShape shape;
   Moduli moduli;
   LawKind law = LawKind::biot;
-  double pressure = 0;  ///< follower pressure on the inner face
+  SeenState seen;  ///< its pressures act on the inner face
   std::vector<EndProblem> ends;
   double length_unit = 1;  ///< scene's length per dimensionless length
   double stress_unit = 1;  ///< scene's stress per dimensionless stress
@@ -46,6 +46,7 @@ struct TubeSolution {
   std::vector<Vec6> end_force;
   std::vector<Pose> end_pose;
   MidWall wall;
+  double seen_displacement = 0;  ///< largest linear one behind the prestress
   double mesh_seconds = 0;
 };
 

@@ -9,6 +9,7 @@ from chapters.irregular import irregular_section
 from chapters.join import join_section
 from chapters.laws import laws_section
 from chapters.pressure import pressure_section
+from chapters.prestress import joins_section, tubes_section
 from chapters.promise import promise_section
 from chapters.sections import refinement_section, sections_section, speed_section
 from chapters.sensitivity import sensitivity_section
@@ -31,6 +32,8 @@ TABLES = (
     "inflated_bends",
     "join",
     "pressure",
+    "prestress",
+    "prestress_joins",
     "extremes_rod",
     "extremes_wall",
     "glenns",
@@ -79,8 +82,10 @@ def tables_page(tables):
         ("trade", trade_section),
         ("inflated", loads_section),
         ("inflated_bends", bends_section),
+        ("prestress", tubes_section),
         ("join", join_section),
         ("pressure", pressure_section),
+        ("prestress_joins", joins_section),
     ):
         if name in tables:
             text.append(section(*tables[name]))

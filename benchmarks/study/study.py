@@ -27,6 +27,7 @@ import irregular  # noqa: E402
 import join  # noqa: E402
 import laws  # noqa: E402
 import pressure  # noqa: E402
+import prestress  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import repeated  # noqa: E402
@@ -60,6 +61,7 @@ WHOLE = {
     "join": join.all_runs,
     "pressure": pressure.all_runs,
     "inflated": inflated.all_runs,
+    "prestress": prestress.all_runs,
     "glenns": glenns.all_runs,
     "section-refinement": lambda: [sections.refinement_run()],
 }  # of no case
@@ -129,6 +131,7 @@ def tables(arguments):
     join.make_table(store, arguments.baselines / join.FILE)
     pressure.make_table(store, arguments.baselines / pressure.FILE)
     inflated.make_tables(store, arguments.baselines)
+    prestress.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
     sections.make_tables(store, all_cases(), arguments.baselines)
     glenns.make_table(store, arguments.baselines / glenns.FILE)

@@ -160,8 +160,12 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
           "found the bent tube \"vein\"");
   refused("{length: 14, radius: 2}", "{length: 14, radius: 2, tangent: [0, 0.1, 1]}",
           "found an axis of the vein at 5.711 degrees to the incision's normal");
-  refused("    law: neo-hookean\n  - name: artery", "    pressure: {scan: 0.001}\n  - name: artery",
-          "vein: found a pressure of the scan, expected none");
+  refused("    law: neo-hookean\n  - name: artery",
+          "    pressure: {scan: 0.001, after: 0.002}\n  - name: artery",
+          "found 0.002 and 0 MPa in vein and artery, expected one pressure");
+  refused("    law: neo-hookean\n  - name: artery", "    pressure: {scan: 0.2}\n  - name: artery",
+          "vein: pressure.scan: found 0.2 MPa, which would stretch the wall by 140 %, expected at "
+          "most 0.07143 MPa");
   refused("incision: [0, 0, 8]", "incision: [8, 0, 8]",
           "found an incision of length 6.283 that runs into an end of the artery");
   refused("rotation_deg: 0", "incision_shape: {ellipse: {length: 4, width: 5}}",
@@ -185,6 +189,30 @@ TEST(JoinProblem, RefusesWhatItCannotDo) {
       "  - {vessel: artery, end: end, hold: true}\n",
       "ends:\n  - {vessel: vein, end: start, force: [0, 0, 1e-6]}\n",
       "found 0 components held in all, expected at least 6, as the join");
+}
+
+// The kept part is a part of the vessel that was seen, held at both ends if it is cut, else where
+// the scene says, or at both where it says nothing.
+TEST(JoinProblem, KnowsTheVesselsAsTheyWereSeen) {
+  const JoinProblem problem =
+      read(with(joined_tubes_text, "  - {vessel: artery, end: start, hold: true}\n", ""));
+  const JoinWall seen = as_seen(problem.vein);
+  EXPECT_EQ(problem.vein.ends.size(), 1u);
+  EXPECT_EQ(seen.ends.size(), 2u);
+  EXPECT_NEAR(seen.shape.length, 7, 1e-12);
+  EXPECT_NEAR(problem.vein.kept_from, 0, 1e-12);
+  EXPECT_NEAR(problem.vein.kept_to, 8.0 / 14, 1e-12);
+  for (const double fraction : {0.0, 0.4, 1.0})
+    EXPECT_LT((problem.vein.shape.point(problem.vein.parameters(0.3, fraction)) -
+               seen.shape.point(seen.parameters(0.3, fraction * problem.vein.kept_to)))
+                  .norm(),
+              1e-12);
+  EXPECT_EQ(as_seen(problem.artery).ends.size(), 1u);
+  const JoinProblem nowhere =
+      read(with(with(joined_tubes_text, "  - {vessel: artery, end: start, hold: true}\n", ""),
+                "  - {vessel: artery, end: end, hold: true}\n", ""));
+  EXPECT_EQ(nowhere.artery.ends.size(), 0u);
+  EXPECT_EQ(as_seen(nowhere.artery).ends.size(), 2u);
 }
 
 TEST(JoinProblem, EndToEndTheRimsPointsOfOneShareMeet) {

@@ -82,6 +82,66 @@ TEST(Law, DoesNotFeelRotations) {
     }
 }
 
+Vec6 some_stress() {
+  return 0.1 * (Vec6() << -0.3, 1.0, 0.6, 0.2, -0.4, 0.5).finished();
+}
+
+TEST(Law, APrestresssStressAndTangentAreDerivatives) {
+  const double h = 1e-5;
+  const Vec6 s = some_stress();
+  for (const MaterialLaw& law : laws())
+    for (const Mat3& F : gradients()) {
+      const Response at = law.of_prestress(F, s), turned = law.of_prestress(rotation() * F, s);
+      EXPECT_NEAR(at.energy, turned.energy, 1e-14) << to_string(law.kind());
+      EXPECT_LT((at.stress - turned.stress).norm(), 1e-14) << to_string(law.kind());
+      const Mat3 P = F * stress_tensor(at.stress);
+      for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J) {
+          Mat3 dF = Mat3::Zero();
+          dF(i, J) = 1;
+          const Response plus = law.of_prestress(F + h * dF, s),
+                         minus = law.of_prestress(F - h * dF, s);
+          EXPECT_NEAR(P(i, J), (plus.energy - minus.energy) / (2 * h), 1e-10);
+          const Vec6 strain = strain_components(0.5 * (F.transpose() * dF + dF.transpose() * F));
+          EXPECT_LT((at.tangent * strain - (plus.stress - minus.stress) / (2 * h)).norm(), 1e-9)
+              << to_string(law.kind());
+        }
+    }
+}
+
+// Of the laws that are linear in their strain, a prestress C : e0 shifts the strain by e0. At rest
+// every law carries the prestress itself.
+TEST(Law, APrestressIsAStrainFromTheStart) {
+  const Vec3 start(0.02, -0.03, 0.05), now(1.1, 0.9, 1.2);
+  const Vec6 e0 = (Vec6() << start, 0, 0, 0).finished(), s = stiffness(vessel()) * e0;
+  const MaterialLaw biot(LawKind::biot, vessel()), svk(LawKind::svk, vessel());
+  const Mat3 F = now.asDiagonal();
+  const auto all = [&](const MaterialLaw& law) {
+    Response response = law.evaluate(F);
+    response += law.of_prestress(F, s);
+    return response;
+  };
+  EXPECT_NEAR(all(biot).energy + 0.5 * s.dot(e0),
+              biot.evaluate((now + start).asDiagonal().toDenseMatrix()).energy, 1e-14);
+  const Vec3 shifted = (now.array().square() + 2 * start.array()).sqrt();
+  EXPECT_NEAR(all(svk).energy + 0.5 * s.dot(e0),
+              svk.evaluate(shifted.asDiagonal().toDenseMatrix()).energy, 1e-14);
+  for (const MaterialLaw& law : laws()) {
+    const Response at = law.of_prestress(Mat3::Identity(), some_stress());
+    EXPECT_LT((at.stress - some_stress()).norm(), 1e-15) << to_string(law.kind());
+    EXPECT_NEAR(at.energy, 0, 1e-15);
+  }
+}
+
+TEST(Law, AUniaxialStrainPullsAlongTheFibreOnly) {
+  for (const MaterialLaw& law : laws()) {
+    const Vec6 strain = law.uniaxial_strain(1.07), stress = law.linear_stiffness() * strain;
+    EXPECT_NEAR(strain[2], 0.07, 1e-15) << to_string(law.kind());
+    EXPECT_LT((stress - stress[2] * Vec6::Unit(2)).norm(), 1e-14) << to_string(law.kind());
+    EXPECT_LT((law.evaluate(Mat3::Identity()).tangent - law.linear_stiffness()).norm(), 1e-12);
+  }
+}
+
 TEST(Law, AllAgreeWithTheStiffnessAtRest) {
   const Moduli m = vessel();
   for (const LawKind kind : {LawKind::biot, LawKind::svk})

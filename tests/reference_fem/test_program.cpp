@@ -45,6 +45,12 @@ void refused(const std::string& scene, const std::string& part, const std::strin
   EXPECT_TRUE(r.json.is_null());
 }
 
+/// The tube with more keys.
+std::string tube_with(const std::string& keys) {
+  std::string vessel = head;
+  return vessel.replace(vessel.find("0.3}}"), 5, "0.3}, " + keys + "}");
+}
+
 TEST(FemProgram, RefusesWithOneSentenceAndNamesWhatItCanDo) {
   const std::string can = "the finite-element reference solves one generated tube (`tube:`)";
   const std::string other =
@@ -65,6 +71,10 @@ TEST(FemProgram, RefusesWithOneSentenceAndNamesWhatItCanDo) {
   wall.replace(wall.find("young: 1, poisson: 0.3"), 22,
                "young: 0.01, shear: 0.4, transverse: {young: 1, poisson: 0.3, coupling: 0.3}");
   refused(wall + ends, "nu_LT");
+  refused(tube_with("pressure: {scan: -0.001}") + ends, "scan");
+  refused(tube_with("pressure: {scan: 1.3}") + ends, "which would stretch the wall by");
+  refused(tube_with("axial_prestretch: 0.4") + ends, "axial_prestretch");
+  refused(tube_with("axial_prestretch: 2.1") + ends, "axial_prestretch");
   refused(head + ends, "--model solid", "--law split-neo-hookean --model shell");
 }
 
@@ -147,11 +157,13 @@ TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
   const std::string soft =
       "ends:\n  - {vessel: tube, end: start, hold: true, section: soft}\n"
       "  - {vessel: tube, end: end, force: [0.1, 0, 0.3], section: soft}\n";
-  for (const auto& [model, condition] :
-       {std::pair<std::string, std::string>{"solid", ends}, {"shell", soft}}) {
+  const std::string stretched = tube_with("axial_prestretch: 1.03");
+  for (const auto& [model, scene] : {std::pair<std::string, std::string>{"solid", head + ends},
+                                     {"shell", head + soft},
+                                     {"solid", stretched + soft},
+                                     {"shell", stretched + ends}}) {
     const std::string options = "--degree 2 --refine 0 --cells 6 4 --model " + model;
-    const Solved one = solve(head + condition, options),
-                 two = solve(head + condition, options, VASOROD_MPIRUN " -n 2");
+    const Solved one = solve(scene, options), two = solve(scene, options, VASOROD_MPIRUN " -n 2");
     ASSERT_EQ(one.run.exit_code, 0) << one.run.err;
     ASSERT_EQ(two.run.exit_code, 0) << two.run.err;
     EXPECT_EQ(two.json["certificate"]["smallest_curvature_positive"], true);

@@ -27,11 +27,13 @@ Shell bent_tube(LawKind kind) {
 TEST(Shell, ResidualAndTangentAreDerivatives) {
   for (const LawKind kind : {LawKind::biot, LawKind::svk}) {
     const Shell shell = bent_tube(kind);
-    Shell pressed = bent_tube(kind);
-    pressed.add_pressure(0.3);
+    Shell pressed = bent_tube(kind), stressed = bent_tube(kind);
+    pressed.set_pressure({0.1, 0.3});
     const Eigen::VectorXd u = uneven_state(shell, 0.04);
+    stressed.set_prestress(1.1, -2 * u);
     expect_derivatives(shell, 2, u, 1, true);
     expect_derivatives(pressed, 2, u, 0.7, false);
+    expect_derivatives(stressed, 2, u, 1, true);
   }
 }
 

@@ -41,14 +41,20 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
   const Eigen::VectorXd u = uneven_state(solid, 0.05);
   expect_derivatives(solid, 1, u, 0.7, true);                        // a cell
   expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);  // a face under pressure
+  solid.set_pressure({0.2, 0.3});
+  solid.set_prestress(1.1, -2 * u);
+  expect_derivatives(solid, 1, u, 0.7, true);
+  expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);
 }
 
 // The split law on cells with projected volume ratio: energy, residual and tangent are consistent.
 TEST(Solid, ProjectedVolumeRatioIsConsistent) {
   for (const int degree : {1, 2, 3}) {
-    const Solid solid(make_solid({{1, 1, 1}, false, degree}, skewed), MaterialLaw::split(0.4, 50),
-                      space_axes);
+    Solid solid(make_solid({{1, 1, 1}, false, degree}, skewed), MaterialLaw::split(0.4, 50),
+                space_axes);
     SCOPED_TRACE(degree);
+    expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
+    solid.set_prestress(1.05, uneven_state(solid, 0.01));
     expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
   }
 }

@@ -1,5 +1,6 @@
 // Scenes through the reference: units, placement, solid and shell compared, loads, refused scenes,
 // paths that end early.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -157,6 +158,37 @@ TEST(SolveScene, SolidAndShellAgreeUnderPressure) {
   EXPECT_GT((solid.vessels[0].current - solid.vessels[0].rest).cwiseAbs().maxCoeff(), 0.5);
 }
 
+// A tube seen at 5 and taken to 12 mmHg and bent, in other units and places, and by both models.
+TEST(SolveScene, ATubeSeenUnderPressure) {
+  const std::string seen =
+      with(with(bend, "thickness: 2", "thickness: 0.5"), "poisson: 0.3}",
+           "poisson: 0.3}, pressure: {scan: 0.002, after: 0.004}, axial_prestretch: 1.04");
+  const Result solid = solve_scene(scene_of(seen), coarse()),
+               shell = solve_scene(scene_of(seen), coarse(ModelKind::shell));
+  EXPECT_LT((shell.vessels[0].current - solid.vessels[0].current).cwiseAbs().maxCoeff(),
+            0.002 * 10);
+  EXPECT_NEAR(shell.ends[1].moment[1] / solid.ends[1].moment[1], 1, 0.01);
+  EXPECT_NEAR(shell.ends[1].force[2] / solid.ends[1].force[2], 1, 0.01);
+  EXPECT_NEAR(shell.energy.strain / solid.energy.strain, 1, 0.01);
+  std::string metres = with(seen, "length: mm, stress: MPa", "length: m, stress: Pa");
+  metres = with(metres, "length: 40, radius: 10", "length: 0.040, radius: 0.010");
+  metres = with(metres, "thickness: 0.5, young: 1,", "thickness: 0.0005, young: 1e6,");
+  metres = with(metres, "scan: 0.002, after: 0.004", "scan: 2e3, after: 4e3");
+  metres = with(metres, "[2.8, 0, -0.1]", "[0.0028, 0, -0.0001]");
+  const Result same = solve_scene(scene_of(metres), coarse(ModelKind::shell));
+  EXPECT_LT((shell.vessels[0].current - 1e3 * same.vessels[0].current).cwiseAbs().maxCoeff(), 1e-7);
+  // A note names a first step that is rough.
+  const Result far = solve_scene(
+      scene_of(with(with(seen, "scan: 0.002", "scan: 0.008"), "after: 0.004", "after: 0.008")),
+      coarse(ModelKind::shell));
+  const auto named = [](const Result& result) {
+    return std::any_of(result.certificate.notes.begin(), result.certificate.notes.end(),
+                       [](const std::string& note) { return note.find("prestress of tube") == 0; });
+  };
+  EXPECT_FALSE(named(shell));
+  EXPECT_TRUE(named(far));
+}
+
 TEST(SolveScene, RefusesWhatItCannotDo) {
   const auto refused = [](const std::string& text, const std::string& part,
                           const SolveOptions& options = coarse()) {
@@ -182,6 +214,9 @@ TEST(SolveScene, RefusesWhatItCannotDo) {
       "0.3}}\nends:\n"
       "  - {vessel: tube, end: start, fix: [x, y, z]}\n",
       "found 3 components held");
+  refused(with(bend, "poisson: 0.3}", "poisson: 0.3}, pressure: {after: 0.2}"),
+          "tube: pressure.after: found 0.2 MPa, which would stretch the wall by 90 %, expected at "
+          "most 0.1111 MPa");
   SolveOptions law = coarse();
   law.law = LawKind::neo_hookean;
   refused(with(bend, "young: 1, poisson: 0.3", "young: 1, shear: 0.4, transverse: {poisson: 0.3}"),

@@ -270,6 +270,35 @@ def pressures(inflated):
     ]
 
 
+def seen(tubes, joined):
+    reacting = [row for row in tubes if row["force"] is not None]
+    lines = [
+        [row["opening"], f"{row['length']:g}", f"{row['stretch']:g}"]
+        + [f"{row['mouth_reference']:.2f}", f"{row['mouth']:.2f}", signed(over(row, "mouth"))]
+        + [signed(over(row, "support")), percent(row["rms_first"]), percent(row["rms_second"])]
+        for row in joined
+        if not row["failure"]
+    ]
+    return [
+        "## And if a vessel was seen under pressure?\n",
+        paragraph(
+            "Tubes that carried a pressure or an axial stretch when they were seen, and are then",
+            "pressed, bent, shortened or let go: `coupled` against the shell with its own",
+            "prestress, material points within",
+            f"{percent(largest(tubes, lambda r: r['rms']), 3)} % of R (root mean square), forces",
+            f"within {percent(largest(reacting, lambda r: r['force']), 3)} %.",
+            link("Every run", "seen-under-pressure-or-stretched") + ".",
+            "The T of a vein seen at low and an artery seen at high pressure:",
+            link("its table", "the-join-of-vessels-seen-under-pressure") + ".",
+        ),
+        markdown(
+            ("opening", "`incision_length`", "`axial_prestretch`", "shell, mm2", "`coupled`, mm2")
+            + ("mouth, %", "support, %", "vein, % of R", "artery, % of R"),
+            lines,
+        ),
+    ]
+
+
 def joins(join, pressure):
     """Mouths at 60 points around the first vessel."""
     lines = []
@@ -327,6 +356,7 @@ def page(tables):
         (promised, "accuracy"),
         (laws_answer, "laws", "accuracy"),
         (pressures, "inflated"),
+        (seen, "prestress", "prestress_joins"),
         (joins, "join", "pressure"),
     )
     text = head(accuracy)

@@ -38,7 +38,7 @@ def pressure_section(rows, notes):
             paragraph(
                 "The T of the chapter before with a pressure in both lumens, from walls without",
                 "stress, neo-Hookean, against the reference's shell with the pressure on its inner",
-                "face. The reference has no prestress, so a pressure of the scan is not compared.",
+                "face.",
                 own,
             ),
             mouth_table(rows),

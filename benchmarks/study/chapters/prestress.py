@@ -1,0 +1,87 @@
+"""Tubes and joins whose walls carried a stress when they were seen."""
+
+from chapters.join import over
+from prestress import PRESSURES
+from tables import markdown, paragraph, percent, provenance_text, signed
+
+CASES = {
+    "inflate": "seen at 5, taken to 12 mmHg",
+    "bend": "seen at 10, bent by 10 degrees",
+    "shorten": "stretched by 1.05, its end moved back by half of that",
+    "release": "stretched by 1.05, its end released, half of the force left",
+    "both": "seen at 5 and stretched by 1.05, taken to 12 mmHg and bent",
+}
+
+
+def tubes_table(rows):
+    def line(row):
+        start = [CASES[row["case"]], row["shape"], row["law"]]
+        if row["failure"]:
+            return [*start, row["failure"], *["-"] * 5]
+        names = ("rms", "largest", "force", "moment")
+        shares = ["-" if row[name] is None else percent(row[name], 3) for name in names]
+        return [*start, *shares, signed(row["energy"]), percent(row["own_error"], 3)]
+
+    head = ("tube", "shape", "law", "RMS, % of R", "largest, % of R", "force, %", "moment, %")
+    return markdown((*head, "energy, %", "shell's own error, %"), [line(row) for row in rows])
+
+
+def joins_table(rows):
+    def line(row):
+        start = [row["opening"], f"{row['length']:g}", f"{row['stretch']:g}"]
+        if row["failure"]:
+            return [*start, row["failure"], *["-"] * 9]
+        return [
+            *start,
+            f"{row['mouth_reference']:.2f}",
+            f"{row['mouth']:.2f}",
+            signed(over(row, "mouth")),
+            f"{row['span']:.2f} x {row['width']:.2f}",
+            signed(over(row, "energy")),
+            signed(over(row, "support")),
+            percent(row["rms_first"]),
+            percent(row["rms_second"]),
+            percent(row["own_error"]),
+            f"{row['seconds']:.1f}",
+        ]
+
+    head = ("opening", "`incision_length`", "`axial_prestretch`", "shell, mm2", "`coupled`, mm2")
+    head += ("mouth, %", "span x width, mm", "energy, %", "support, %", "vein, % of R")
+    head += ("artery, % of R", "shell's own error, %", "s")
+    return markdown(head, [line(row) for row in rows])
+
+
+def tubes_section(rows, notes):
+    return "\n".join(
+        [
+            "## Seen under pressure or stretched\n",
+            paragraph(
+                "The tube of the chapters before, and one bent by 40 degrees and narrowing to R",
+                "2.8, with the stress that it carried when it was seen, against the reference's",
+                "shell with its own prestress, which is computed independently",
+                "([reference.md](reference.md#prestress)). 60 points around. Force and moment:",
+                "differences over the larger of the reaction's force and moment / R; a released",
+                "tube's follow from its load.",
+            ),
+            tubes_table(rows),
+            provenance_text(notes),
+        ]
+    )
+
+
+def joins_section(rows, notes):
+    seen = " and ".join(f"the {name} at {both['scan']:g}" for name, both in PRESSURES.items())
+    (after,) = {both["after"] for both in PRESSURES.values()}
+    return "\n".join(
+        [
+            "## The join of vessels seen under pressure\n",
+            paragraph(
+                f"The T of the chapter before, neo-Hookean, {seen} mmHg when they were seen, and",
+                f"joined to one lumen at {after:g} mmHg; without and with an axial prestretch of",
+                "both, which draws the cut vein and the slit's lips back. Against the reference's",
+                "shell, whose vessels carry their own prestress through cut and slit.",
+            ),
+            joins_table(rows),
+            provenance_text(notes),
+        ]
+    )

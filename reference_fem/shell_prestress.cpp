@@ -1,0 +1,55 @@
+// The stress of the shell at rest from linear changes of its seven parameters: s = C : e at every
+// quadrature point of every depth, with e = sym(Q^T dF) in local axes Q and
+//
+//   dF = [grad u + zeta grad w + (w + zeta beta D) n^T] G^-1
+#include "reference_fem/shell.h"
+
+namespace vasorod::fem {
+
+using std::size_t;
+
+void Shell::set_prestress(double axial_stretch, const DofValues& u) {
+  std::vector<CellPrestress> all;
+  for (size_t c = 0; c < mesh_.cell_nodes.size(); ++c)
+    all.push_back(prestress_of(c, axial_stretch, u));
+  prestress_ = std::move(all);
+}
+
+CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
+  CellPrestress out;
+  if (points_[c].empty()) return out;  // another process evaluates the cell
+  const std::vector<int>& nodes = mesh_.cell_nodes[c];
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixX3d ue(n, 3), we(n, 3), De(n, 3);
+  Eigen::VectorXd be(n);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    const int node = nodes[static_cast<size_t>(a)];
+    ue.row(a) = u.segment<3>(7 * node);
+    we.row(a) = u.segment<3>(7 * node + 3);
+    be[a] = u[7 * node + 6];
+    De.row(a) = directors_.row(node);
+  }
+  out.stress.resize(6, static_cast<Eigen::Index>(points_[c].size()));
+  for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
+    const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
+    const Eigen::RowVectorXd N = mesh_.shape.row(q);
+    const Mat3 du = (gradient * ue).transpose(), dw = (gradient * we).transpose();
+    const Vec3 w = (N * we).transpose(), D = (N * De).transpose();
+    const double beta = N * be;
+    for (int k = 0; k < depth_points_; ++k) {
+      const Eigen::Index at = q * depth_points_ + k;
+      const Point& point = points_[c][static_cast<size_t>(at)];
+      const Mat3 change = (du + point.zeta * dw +
+                           (w + point.zeta * beta * D) * mesh_.normal[c].col(q).transpose()) *
+                          point.pull;
+      const Mat3 local = point.axes.transpose() * change;
+      const Vec6 strain = law_.uniaxial_strain(axial_stretch) +
+                          strain_components(0.5 * (local + local.transpose()));
+      out.stress.col(at) = law_.linear_stiffness() * strain;
+      out.stored += 0.5 * point.weight * out.stress.col(at).dot(strain);
+    }
+  }
+  return out;
+}
+
+}  // namespace vasorod::fem

@@ -1,0 +1,50 @@
+// The stress of the solid at rest from a linear displacement: s = C : e at every Gauss point, with
+// e = sym(Q^T grad u) in local axes Q. By a split law, s is that of the cell's projected volume
+// change, so that the forces of s are the stiffness at rest times u there as well.
+#include "reference_fem/solid.h"
+
+namespace vasorod::fem {
+
+using std::size_t;
+
+void Solid::set_prestress(double axial_stretch, const DofValues& u) {
+  std::vector<CellPrestress> all;
+  for (size_t c = 0; c < mesh_.cell_nodes.size(); ++c)
+    all.push_back(prestress_of(c, axial_stretch, u));
+  prestress_ = std::move(all);
+}
+
+CellPrestress Solid::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
+  CellPrestress out;
+  const Eigen::VectorXd& weights = mesh_.weights[c];
+  if (weights.size() == 0) return out;  // another process evaluates the cell
+  const std::vector<int>& nodes = mesh_.cell_nodes[c];
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixX3d ue(n, 3);
+  for (Eigen::Index a = 0; a < n; ++a) ue.row(a) = u.segment<3>(3 * nodes[static_cast<size_t>(a)]);
+  const Eigen::MatrixX3d slope = mesh_.gradient[c] * ue;  // row 3 q + J, column i: du_i/dX_J
+
+  Eigen::Matrix<double, 6, Eigen::Dynamic> strain(6, weights.size());
+  Eigen::VectorXd volume(weights.size());
+  for (Eigen::Index q = 0; q < weights.size(); ++q) {
+    const Mat3 local = (slope.middleRows<3>(3 * q) * axes_[c][static_cast<size_t>(q)]).transpose();
+    strain.col(q) =
+        law_.uniaxial_strain(axial_stretch) + strain_components(0.5 * (local + local.transpose()));
+    volume[q] = strain.col(q).head<3>().sum();
+  }
+  if (projection_) {
+    const Mat6 isochoric = law_.isochoric(Mat3::Identity()).tangent;
+    const VolumeProjection::Terms projected =
+        projection_->evaluate(weights, Eigen::VectorXd::Ones(weights.size()), law_);
+    const Eigen::VectorXd moments = projection_->basis().transpose() * weights.cwiseProduct(volume),
+                          pressure = projection_->basis() * (projected.curvature * moments);
+    out.stress = isochoric * strain;
+    out.stress.topRows<3>().rowwise() += pressure.transpose();
+  } else {
+    out.stress = law_.linear_stiffness() * strain;
+  }
+  out.stored = 0.5 * weights.dot(out.stress.cwiseProduct(strain).colwise().sum().transpose());
+  return out;
+}
+
+}  // namespace vasorod::fem

@@ -115,7 +115,8 @@ Kernel paper_gradient() {
   paper->points = tube_surface(bent()).points;
   append_body(paper->system, rest, paper->points, std::vector<Mat3>(count, Mat3::Identity()),
               {0.1, 1, 0.3}, std::vector<char>(count, 0));
-  return [paper] { paper_energy_gradient(paper->system, paper->points, paper->gradient); };
+  paper->points -= paper->system.carried;  // the displacements
+  return [paper] { paper_energy_gradient_at(paper->system, paper->points, paper->gradient); };
 }
 
 Kernel rod_solve() {

@@ -17,7 +17,6 @@ class Run:
     arguments: tuple
     files: dict = field(hash=False)  # name: text, or a function that makes it where it is needed
     keep: bool = False  # do not repeat it because the program was rebuilt
-    before: tuple = ()  # a program that runs the program, and its arguments
 
     def contents(self):
         return {
@@ -25,10 +24,9 @@ class Run:
         }
 
     def key(self):
-        parts = [self.program, list(self.arguments), self.contents()]
-        if self.before:
-            parts.append(list(self.before))
-        return sha256(json.dumps(parts, sort_keys=True))
+        return sha256(
+            json.dumps([self.program, list(self.arguments), self.contents()], sort_keys=True)
+        )
 
 
 def hybrid_arguments(fidelity=None):

@@ -112,7 +112,7 @@ class Store:
         folder.mkdir(parents=True)
         for name, text in run.contents().items():
             (folder / name).write_text(text)
-        words = [*run.before, str(self.programs[run.program]), *run.arguments]
+        words = [str(self.programs[run.program]), *run.arguments]
         started = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         with open(folder / "output.txt", "wb") as output:
@@ -128,7 +128,7 @@ class Store:
             "identity": run.identity,
             "key": run.key(),
             "program": run.program,
-            "command": [*run.before, run.program, *run.arguments],
+            "command": [run.program, *run.arguments],
             "program_sha256": self.program_hash(run.program),
             "commit": commit(),
             "started": started,

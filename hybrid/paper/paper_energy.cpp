@@ -52,6 +52,9 @@ int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& 
   system.carried_laplacian.conservativeResize(first + count, 3);
   system.carried_laplacian.bottomRows(count) =
       carried_laplacian(block.umbrella, rest.points, rotations);
+  system.carried_misfit.conservativeResize(first + count, 3);
+  system.carried_misfit.bottomRows(count) =
+      system.carried_laplacian.bottomRows(count) - block.umbrella.apply(carried);
   system.fixed.insert(system.fixed.end(), fixed.begin(), fixed.end());
   system.fixed.resize(static_cast<size_t>(first + count), 0);
   system.blocks.push_back(std::move(block));
@@ -73,23 +76,29 @@ double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p
 
 PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                                  PaperGradient& gradient) {
+  return paper_energy_gradient_at(system, p - system.carried, gradient);
+}
+
+PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<const Points>& u,
+                                    PaperGradient& gradient) {
   for (Points* term : {&gradient.binding, &gradient.bending, &gradient.stretching,
                        &gradient.joining, &gradient.contact})
-    term->setZero(p.rows(), 3);
+    term->setZero(u.rows(), 3);
   PaperTerms terms;
   for (const PaperBlock& block : system.blocks) {
-    const auto mine = p.middleRows(block.first, block.count);
-    const auto carried = system.carried.middleRows(block.first, block.count);
-    terms.binding += binding_energy_gradient(block.k.binding, mine, carried,
+    const auto mine = u.middleRows(block.first, block.count);
+    terms.binding += binding_energy_gradient(block.k.binding, mine, Points::Zero(block.count, 3),
                                              gradient.binding.middleRows(block.first, block.count));
     terms.bending +=
         bending_energy_gradient(block.k.bending, block.umbrella, mine,
-                                system.carried_laplacian.middleRows(block.first, block.count),
+                                system.carried_misfit.middleRows(block.first, block.count),
                                 gradient.bending.middleRows(block.first, block.count));
-    terms.stretching +=
-        stretching_energy_gradient(block.k.stretching, block.springs, mine,
-                                   gradient.stretching.middleRows(block.first, block.count));
+    terms.stretching += stretching_energy_gradient(
+        block.k.stretching, block.springs, system.carried.middleRows(block.first, block.count),
+        mine, gradient.stretching.middleRows(block.first, block.count));
   }
+  if (system.joins.empty() && system.contacts.empty()) return terms;
+  const Points p = system.carried + u;
   terms.joining = joining_energy_gradient(system.k_j, system.joins, p, gradient.joining);
   terms.contact = contact_energy_gradient(system.contacts, p, gradient.contact);
   return terms;

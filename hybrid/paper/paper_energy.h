@@ -26,6 +26,7 @@ struct PaperSystem {
   std::vector<PaperBlock> blocks;
   Points carried;            ///< p' [6]
   Points carried_laplacian;  ///< R l(p0) of [8]
+  Points carried_misfit;     ///< R l(p0) - l(p'), with which [8] is |l(u) - carried_misfit|^2
   std::vector<char> fixed;   ///< per vertex
   double k_j = 0;            ///< joining springs
   std::vector<Join> joins;
@@ -57,6 +58,13 @@ double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p
 /// support.
 PaperTerms paper_energy_gradient(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                                  PaperGradient& gradient);
+
+/// The same at the displacements u = p - p'. On a fine mesh forces are differences of coordinates
+/// that agree in most of their digits: at p the gradient keeps an error of the last digit of p
+/// times the stiffness, which grows as the number of vertices over the forces; at u it is that of
+/// u.
+PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<const Points>& u,
+                                    PaperGradient& gradient);
 
 /// An upper bound of the Hessian as a V x V matrix, the same for x, y and z, including the contacts
 /// that carry pressure at p. Both triangles are stored. Fixed vertices keep only their diagonal.

@@ -15,9 +15,6 @@ Eigen::Map<const Points> points_of(const VectorXd& x) {
 Eigen::Map<Points> points_of(VectorXd& x) {
   return {x.data(), x.size() / 3, 3};
 }
-VectorXd flat(const Points& p) {
-  return Eigen::Map<const VectorXd>(p.data(), p.size());
-}
 
 constexpr int iterations_per_hessian = 15;
 
@@ -28,6 +25,13 @@ constexpr double spring_share = 1.0 / 3;
 
 }  // namespace
 
+// The unknowns are displacements from the carried points: paper_energy_gradient_at().
+VectorXd PaperMinimiser::displacements(const Points& p) const {
+  VectorXd x(p.size());
+  points_of(x) = p - system_.carried;
+  return x;
+}
+
 void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
   ++work_.counts.hessians;
   const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, p, spring_share);
@@ -37,8 +41,7 @@ void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
 }
 
 double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& residual) {
-  const auto p = points_of(x);
-  const double energy = paper_energy_gradient(system_, p, terms_).total();
+  const double energy = paper_energy_gradient_at(system_, points_of(x), terms_).total();
   auto g = points_of(gradient);
   // Squared norms, accumulated in one sweep.
   Vec3 binding = Vec3::Zero(), bending = Vec3::Zero(), stretching = Vec3::Zero();
@@ -61,7 +64,8 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
   }
   for (int i = 0; i < g.rows(); ++i)
     if (system_.fixed[static_cast<size_t>(i)]) g.row(i).setZero();
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest_diagonal_ * x.norm();
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest_diagonal_ *
+                          (system_.carried + points_of(x)).norm();
   const double net = g.norm();
   residual = net <= rounding ? 0 : net / all;
   return energy;
@@ -98,7 +102,7 @@ bool PaperMinimiser::factorise_hessian(const Points& p, double& blend, int& fact
 
 PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOptions& options) {
   PaperMinimiserSummary summary;
-  VectorXd x = flat(p);
+  VectorXd x = displacements(p);
   const Evaluation evaluation = [this](const VectorXd& at, VectorXd& gradient, double& residual) {
     return counted(at, gradient, residual);
   };
@@ -107,7 +111,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   inner.stop = summary.counting(options.stop);
   const auto take = [&](const LbfgsSummary& stage) {
     summary.add(stage);
-    p = points_of(x);
+    p = system_.carried + points_of(x);
   };
   const Preconditioner by_constant = [this](const VectorXd& gradient, VectorXd& direction) {
     precondition(constant_, gradient, direction);
@@ -155,7 +159,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
 }
 
 void PaperMinimiser::local_global_step(Points& p) {
-  VectorXd x = flat(p), gradient(x.size()), direction(x.size());
+  VectorXd x = displacements(p), gradient(x.size()), direction(x.size());
   double ignored = 0;
   counted(x, gradient, ignored);
   ++work_.counts.hessians;
@@ -163,11 +167,11 @@ void PaperMinimiser::local_global_step(Points& p) {
     throw std::runtime_error("the surface's constant matrix is not positive definite");
   precondition(bound_, gradient, direction);
   x -= direction;
-  p = points_of(x);
+  p = system_.carried + points_of(x);
 }
 
 double PaperMinimiser::residual(const Points& p) {
-  const VectorXd x = flat(p);
+  const VectorXd x = displacements(p);
   VectorXd gradient(x.size());
   double value = 0;
   evaluate(x, gradient, value);

@@ -64,6 +64,7 @@ class PaperMinimiser {
   bool stable(const Points& p, const StopInside& stop = {});
 
  private:
+  Eigen::VectorXd displacements(const Points& p) const;
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
   double counted(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
   Eigen::SparseMatrix<double> hessian_at(const Points& p, double blend);

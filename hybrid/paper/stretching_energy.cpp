@@ -15,14 +15,16 @@ double stretching_energy(double k_s, const std::vector<Spring>& springs,
 }
 
 double stretching_energy_gradient(double k_s, const std::vector<Spring>& springs,
-                                  const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient) {
-  const double* x = p.data();
+                                  const Eigen::Ref<const Points>& carried,
+                                  const Eigen::Ref<const Points>& u, Eigen::Ref<Points> gradient) {
+  const double *x = u.data(), *y = carried.data();
   double* g = gradient.data();
-  const Eigen::Index xs = p.outerStride(), gs = gradient.outerStride();
+  const Eigen::Index xs = u.outerStride(), ys = carried.outerStride(), gs = gradient.outerStride();
   double sum = 0;
   for (const Spring& s : springs) {
-    const double *a = x + xs * s.a, *b = x + xs * s.b;
-    const double e0 = b[0] - a[0], e1 = b[1] - a[1], e2 = b[2] - a[2];
+    const double *a = x + xs * s.a, *b = x + xs * s.b, *c = y + ys * s.a, *d = y + ys * s.b;
+    const double e0 = (d[0] - c[0]) + (b[0] - a[0]), e1 = (d[1] - c[1]) + (b[1] - a[1]),
+                 e2 = (d[2] - c[2]) + (b[2] - a[2]);
     const double length = std::sqrt(e0 * e0 + e1 * e1 + e2 * e2);
     const double change = length - s.rest_length;
     sum += change * change;

@@ -22,10 +22,11 @@ struct Spring {
 double stretching_energy(double k_s, const std::vector<Spring>& springs,
                          const Eigen::Ref<const Points>& p);
 
-/// gradient += dE/dp (n x 3); returns the energy. An edge of length zero, where the energy has a
-/// cusp, contributes no force.
+/// gradient += dE/dp (n x 3) at p = carried + u; returns the energy. An edge of length zero, where
+/// the energy has a cusp, contributes no force. Changes of u far below the rounding of p count.
 double stretching_energy_gradient(double k_s, const std::vector<Spring>& springs,
-                                  const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient);
+                                  const Eigen::Ref<const Points>& carried,
+                                  const Eigen::Ref<const Points>& u, Eigen::Ref<Points> gradient);
 
 /// The 3 x 3 block d2E/db2 (= d2E/da2 = -d2E/dadb) of one spring along e:
 ///

@@ -60,6 +60,26 @@ TEST(PaperEnergy, ValueIsTheSumOfTheTerms) {
   EXPECT_NEAR(paper_energy(system, p), paper_energy_gradient(system, p, gradient).total(), 1e-12);
 }
 
+// A thousand lengths away from the origin a displacement of 1e-13 is the last digit of a
+// coordinate.
+TEST(PaperEnergy, GradientFollowsDisplacementsBelowTheRoundingOfThePoints) {
+  PaperSystem system = two_tubes();
+  system.joins.clear();
+  system.contacts.clear();
+  system.carried.array() += 1000;
+  const Eigen::MatrixXd hessian = full(paper_energy_hessian(system, system.carried));
+  const auto gradient = [&](const Points& u) {
+    PaperGradient terms;
+    paper_energy_gradient_at(system, u, terms);
+    return terms.sum();
+  };
+  const Points u = random_points(system.vertex_count(), 3, 1e-13), none = Points::Zero(u.rows(), 3),
+               change = gradient(u) - gradient(none);
+  const Eigen::VectorXd expected = hessian * Eigen::Map<const Eigen::VectorXd>(u.data(), u.size());
+  EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(change.data(), change.size()) - expected).norm(),
+            0.01 * expected.norm());
+}
+
 TEST(PaperEnergy, BoundLiesAboveTheHessianAndIsTheBlendedOne) {
   const PaperSystem system = two_tubes();
   const Points p = start(system);
@@ -98,6 +118,7 @@ TEST(PaperEnergy, TurnsWithTheSpace) {
   PaperSystem moved = system;
   moved.carried = (system.carried * r.transpose()).rowwise() + shift;
   moved.carried_laplacian = system.carried_laplacian * r.transpose();
+  moved.carried_misfit = system.carried_misfit * r.transpose();
   for (Join& join : moved.joins) join.multiplier = r * join.multiplier;
   for (ContactPoint& c : moved.contacts) {
     c.normal = r * c.normal;

@@ -17,7 +17,7 @@ std::vector<Spring> springs_of(const TriangleSurface& t) {
 
 Points gradient_of(double k, const std::vector<Spring>& springs, const Points& p) {
   Points g = Points::Zero(p.rows(), 3);
-  stretching_energy_gradient(k, springs, p, g);
+  stretching_energy_gradient(k, springs, Points::Zero(p.rows(), 3), p, g);
   return g;
 }
 

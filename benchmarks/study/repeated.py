@@ -163,6 +163,15 @@ ANATOMY = (
         lambda: [glenns.run("low", "towards the vein", -60)],
         lambda store, folder: glenns.make_table(store, folder / glenns.FILE, whole=False),
     ),
+    Repeated(
+        glenns.FOLDED_FILE,
+        ("pressure", "cut", "incision", "rotation"),
+        ((12, "middle", "upper side", "auto"),),
+        lambda: [glenns.folded_run(12, "middle", "upper side", "auto")],
+        lambda store, folder: glenns.make_folded_table(
+            store, folder / glenns.FOLDED_FILE, whole=False
+        ),
+    ),
 )
 # Against the reference.
 AGAINST = (
@@ -319,7 +328,7 @@ def tables(fem):
     if fem:
         return AGAINST
     if not glenns.has_anatomy():
-        print(f"{glenns.FILE}: left out, the anatomy is not there")
+        print(f"{glenns.FILE}, {glenns.FOLDED_FILE}: left out, the anatomy is not there")
         return ALONE
     return ALONE + ANATOMY
 

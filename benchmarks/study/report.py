@@ -37,6 +37,7 @@ TABLES = (
     "extremes_rod",
     "extremes_wall",
     "glenns",
+    "glenns_coupled",
 )
 
 
@@ -118,7 +119,7 @@ def drawn(baselines):
         made["cost.svg"] = figures.cost_figure(rows, front_of(rows))
     if "sensitivity" in tables:
         made["moduli.svg"] = figures.moduli_figure(tables["sensitivity"][0])
-    names = ("extremes_wall", "extremes_rod", "sensitivity", "glenns")
+    names = ("extremes_wall", "extremes_rod", "sensitivity", "glenns", "glenns_coupled")
     counts = limits_answers.counts_of(*(tables.get(name, ([],))[0] for name in names))
     made["endings.svg"] = figures.endings_figure(counts)
     return {f"{IMAGES}/{name}": figure for name, figure in made.items()}

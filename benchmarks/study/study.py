@@ -135,6 +135,7 @@ def tables(arguments):
     extremes.make_tables(store, arguments.baselines)
     sections.make_tables(store, all_cases(), arguments.baselines)
     glenns.make_table(store, arguments.baselines / glenns.FILE)
+    glenns.make_folded_table(store, arguments.baselines / glenns.FOLDED_FILE)
     promise.make_table(
         store,
         all_cases(),

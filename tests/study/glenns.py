@@ -7,14 +7,21 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import glenns  # noqa: E402
-from chapters.limits import glenn_section  # noqa: E402
+from chapters.limits import folded_section, glenn_section  # noqa: E402
+from chapters.limits_answers import folded_answer  # noqa: E402
 from finished import leave  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
 runs = [glenns.run(*pick) for pick in glenns.picks()]
 assert len({run.identity for run in runs}) == len(runs) == 24
-assert glenns.all_runs() == (runs if glenns.has_anatomy() else [])
+folded = [glenns.folded_run(*pick) for pick in glenns.folded()]
+assert len({run.identity for run in runs + folded}) == 24 + 48
+assert glenns.all_runs() == (runs + folded if glenns.has_anatomy() else [])
+plain = glenns.folded_scene(0, "low", "upper side", 45)
+assert not any("pressure" in vessel or "law" in vessel for vessel in plain["vessels"])
+assert plain["surgery"]["glenn"]["incision_length"] == 1.25
+assert glenns.folded_scene(12, "low", "upper side", 45)["vessels"][0]["pressure"]["after"] == 12
 glenn = glenns.scene("low", "upper side", -60)["surgery"]["glenn"]
 assert glenn["cut"] == glenns.CUTS["low"] and glenn["rotation_deg"] == -60
 assert glenn["svc"] == "svc" and glenn["keep"], "what is not picked stays the scene's"
@@ -56,3 +63,25 @@ assert "`converged` 22 of 24 (91.7 %), `self_intersecting` 1 of 24 (4.2 %)" in "
     text.split()
 ), text
 assert "| low | towards the vein | -60 | interrupted | 2.0 | - | too long |" in text, text
+
+with tempfile.TemporaryDirectory() as scratch:
+    folder = Path(scratch)
+    store = Store(folder / "study", {})
+    endings = [result("buckled")] * 20 + [result("iteration_limit", notes=["half way"])] * 4
+    endings += [result("converged")] * 24
+    for end in endings:
+        end["glenn"] = {"mouth": {"area_ratio": 0.75}}
+    leave(
+        store,
+        [(one, end, int(end["status"] != "converged")) for one, end in zip(folded, endings)],
+    )
+    glenns.make_folded_table(store, folder / glenns.FOLDED_FILE)
+    rows, notes = read_table(folder / glenns.FOLDED_FILE)
+assert [row["pressure"] for row in rows] == [0] * 24 + [12] * 24
+assert rows[0]["mouth"] == 0.75 and rows[23]["mouth"] is None and rows[23]["strain"] is None
+text = " ".join("\n".join(folded_section(rows, notes)).split())
+assert "Without pressure, law Biot: 20 of 24 (83.3 %) ended in such a minimum." in text, text
+assert "With 12 mmHg after the operation, neo-Hookean: 24 of 24 (100.0 %) ended" in text, text
+assert "| half way |" in text, text
+answer = "\n".join(folded_answer(rows))
+assert "| 12 mmHg | auto | 6 of 6 (100.0 %) | 0.75 | 2 |" in answer, answer

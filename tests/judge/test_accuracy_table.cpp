@@ -26,7 +26,7 @@ TEST(AccuracyTable, FidelitiesGoFromCheapToDearAndCoverEveryLoad) {
   std::vector<std::string_view> order;
   for (const AccuracyRow& row : accuracy_table())
     if (order.empty() || order.back() != row.fidelity) order.push_back(row.fidelity);
-  EXPECT_EQ(order, (std::vector<std::string_view>{"skin", "paper", "coupled"}));
+  EXPECT_EQ(order, (std::vector<std::string_view>{"skin", "paper", "section", "coupled"}));
   for (const std::string_view fidelity : order)
     for (const LoadKind kind : {LoadKind::stretch, LoadKind::twist, LoadKind::bend}) {
       int rows = 0;

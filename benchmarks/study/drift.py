@@ -55,7 +55,7 @@ TOLERANCES = {
     **dict.fromkeys(("family", "counted", "reference", "chosen", "vertices", "harmonics"), EXACT),
     **dict.fromkeys(("spans", "failure", "ending", "sentence", "crossings", "range"), EXACT),
     **dict.fromkeys(("cases", "certified", "other", "case", "load", "modulus", "model"), EXACT),
-    **dict.fromkeys(("around", "law", "surface"), EXACT),
+    **dict.fromkeys(("around", "law", "surface", "unknowns", "settled"), EXACT),
     "factor": SAME,
     "most_iterations": ITERATIONS,
     "estimate": ESTIMATE,

@@ -20,7 +20,7 @@ ROTATIONS = ("auto", 45, 90, -60)
 FIDELITY = "paper"
 FOLDED_FILE = "glenns_coupled.csv"
 FOLDED_SCENE = SCENE.with_name("adult_physiological.yaml")
-PRESSURES = (0, 12)  # mmHg after the operation
+PRESSURE = 12  # mmHg after the operation
 
 
 def scene(cut, incision, rotation, base=SCENE):
@@ -65,7 +65,10 @@ def folded_run(pressure, cut, incision, rotation):
 
 
 def folded():
-    return [(pressure, *pick) for pressure in PRESSURES for pick in picks()]
+    """(pressure, *pick): without pressure at the rotation of least twist alone."""
+    return [(0, *pick) for pick in picks() if pick[2] == "auto"] + [
+        (PRESSURE, *pick) for pick in picks()
+    ]
 
 
 def picks():

@@ -16,6 +16,7 @@ import irregular
 import join
 import laws
 import pressure
+import prestress
 import promise
 import sections
 import sensitivity
@@ -25,8 +26,10 @@ from cases import case_named
 from drift import TOLERANCES, VALUE, Unchecked, drifts, sentence
 from regression import accepted
 from runs import accuracy_shell, hybrid, reference
+from store import REPOSITORY
 from tables import read_table, replace_rows
 
+BASELINES = REPOSITORY / "benchmarks" / "baselines"
 BEND, PAST, FRESH = "bend_t1_0.5", "twist_t2_90", "fresh_bend_t0.7"
 JOIN = ("ellipse", 1.0, "biot", 1.0, "coupled", 40)
 UNDER_PRESSURE = ("slit", 1.0, 10, 40)
@@ -132,8 +135,12 @@ ALONE = (
     ),
     Repeated(
         inflated.BENDS,
-        ("section", "share", "ratio"),
-        (("soft", 0.2, 0), ("soft", 0.2, 5), ("rigid", 0.4, 1)),
+        ("fidelity", "section", "share", "ratio"),
+        (
+            ("coupled", "soft", 0.2, 0),
+            ("coupled", "soft", 0.2, 5),
+            ("coupled", "rigid", 0.4, 1),
+        ),
         lambda: [inflated.bend_run("soft", 0.2, 0), inflated.bend_run("soft", 0.2, 5)]
         + [inflated.bend_run("rigid", 0.4, 1)],
         inflated.make_tables,
@@ -147,6 +154,13 @@ ALONE = (
         lambda store, folder: extremes.make_tables(store, folder, whole=False),
     ),
     Repeated(
+        sections.REFINEMENT,
+        ("harmonics", "spans"),
+        ((10, 6), (10, 13)),
+        lambda: [sections.refinement_run()],
+        lambda store, folder: sections.make_refinement(store, folder / sections.REFINEMENT),
+    ),
+    Repeated(
         "extremes_rod.csv",
         ("group",),
         (("slenderness, end pose",), ("moduli, end pose",), ("trees",), ("size",)),
@@ -154,6 +168,18 @@ ALONE = (
         lambda store, folder: extremes.make_tables(store, folder, whole=False),
     ),
 )
+
+
+def prestressed(pairs, case, law):
+    """The straight tube's run and that of its reference."""
+    return [
+        one
+        for name, shape, of, hybrid, shell in pairs
+        for one in (hybrid, shell)
+        if (name, shape, of) == (case, "straight", law)
+    ]
+
+
 # The anatomy is not part of the project.
 ANATOMY = (
     Repeated(
@@ -229,8 +255,31 @@ AGAINST = (
         ((FRESH, 0.05), (FRESH, 0.01)),
         promise_runs,
         lambda store, folder: promise.make_table(
-            store, [case_named(FRESH)], folder / "promise.csv"
+            store,
+            [case_named(FRESH)],
+            folder / "promise.csv",
+            promise.measurements(BASELINES),
         ),
+    ),
+    Repeated(
+        prestress.FILES[0],
+        ("case", "shape", "law"),
+        (("inflate", "straight", "biot"), ("shorten", "straight", prestress.LAW)),
+        lambda: prestressed(prestress.tube_pairs(), "inflate", "biot")
+        + prestressed(prestress.tube_pairs(), "shorten", prestress.LAW),
+        prestress.make_tables,
+    ),
+    Repeated(
+        prestress.FILES[1],
+        ("opening", "length", "stretch"),
+        (("ellipse", 1, 1),),
+        lambda: [
+            one
+            for *key, hybrid, shell in prestress.join_pairs()
+            for one in (hybrid, shell)
+            if key == ["ellipse", 1.0, 1.0]
+        ],
+        prestress.make_tables,
     ),
     Repeated(
         "shear_gap.csv",

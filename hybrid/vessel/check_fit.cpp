@@ -14,6 +14,9 @@ namespace {
 // Beyond this share of the radius of curvature, the fit's own error may move a section to its
 // centre of curvature.
 constexpr double largest_bend = 0.95;
+// What is shorter than this share of its radius is a rim and no vessel; where its sections lie is
+// rounding.
+constexpr double shortest = 0.01;
 
 // "12.5 along the axis, near (0, 0, 12.5)"
 std::string place(const RodTree& rod, int node) {
@@ -49,6 +52,13 @@ void check_inside(const RodTree& rod, const TriangleSurface& surface,
     refuse(place(rod, static_cast<int>(n)), ": found the axis ", hit.signed_distance,
            " outside the surface, expected a tubular vessel whose sections hold their own centre");
   }
+}
+
+void check_length(const RodTree& rod) {
+  double length = 0;
+  for (const RodElement& element : rod.elements) length += element.length;
+  if (length < shortest * *std::max_element(rod.radius.begin(), rod.radius.end()))
+    refuse("found no axis through the surface's sections, expected a tubular vessel");
 }
 
 void check_bend(const RodTree& rod) {

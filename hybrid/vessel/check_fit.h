@@ -13,6 +13,9 @@ namespace vasorod {
 void check_inside(const RodTree& rod, const TriangleSurface& surface,
                   const std::function<bool(const Vec3&)>& beside_fork);
 
+/// The axis is at least a hundredth of the largest radius long: what is shorter is a rim.
+void check_length(const RodTree& rod);
+
 /// No section reaches the axis's centre of curvature.
 void check_bend(const RodTree& rod);
 

@@ -131,6 +131,7 @@ Vessel fit(const TriangleSurface& surface, const FitOptions& options) {
   RestRod rod = rest_rod(centerline, options.spacing > 0 ? options.spacing : 0.25,
                          surface.points.row(loops[0].front()));
 
+  check_length(rod.tree);
   check_bend(rod.tree);
   check_inside(rod.tree, surface, [&](const Vec3& p) { return beside_fork(centerline, p); });
 

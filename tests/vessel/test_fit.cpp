@@ -197,7 +197,8 @@ TEST(Fit, RefusesWhatIsNoTube) {
   shortest.radius = 5;
   shortest.around = 6;
   shortest.along = 4;
-  EXPECT_NE(refusal(tube_surface(shortest)).find("no axis"), std::string::npos);
+  EXPECT_NE(refusal(tube_surface(shortest)).find("no axis"), std::string::npos)
+      << refusal(tube_surface(shortest));
 
   TubeSpec longest;  // was fitted for minutes
   longest.length = 1e9;

@@ -153,6 +153,8 @@ def folded_answer(rows):
     for pressure in dict.fromkeys(row["pressure"] for row in rows):
         for rotation in dict.fromkeys(row["rotation"] for row in rows):
             mine = [r for r in rows if (r["pressure"], r["rotation"]) == (pressure, rotation)]
+            if not mine:
+                continue
             good = [row for row in mine if row["ending"] in ("converged", "buckled")]
             mouths = [row["mouth"] for row in good]
             times = [row["seconds"] for row in mine]

@@ -162,9 +162,9 @@ def folded_answer(rows):
                 [
                     f"{pressure:g} mmHg" if pressure else "none",
                     f"{rotation:g}" if rotation != "auto" else "auto",
-                    share(len(good), len(mine)),
+                    f"{len(good)} of {len(mine)}",
                     value_or_range(mouths, "{:.2f}".format) if mouths else "-",
-                    value_or_range(times, "{:.0f}".format),
+                    value_or_range(times, "{:.1f}".format),
                 ]
             )
     header = ("pressure", "rotation", "ended so", "mouth over the vein's lumen", "processor s")

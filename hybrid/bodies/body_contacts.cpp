@@ -174,6 +174,8 @@ ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
         pair.contact = within(pair, scaled);
       else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
         pair.contact = between(pair, scaled);
+      if (pair.contact && !pair.own() && !expected_.empty())
+        pair.contact->expect(expected_[index(pair.slave)]);
       if (pair.contact && hold_) pair.contact->hold();
     }
     if (!pair.contact) continue;

@@ -52,6 +52,10 @@ class BodyContacts {
   /// features again.
   ContactState refresh(const ScaledBodies& scaled);
 
+  /// Pressures per body and vertex with which different bodies that come within reach for the first
+  /// time press, scaled stress; an empty one: none.
+  void expect(std::vector<Eigen::VectorXd> pressure) { expected_ = std::move(pressure); }
+
   /// Walls that press on each other stick between searches from here on (contact_pair.h): where
   /// the set of those that press does not settle.
   void hold();
@@ -116,6 +120,7 @@ class BodyContacts {
 
   const BodyProblem& problem_;
   double stiffness_;
+  std::vector<Eigen::VectorXd> expected_;
   bool hold_ = false, up_to_seams_ = false;
   /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
   /// exchanged.

@@ -33,6 +33,12 @@ class FoundContacts {
   /// From the next search on, walls that press on each other stick until the one after.
   virtual void hold() {}
 
+  /// Of contacts whose slots are the slave's vertices: the multipliers of those that the first
+  /// search finds, stress; empty: zero.
+  void expect(const Eigen::VectorXd& multiplier) {
+    if (multiplier.size() == multiplier_.size()) multiplier_ = multiplier;
+  }
+
   /// The contacts, numbered within the bodies; the slack is for a moving master.
   const std::vector<ContactPoint>& contacts() const { return contacts_; }
 

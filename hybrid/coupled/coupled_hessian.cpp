@@ -230,6 +230,16 @@ Matrix CoupledSystem::hessian(const VectorXd& z) {
   return with_extra(extra);
 }
 
+Matrix CoupledSystem::meeting_hessian(const VectorXd& z) const {
+  const CoupledState s = state(z);
+  Entries extra;
+  add_ties(s, extra);
+  add_meetings(s, extra);
+  Matrix all(unknowns_, unknowns_);
+  all.setFromTriplets(extra.begin(), extra.end());
+  return all;
+}
+
 Matrix CoupledSystem::rest_hessian() {
   CoupledState s;
   for (const CoupledWall& wall : walls_) {

@@ -19,6 +19,10 @@ constexpr int most_per_hessian = 30;  // even where it converges well
 // After this many points of negative curvature, the branch that the short steps follow no longer
 // exists.
 constexpr int patience_on_branch = 3;
+// The residual at which a rough start is smooth enough for the true Hessian, and the iterations for
+// a tenfold reduction towards it.
+constexpr double smooth_enough = 1e-2;
+constexpr int patience_with_convex = 20;
 constexpr int inverse_iterations = 12;
 // Negative curvature below this fraction of the rest Hessian's curvature in the same direction is
 // rounding.
@@ -157,6 +161,21 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
   }
 }
 
+// K0 in the present frames, which neither a stress nor a curvature of the start can make
+// indefinite.
+bool CoupledMinimiser::factorise_convex(const VectorXd& z, const Breaks& breaks) {
+  breaks.before("Hessian at rest");
+  Matrix convex = rest_;
+  turn_matrix(turns_, convex);
+  convex += system_.meeting_hessian(z);
+  if (!pad(analysed_, convex)) {
+    analyse(factor_, convex, breaks);
+    analysed_ = convex;
+  }
+  breaks.before("factorisation");
+  return factor_.factorise(convex, breaks.inside);
+}
+
 // Leaves an equilibrium whose Hessian H is not positive definite. Inverse iteration with the
 // shifted factor finds the direction in which v.H v is most negative relative to v.K0 v. The line
 // search along v continues as long as the energy falls.
@@ -231,6 +250,16 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     summary.add(lbfgs(evaluation, rest, z, inner));
     summary.rest_iterations = summary.iterations;
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
+  }
+  if (options.convex_first) {
+    ++summary.factorisations;
+    if (factorise_convex(z, breaks)) {
+      inner.tolerance = std::max(smooth_enough, options.tolerance);
+      inner.patience = patience_with_convex;
+      inner.max_iterations = options.max_iterations;
+      summary.add(lbfgs(evaluation, hessian, z, inner));
+      if (interrupted()) return;
+    }
   }
   inner.patience = 0;
   inner.tolerance = options.tolerance;

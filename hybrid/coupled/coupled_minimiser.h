@@ -1,5 +1,8 @@
 // Minimises the energy of a CoupledSystem for given multipliers and contact planes.
 //
+// Stage 1, where asked for: L-BFGS preconditioned by K0 in the frames of the start, with seams and
+// contacts. It smoothes a rough start, for which Cholesky would have to be tried with many shifts.
+//
 // Stage 1, where walls are only held and moved: L-BFGS preconditioned by the rest Hessian K0, which
 // is factorised once and applied in the frames of the rods, D K0^-1 D^T. This brings the start
 // given by the rods close to its minimum.
@@ -33,6 +36,9 @@ struct CoupledMinimiserOptions {
   int max_factorisations = 60;
   /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
   bool use_rest = true;
+  /// Begin with K0 in the present frames and what seams, ties and contacts add to it, which is
+  /// convex: for a start that is rough, where the true Hessian is not.
+  bool convex_first = false;
   bool reuse_hessian = false;  ///< begin with the last factorised true Hessian
   /// Determine the sign of the smallest curvature at the end, and leave saddles.
   bool certify = true;
@@ -91,6 +97,7 @@ class CoupledMinimiser {
   void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Breaks& breaks,
            CoupledMinimiserSummary& summary);
   bool factorise_rest(const Breaks& breaks);
+  bool factorise_convex(const Eigen::VectorXd& z, const Breaks& breaks);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most,
                  const Breaks& breaks);

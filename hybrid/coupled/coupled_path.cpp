@@ -53,13 +53,12 @@ CoupledPath::Local CoupledPath::local_state() const {
 }
 
 // Passes the rotations of the rods' frames to the minimiser, for K0.
-void CoupledPath::turn_minimiser() {
+void CoupledPath::turn_minimiser(const std::vector<std::vector<Mat3>>& rotations) {
   std::vector<Mat3> frames(index(stack_.system->vertex_count()));
   std::vector<std::vector<Mat3>> section_frames;
   for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
     if (stack_.first_wall[b] < 0) continue;
-    std::copy(carried_.rotations[b].begin(), carried_.rotations[b].end(),
-              frames.begin() + stack_.first[b]);
+    std::copy(rotations[b].begin(), rotations[b].end(), frames.begin() + stack_.first[b]);
     section_frames.emplace_back();
     for (const Pose& pose : carried_.sections[b]) section_frames.back().push_back(pose.rotation);
   }
@@ -81,7 +80,7 @@ bool CoupledPath::advance(double t) {
   const bool line =
       before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
   place(line ? &*before : nullptr);
-  turn_minimiser();
+  turn_minimiser(carried_.rotations);
   return !first;
 }
 
@@ -114,6 +113,26 @@ void CoupledPath::place(const Local* before) {
       system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
     }
   }
+  stack_.unstack();
+}
+
+void CoupledPath::start_at_given() {
+  CoupledSystem& system = *stack_.system;
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b) {
+    const CarriedBody& start = stack_.problem.start->bodies[b];
+    const int w = stack_.first_wall[b];
+    if (w < 0 || start.points.rows() == 0) continue;
+    system.put(w, stack_.scaled_points(start.points), false, stack_.z);
+    for (size_t k = 0; k < start.sections.size(); ++k)
+      system.put_pose(w, static_cast<int>(k), start.sections[k].rotation,
+                      (start.sections[k].position - stack_.scaled.origin) / stack_.scaled.length,
+                      stack_.z);
+  }
+  std::vector<std::vector<Mat3>> rotations = carried_.rotations;
+  for (size_t b = 0; b < rotations.size(); ++b)
+    if (const auto& found = stack_.problem.start->bodies[b].rotations; !found.empty())
+      rotations[b] = found;
+  turn_minimiser(rotations);
   stack_.unstack();
 }
 
@@ -161,7 +180,7 @@ void CoupledPath::put_bodies(const std::vector<int>& wall_before, const CoupledS
       system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
     }
   }
-  turn_minimiser();
+  turn_minimiser(carried_.rotations);
 }
 
 }  // namespace vasorod

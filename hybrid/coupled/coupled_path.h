@@ -26,6 +26,9 @@ class CoupledPath {
   /// from their extrapolation.
   void hold_back();
 
+  /// After advance(): starts where CoupledProblem::start has the walls.
+  void start_at_given();
+
   /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
 
@@ -53,7 +56,7 @@ class CoupledPath {
   Local local_state() const;
   void place(const Local* before);
   void put_bodies(const std::vector<int>& wall_before, const CoupledState& before);
-  void turn_minimiser();
+  void turn_minimiser(const std::vector<std::vector<Mat3>>& rotations);
 
   CoupledStack& stack_;
   double time_ = 0;

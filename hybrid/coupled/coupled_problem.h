@@ -40,6 +40,13 @@ struct SeamWay {
   double step = 1;  ///< longest step of the time
 };
 
+/// Where walls are expected at the end of the path, as coarser ones found them.
+struct CoupledStart {
+  std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
+  std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
+  bool buckled = false;                   ///< the smooth branch from rest lost its stability before
+};
+
 /// Input of CoupledSolver.
 struct CoupledProblem {
   /// Bodies (their k only sets the scale of units and contact), seams, and pairs that may touch.
@@ -51,6 +58,8 @@ struct CoupledProblem {
   std::function<std::vector<CarriedBody>(double t)> carried;
   /// How the seam is brought together; empty: its start is closed.
   std::optional<SeamWay> seam_way;
+  /// Empty: the walls start where the rods carry them.
+  std::optional<CoupledStart> start;
 };
 
 struct CoupledSolution;
@@ -70,6 +79,8 @@ struct CoupledOptions : SurfaceOptions {
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
+  /// CoupledMinimiserOptions::convex_first of the first minimisation.
+  bool convex_first = false;
   /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
   /// most once a second and for a hundredth of the time. May be empty.
   std::function<void(CoupledSolution&&)> keep;

@@ -49,6 +49,9 @@ constexpr double closing_gap = 1;
 constexpr double seam_step = 0.3;
 // On the way of a seam, contacts that are still found differently after this many updates stick.
 constexpr int hold_after = 6;
+// A start near a minimum takes a few factorisations; where it needs more than this, another start
+// is better.
+constexpr int most_from_start = 15;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;
@@ -127,11 +130,19 @@ class CoupledSolver::Data {
     bool buckled = false;
     const bool on_a_way = stack_.problem.seam_way.has_value();
     if (on_a_way && !close_seam(buckled)) return;
-    for (const double t : stack_.options.times) {
+    const std::vector<double> times =
+        stack_.problem.start ? std::vector<double>{1} : stack_.options.times;
+    for (const double t : times) {
       const bool stepped = !on_a_way && path_.advance(t);
       if (stepped && stack_.may_touch_itself() && stack_.follow(stack_.z) < -deepest_start) {
         path_.hold_back();
         stack_.follow(stack_.z);
+      }
+      if (stack_.problem.start) {
+        path_.start_at_given();
+        stack_.contacts->refresh(stack_.scaled);
+        stack_.stack_contacts();
+        buckled = stack_.problem.start->buckled;
       }
       const Points predicted = positions();
       const size_t notes = solution_.notes.size();
@@ -200,6 +211,8 @@ class CoupledSolver::Data {
       inner.closing_step = path_step * stack_.ring_radius();
     }
     if (stack_.problem.seam_way) inner.follow = {};  // as SeamClosing says
+    if (stack_.problem.start)
+      inner.max_factorisations = std::min(inner.max_factorisations, most_from_start);
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -248,7 +261,9 @@ class CoupledSolver::Data {
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
-      inner.use_rest = !stepped && alone && outer == 1 && stack_.system->contacts.empty();
+      inner.convex_first = outer == 1 && (stack_.problem.start || stack_.options.convex_first);
+      inner.use_rest =
+          !inner.convex_first && !stepped && alone && outer == 1 && stack_.system->contacts.empty();
       // What touches itself is looked for before a Hessian, so that each minimum begins with one.
       inner.reuse_hessian = outer > 1 && !(inner.follow && stack_.contacts->pressing());
       // Where multipliers still change, the minimum is certified when they are settled.
@@ -264,6 +279,10 @@ class CoupledSolver::Data {
       if (failures > most_failures) restore(best);
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
+      if (stack_.problem.start && outer == 1 && !minimum && !stalled) {
+        solution_.notes.emplace_back("no minimum was found near that of coarser walls");
+        return Status::iteration_limit;
+      }
       const double moment_change = stack_.system->recentre(stack_.z);
       const double seam_gap = stack_.largest_seam_gap();
       const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;

@@ -49,6 +49,13 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   for (const SeamPair& seam : problem.surfaces.seams)
     for (const int b : {seam.body_a, seam.body_b})
       scaled.bodies[index(b)].modelled = !scaled.bodies[index(b)].obstacle;
+  if (problem.start) {
+    for (size_t b = 0; b < scaled.bodies.size(); ++b)
+      scaled.bodies[b].modelled |= problem.start->bodies[b].points.rows() > 0;
+    std::vector<Eigen::VectorXd> pressure = problem.start->pressure;
+    for (Eigen::VectorXd& mine : pressure) mine /= scaled.pressure();
+    contacts->expect(std::move(pressure));
+  }
   seam_multipliers_.assign(problem.surfaces.seams.size(), Vec3::Zero());
   seam_radius = mouth_radius(problem.surfaces.seams, scaled);
   check_free_motions(problem, scaled);

@@ -151,6 +151,8 @@ class CoupledSystem {
   Eigen::VectorXd total_force(size_t wall, const CoupledForces& f) const;
   /// The Hessian, lower triangle.
   Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& z);
+  /// What ties, seams and contacts add to it.
+  Eigen::SparseMatrix<double> meeting_hessian(const Eigen::VectorXd& z) const;
   /// The walls' Hessian at rest.
   Eigen::SparseMatrix<double> rest_hessian();
   /// The rotations that transform the rest Hessian to the present frames. `frames`: per stacked

@@ -20,7 +20,7 @@ std::vector<Fidelity>& registry() {
        true, false, solve_section, LumenOf::sections, false, true},
       {"coupled",
        "one minimum of walls, seams and contacts with stiffness from the walls' material", true,
-       true, solve_coupled, LumenOf::wall},
+       true, solve_coupled, LumenOf::wall, true, false, true},
   };
   return all;
 }

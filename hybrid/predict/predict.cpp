@@ -12,6 +12,7 @@
 #include "predict/chosen_fidelity.h"
 #include "predict/fidelity.h"
 #include "predict/fitted_vessels.h"
+#include "predict/get_ready.h"
 #include "predict/input_hashes.h"
 #include "predict/kept_state.h"
 #include "predict/memory_need.h"
@@ -19,25 +20,10 @@
 #include "predict/prediction.h"
 #include "predict/prestress.h"
 #include "predict/rod_scene.h"
-#include "surgery/end_to_end.h"
-#include "surgery/glenn.h"
+#include "surgery/pick_place.h"
 
 namespace vasorod {
 namespace {
-
-std::string line_of(const Scene& scene, const VesselSpec& vessel) {
-  return place_in(scene, vessel.line) + ": ";
-}
-
-// Adds the place to the error of a part that does not know the scene file.
-template <class Work>
-auto placed(const std::string& where, Work&& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw InputError(where + error.what());
-  }
-}
 
 bool has_bare_rods(const Scene& scene) {
   return std::any_of(scene.vessels.begin(), scene.vessels.end(),
@@ -165,25 +151,6 @@ class EarlyStages {
   std::optional<std::chrono::steady_clock::time_point> stopped_;
 };
 
-void solve_rods(Prediction& prediction, const SolveOptions& options) {
-  RodOptions rod_options;
-  rod_options.stop = options.stop;
-  for (PredictedVessel& vessel : prediction.vessels) {
-    if (vessel.prepared.obstacle() || vessel.rod_solved) continue;
-    vessel.rod.poses = vessel.prepared.vessel.rod.rest;
-    if (!vessel.conditions.acts) {
-      prediction.left_out["rod of " + vessel.prepared.spec.name] =
-          "nothing moves or loads it: it stays as it is";
-      continue;
-    }
-    options.progress("rod of " + vessel.prepared.spec.name);
-    vessel.rod = placed(place_of(*prediction.scene, vessel.prepared.spec), [&] {
-      return solve_rod(vessel.prepared.vessel.rod, vessel.conditions.rod, rod_options);
-    });
-    vessel.rod_solved = true;
-  }
-}
-
 // Whether the fidelity has nothing that could touch the vessel.
 bool left_out(const VesselSpec& spec, const Fidelity& fidelity) {
   return spec.role == Role::obstacle && !fidelity.surfaces;
@@ -221,16 +188,7 @@ void take_vessels(const Fidelity& fidelity, const FittedVessels& fitted, Predict
 void fit_one(PreparedVessel& vessel, const Scene& scene, EarlyStages& stages) {
   if (vessel.obstacle()) return;
   stages.begin("fitting vessel " + vessel.spec.name);
-  placed(line_of(scene, vessel.spec), [&] { fit(vessel); });
-}
-
-Stage rest_stage(const Prediction& prediction) {
-  Stage rest{"rest", {}, {}};
-  for (const PredictedVessel& vessel : prediction.vessels) {
-    rest.surfaces.push_back(vessel.prepared.vessel.surface);
-    rest.names.push_back(vessel.prepared.spec.name);
-  }
-  return rest;
+  placed(place_in(scene, vessel.spec.line), [&] { fit(vessel); });
 }
 
 // A left and a right exchanged between vessels would be a scene that no patient has.
@@ -247,33 +205,6 @@ void require_one_space(const Prediction& prediction) {
                        first->prepared.spec.name + " is in " + other.space +
                        ", expected all surfaces in one space: export them from 3D Slicer again");
   }
-}
-
-// Cuts, opens, places and sews; solves the rods that the join moves.
-void operate_on(Prediction& prediction, const SolveOptions& options, EarlyStages& stages) {
-  const Scene& scene = *prediction.scene;
-  const auto [first_name, second_name] = scene.joined().value();
-  PredictedVessel& first = prediction.vessels[vessel_named(prediction, first_name)];
-  PredictedVessel& second = prediction.vessels[vessel_named(prediction, second_name)];
-  OperationOptions how;
-  how.rod.stop = options.stop;
-  how.progress = [&](const std::string& step) { stages.begin("surgery: " + step); };
-  Operation& operation = prediction.operation.emplace();
-  if (scene.glenn)
-    operation =
-        operate(scene, *scene.glenn, first.prepared, second.prepared, first.conditions, how);
-  else
-    operation = join_end_to_end(scene, *scene.end_to_end,
-                                {VesselToJoin{first.prepared, first.conditions},
-                                 VesselToJoin{second.prepared, second.conditions}},
-                                how);
-  for (PredictedVessel* vessel : {&first, &second}) {
-    auto& rod = operation.vessels[vessel == &first ? 0 : 1].rod;
-    if (!rod) continue;
-    vessel->rod = *rod;
-    vessel->rod_solved = true;
-  }
-  for (Stage& stage : operation.stages) prediction.stages.push_back(std::move(stage));
 }
 
 // With the rods solved: the fidelity that `accuracy:` needs.
@@ -341,12 +272,11 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   prediction.watch.lap("fit");
-  prestress(prediction, fidelity->lumen, [&](const std::string& stage) { stages.begin(stage); });
-  prediction.stages.push_back(rest_stage(prediction));
-  if (scene.joined()) operate_on(prediction, options, stages);
-  prediction.watch.lap("surgery");
-
-  solve_rods(prediction, options);
+  if (fidelity->coarse_first && scene.joined())
+    for (const PredictedVessel& vessel : prediction.vessels)
+      prediction.whole.push_back(vessel.prepared);
+  get_ready(prediction, fidelity->lumen, options,
+            [&](const std::string& stage) { stages.begin(stage); });
   if (!options.fidelity && !scene.fidelity) {
     const FidelityChoice choice = choose(scene, prediction);
     fidelity = find_fidelity(choice.fidelity);
@@ -356,7 +286,7 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
   prediction.watch.lap("rod");
   if (fidelity->surfaces) keep_rods(prediction, options);
   options.progress("fidelity " + fidelity->name);
-  placed(place_in(scene) + ": ", [&] {
+  placed(place_in(scene), [&] {
     if (options.fidelity || scene.fidelity)
       fidelity->solve(prediction, options);
     else

@@ -44,9 +44,11 @@ struct SolvedSurfaces {
 
 /// A scene while it is solved.
 struct Prediction {
-  const Scene* scene = nullptr;                 ///< the scene that is solved
-  std::string fidelity;                         ///< name of the fidelity
-  std::vector<PredictedVessel> vessels;         ///< in the scene's order
+  const Scene* scene = nullptr;          ///< the scene that is solved
+  std::string fidelity;                  ///< name of the fidelity
+  std::vector<PredictedVessel> vessels;  ///< in the scene's order
+  /// The vessels before the operation; empty: there is none, or the fidelity does not need them.
+  std::vector<PreparedVessel> whole;
   std::optional<Operation> operation;           ///< the operation; empty: none
   std::optional<SolvedSurfaces> surfaces;       ///< empty at fidelities without surface energies
   std::vector<std::string> notes;               ///< sentences for the certificate

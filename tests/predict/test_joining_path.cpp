@@ -2,7 +2,7 @@
 
 #include "data/index.h"
 #include "predict/joining_path.h"
-#include "predict/small_scenes.h"
+#include "predict/t_glenn.h"
 #include "predict/vessel_wall.h"
 #include "rod/binding.h"
 #include "surgery/glenn.h"
@@ -11,26 +11,12 @@ namespace vasorod {
 namespace {
 
 using namespace testing;
-using Kind = EndSelector::Kind;
 
 // A vein along z above an artery along x that lies to its side, cut at z = 20 and joined to the
 // artery's upper side.
 class JoiningPathTest : public ::testing::Test {
  protected:
   JoiningPathTest() {
-    scene_.name = "aside";
-    VesselSpec artery = tube("artery", 60, {-30, 16, 6});
-    artery.tube->tangent = {1, 0, 0};
-    artery.tube->normal = {0, 0, 1};
-    scene_.vessels = {tube("vein", 48), artery};
-    scene_.ends = {held("vein", Kind::start), held("vein", Kind::end), held("artery", Kind::start),
-                   held("artery", Kind::end)};
-    GlennSpec& spec = scene_.glenn.emplace();
-    spec.svc = "vein";
-    spec.rpa = "artery";
-    spec.cut.point = Vec3(6, 0, 20);
-    spec.incision.point = Vec3(0, 16, 12);
-    spec.keep.kind = Kind::end;
     prediction_.scene = &scene_;
     for (const VesselSpec& vessel : scene_.vessels) {
       PredictedVessel& made = prediction_.vessels.emplace_back();
@@ -53,7 +39,7 @@ class JoiningPathTest : public ::testing::Test {
         .transpose();
   }
 
-  Scene scene_;
+  Scene scene_ = t_glenn(24, 16);
   Prediction prediction_;
 };
 

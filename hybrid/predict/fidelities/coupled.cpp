@@ -3,6 +3,7 @@
 #include "coupled/coupled_problem.h"
 #include "data/index.h"
 #include "paper/joined_skin.h"
+#include "predict/coarse_start.h"
 #include "predict/fidelities/fidelities.h"
 #include "predict/joining_path.h"
 #include "predict/kept_state.h"
@@ -19,6 +20,10 @@ namespace {
 
 // From a closed start, walls that find their minimum take some ten updates of multipliers.
 constexpr int updates_from_closed = 12;
+// Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
+// penetrations and slips over the edge.
+constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
+                 coarse_length = 0.05;
 
 CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
                        const VesselSections& sections) {
@@ -133,22 +138,40 @@ bool is_minimum(Status status) {
 // One solve of a prediction.
 class Attempt {
  public:
-  Attempt(Prediction& prediction, const SolveOptions& options)
+  Attempt(Prediction& prediction, const SolveOptions& options, bool coarse = false)
       : prediction_(prediction), options_(options) {
     coupled_.times = path_times(prediction);
     coupled_.stop = options.stop;
     coupled_.step = step_progress("walls", options);
     coupled_.progress = iteration_progress("walls", 10, options);
+    if (coarse) {
+      only_for_a_start();
+      return;
+    }
     coupled_.keep = keep_for<CoupledSolution>(prediction, options,
                                               [this](CoupledSolution&& so_far, Prediction& state) {
                                                 take(std::move(so_far), sections_, state);
                                               });
   }
 
-  // From a closed seam, with at most so many updates.
-  CoupledSolution closed(std::optional<int> updates = {}) {
+  // From where coarser walls went; empty: they found no minimum.
+  std::optional<CoupledSolution> from_coarse() {
+    std::optional<Prediction> coarse = coarse_prediction(prediction_, options_);
+    if (!coarse) return std::nullopt;
+    const CoupledSolution found = Attempt(*coarse, options_, true).closed();
+    prediction_.work += found.surface.work;
+    if (!is_minimum(found.status)) return std::nullopt;
+    CoupledSolution solution = closed({}, start_from_coarse(*coarse, found, prediction_));
+    if (is_minimum(solution.status) || solution.status == Status::interrupted) return solution;
+    prediction_.work += solution.surface.work;
+    return std::nullopt;
+  }
+
+  // From a closed seam, or from `start`; with at most so many updates.
+  CoupledSolution closed(std::optional<int> updates = {}, std::optional<CoupledStart> start = {}) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
+    problem.start = std::move(start);
     CoupledOptions coupled = coupled_;
     if (updates) coupled.max_outer = *updates;
     return CoupledSolver(std::move(problem), coupled).solve();
@@ -166,6 +189,15 @@ class Attempt {
   }
 
  private:
+  // A start needs few digits.
+  void only_for_a_start() {
+    coupled_.convex_first = true;
+    coupled_.tolerance = coarse_tolerance;
+    coupled_.seam_tolerance = coupled_.balance_tolerance = coarse_share;
+    coupled_.pressure_tolerance = coarse_change;
+    coupled_.contact_tolerance = coupled_.slip_tolerance = coarse_length;
+  }
+
   Prediction& prediction_;
   const SolveOptions& options_;
   CoupledOptions coupled_;
@@ -180,7 +212,8 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
   if (!vein || !has_to_fold(*vein)) {
-    attempt.keep(attempt.closed(), prediction);
+    std::optional<CoupledSolution> solution = attempt.from_coarse();
+    attempt.keep(solution ? std::move(*solution) : attempt.closed(), prediction);
     return;
   }
   CoupledSolution solution = attempt.closed(updates_from_closed);

@@ -1,0 +1,69 @@
+#include "predict/coarse_start.h"
+
+#include <vasorod/error.h>
+
+#include "geometry/moved_with.h"
+#include "predict/coarse_vessels.h"
+#include "predict/get_ready.h"
+#include "vessel/end_conditions.h"
+
+namespace vasorod {
+namespace {
+
+// The two vertices of a pair come from two coarse meshes, and the fine seam starts closed.
+void close_seam(const Prediction& fine, CoupledStart& start) {
+  const auto points = [&](size_t side) -> Points& {
+    return start.bodies[vessel_named(fine, fine.operation->vessels[side].name)].points;
+  };
+  Points &first = points(0), &second = points(1);
+  for (const auto& [a, b] : fine.operation->pairs)
+    first.row(a) = second.row(b) = ((first.row(a) + second.row(b)) / 2).eval();
+}
+
+}  // namespace
+
+std::optional<Prediction> coarse_prediction(const Prediction& fine, const SolveOptions& options) {
+  std::vector<PreparedVessel> vessels = coarse_vessels(fine.whole);
+  if (vessels.empty()) return std::nullopt;
+  Prediction coarse;
+  coarse.scene = fine.scene;
+  coarse.fidelity = fine.fidelity;
+  for (PreparedVessel& prepared : vessels) {
+    PredictedVessel& vessel = coarse.vessels.emplace_back();
+    vessel.prepared = std::move(prepared);
+    const std::string& name = vessel.prepared.spec.name;
+    if (!vessel.prepared.obstacle())
+      vessel.conditions = end_conditions(*fine.scene, name, vessel.prepared.vessel);
+  }
+  try {
+    get_ready(coarse, LumenOf::wall, options,
+              [&](const std::string& stage) { options.progress("coarse meshes: " + stage); });
+  } catch (const InputError&) {  // the fine meshes took it
+    return std::nullopt;
+  }
+  return coarse;
+}
+
+CoupledStart start_from_coarse(const Prediction& coarse, const CoupledSolution& solution,
+                               const Prediction& fine) {
+  CoupledStart start;
+  start.buckled = solution.status == Status::buckled;
+  for (size_t v = 0; v < fine.vessels.size(); ++v) {
+    const BodySolution& body = solution.surface.bodies[v];
+    start.bodies.emplace_back();
+    start.pressure.emplace_back();
+    if (!body.modelled) continue;
+    MovedSurface moved = moved_with(coarse.vessels[v].prepared.vessel.surface, body.positions,
+                                    body.pressure, fine.vessels[v].prepared.vessel.surface);
+    CarriedBody& mine = start.bodies.back();
+    mine.points = std::move(moved.points);
+    mine.rotations = std::move(moved.rotations);
+    for (const SectionSolution& section : solution.sections[v])
+      mine.sections.push_back({section.rotation, section.center});
+    start.pressure.back() = std::move(moved.values);
+  }
+  close_seam(fine, start);
+  return start;
+}
+
+}  // namespace vasorod

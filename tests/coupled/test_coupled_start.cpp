@@ -1,0 +1,116 @@
+// Walls that start where coarser ones are said to have gone.
+#include <gtest/gtest.h>
+
+#include "coupled/coupled_contacts.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+constexpr double radius = 6;
+
+// Two tubes that cross, the first pressed onto the second; the second is touched only on the way.
+CoupledProblem crossed() {
+  const HeldTube tube(40, radius, 0.6, 32, 36);
+  CoupledProblem problem;
+  const Vec3 down(-1.5, 0, 0);
+  HeldSection start = tube.start(), end = tube.end();
+  start.motion.move = end.motion.move = down;
+  add_tube(problem, tube, "one", Vec3::Zero(), {start, end});
+  const Mat3 across = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()).toRotationMatrix();
+  add_tube(problem, tube, "other", Vec3(-2 * radius - 1, 20, 20), {tube.start(), tube.end()},
+           across);
+  problem.surfaces.contacts = all_contacts(problem.surfaces.bodies);
+  carry_by_sections(problem);
+  return problem;
+}
+
+CoupledStart start_at(const CoupledSolution& solution) {
+  CoupledStart start;
+  for (const BodySolution& body : solution.surface.bodies) {
+    start.bodies.emplace_back();
+    if (body.modelled) start.bodies.back().points = body.positions;
+    start.pressure.push_back(body.pressure);
+  }
+  return start;
+}
+
+CoupledSolution from(CoupledStart start) {
+  CoupledProblem problem = crossed();
+  problem.start = std::move(start);
+  CoupledSolver solver(std::move(problem));
+  return solver.solve();
+}
+
+// Alternately in and out, by a share of the radius.
+void roughen(double share, CoupledStart& start) {
+  for (CarriedBody& body : start.bodies)
+    for (Eigen::Index i = 100; i + 100 < body.points.rows(); ++i)
+      body.points.row(i) += share * radius *
+                            Eigen::RowVector3d(std::sin(7.0 * static_cast<double>(i)),
+                                               std::sin(11.0 * static_cast<double>(i)), 0);
+}
+
+class CoupledStartTest : public ::testing::Test {
+ protected:
+  CoupledStartTest() {
+    CoupledSolver solver(crossed());
+    reference_ = solver.solve();
+  }
+  double away(const CoupledSolution& solution) const {
+    double largest = 0;
+    for (size_t b = 0; b < 2; ++b)
+      largest = std::max(
+          largest, (solution.surface.bodies[b].positions - reference_.surface.bodies[b].positions)
+                       .rowwise()
+                       .norm()
+                       .maxCoeff());
+    return largest / radius;
+  }
+
+  CoupledSolution reference_;
+};
+
+TEST_F(CoupledStartTest, ARoughStartEndsInTheSameMinimumWithFewFactorisations) {
+  ASSERT_EQ(reference_.status, Status::converged);
+  ASSERT_TRUE(reference_.surface.bodies[1].modelled);
+  CoupledStart start = start_at(reference_);
+  roughen(0.01, start);
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
+  EXPECT_TRUE(solution.smallest_curvature_positive);
+  EXPECT_LT(away(solution), 1e-4);
+  EXPECT_LE(solution.surface.work.counts.factorisations, 4);
+}
+
+TEST_F(CoupledStartTest, AStartThatBuckledOnItsWaySaysSo) {
+  CoupledStart start = start_at(reference_);
+  start.buckled = true;
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::buckled) << to_string(solution.status);
+  EXPECT_LT(away(solution), 1e-4);
+}
+
+// Without the second tube in it, and without its pressure.
+TEST_F(CoupledStartTest, WhatWasNotExpectedToBeTouchedIsFound) {
+  CoupledStart start = start_at(reference_);
+  start.bodies[1] = {};
+  for (Eigen::VectorXd& pressure : start.pressure) pressure.resize(0);
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
+  EXPECT_LT(away(solution), 1e-4);
+}
+
+TEST_F(CoupledStartTest, ACrumpledOneEndsSoonWithASentence) {
+  CoupledStart start = start_at(reference_);
+  roughen(0.6, start);
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::iteration_limit) << to_string(solution.status);
+  ASSERT_FALSE(solution.notes.empty());
+  EXPECT_EQ(solution.notes.front(), "no minimum was found near that of coarser walls");
+  EXPECT_LE(solution.surface.work.counts.factorisations, 16);
+}
+
+}  // namespace
+}  // namespace vasorod

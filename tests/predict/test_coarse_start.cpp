@@ -1,0 +1,110 @@
+// Fidelity coupled with and without coarse walls before the fine ones.
+#include <gtest/gtest.h>
+
+#include "predict/coarse_start.h"
+#include "predict/fidelity.h"
+#include "predict/t_glenn.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+constexpr double radius = 6;
+constexpr int around = 48;
+
+// The same solver from a closed seam alone.
+std::string closed_only() {
+  const std::string name = "coupled_closed";
+  if (find_fidelity(name) == nullptr) {
+    Fidelity fidelity = *find_fidelity("coupled");
+    fidelity.name = name;
+    fidelity.coarse_first = fidelity.choosable = false;
+    register_fidelity(std::move(fidelity));
+  }
+  return name;
+}
+
+Result solved(const Scene& scene, const std::string& fidelity) {
+  SolveOptions options;
+  options.fidelity = fidelity;
+  return predict(scene, options);
+}
+
+void expect_same(const Result& a, const Result& b, double tolerance) {
+  ASSERT_EQ(a.vessels.size(), b.vessels.size());
+  for (size_t v = 0; v < a.vessels.size(); ++v) {
+    ASSERT_EQ(a.vessels[v].current.rows(), b.vessels[v].current.rows());
+    EXPECT_LT((a.vessels[v].current - b.vessels[v].current).rowwise().norm().maxCoeff(),
+              tolerance * radius)
+        << a.vessels[v].name;
+  }
+}
+
+TEST(CoarseStart, TheMinimumIsThatOfAClosedStart) {
+  const Scene scene = t_glenn(around, 4);
+  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
+  EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
+  EXPECT_EQ(closed.status, Status::converged) << to_string(closed.status);
+  EXPECT_TRUE(coarse.certificate.smallest_curvature_positive.value_or(false));
+  expect_same(coarse, closed, 1e-6);
+  // Both meshes count.
+  EXPECT_GT(coarse.counts->outer, closed.counts->outer);
+}
+
+// The artery's other side rests on a tube that yields, which the coarse walls find out.
+TEST(CoarseStart, WhatIsTouchedTakesPartFromTheBeginning) {
+  Scene scene = t_glenn(around, 4);
+  VesselSpec below = tube("below", 60, {-30, 4, -6.5}, around);
+  below.tube->tangent = {1, 0, 0};
+  below.tube->normal = {0, 0, 1};
+  scene.vessels.push_back(below);
+  for (const auto kind : {EndSelector::Kind::start, EndSelector::Kind::end})
+    scene.ends.push_back(held("below", kind));
+  for (EndCondition& end : scene.ends)
+    if (end.vessel == "artery") {
+      end.hold = false;
+      end.move = Vec3(0, 0, -0.3);
+    }
+  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
+  EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
+  ASSERT_FALSE(closed.contact.empty());
+  double pressure = 0;
+  for (const auto& contact : closed.contact)
+    pressure = std::max(pressure, contact.largest_pressure);
+  EXPECT_GT(pressure, 0);
+  expect_same(coarse, closed, 1e-4);
+}
+
+TEST(CoarseStart, MeshesThatAreCoarseAlreadyAreNotCoarsened) {
+  const Scene scene = t_glenn(24, 4);
+  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
+  EXPECT_EQ(coarse.counts->factorisations, closed.counts->factorisations);
+  expect_same(coarse, closed, 0 + 1e-15);
+}
+
+// Of the units: metres and Pa instead of mm and MPa.
+TEST(CoarseStart, TheUnitDoesNotMatter) {
+  const Scene mm = t_glenn(around, 4);
+  Scene m = mm;
+  m.units.length = "m";
+  m.units.metres = 1;
+  for (VesselSpec& vessel : m.vessels) {
+    vessel.tube->length *= 1e-3;
+    vessel.tube->radius *= 1e-3;
+    vessel.tube->position *= 1e-3;
+    vessel.wall->thickness *= 1e-3;
+    vessel.check = false;
+  }
+  m.glenn->cut.point = 1e-3 * m.glenn->cut.point;
+  m.glenn->incision.point = 1e-3 * m.glenn->incision.point;
+  const Result first = solved(mm, "coupled"), second = solved(m, "coupled");
+  EXPECT_EQ(second.status, first.status);
+  for (size_t v = 0; v < first.vessels.size(); ++v)
+    EXPECT_LT(
+        (1e3 * second.vessels[v].current - first.vessels[v].current).rowwise().norm().maxCoeff(),
+        1e-6 * radius);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "geometry/triangle_surface.h"
+#include "predict/coarse_vessels.h"
+#include "predict/small_scenes.h"
+#include "rod/binding.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+PreparedVessel prepared(const VesselSpec& spec) {
+  const Scene scene;
+  PreparedVessel vessel = read_vessel(spec, scene);
+  if (!vessel.obstacle()) fit(vessel);
+  return vessel;
+}
+
+TEST(CoarseVessels, EdgesAreTwiceAsLongAndEverythingElseStays) {
+  const PreparedVessel fine = prepared(tube("tube", 48, {1, 2, 3}, 60));
+  const std::vector<PreparedVessel> all = coarse_vessels({fine});
+  ASSERT_EQ(all.size(), 1u);
+  const Vessel &coarse = all[0].vessel, &was = fine.vessel;
+  EXPECT_NEAR(mean_edge_length(coarse.surface) / mean_edge_length(was.surface), 2, 0.3);
+  EXPECT_NEAR(total_area(coarse.surface) / total_area(was.surface), 1, 0.02);
+  EXPECT_EQ(coarse.rod.rest.size(), was.rod.rest.size());
+  EXPECT_EQ(all[0].node_thickness, fine.node_thickness);
+  ASSERT_EQ(coarse.ends.size(), was.ends.size());
+  for (size_t e = 0; e < coarse.ends.size(); ++e) {
+    EXPECT_EQ(coarse.ends[e].node, was.ends[e].node);
+    Vec3 center = Vec3::Zero();
+    for (const int v : coarse.ends[e].loop) center += coarse.surface.points.row(v).transpose();
+    center /= static_cast<double>(coarse.ends[e].loop.size());
+    EXPECT_LT((center - was.ends[e].center).norm(), 0.5);
+  }
+  // Bound to the rod: it carries the coarse wall to where that is at rest.
+  EXPECT_LT((carried_points(coarse.rod, coarse.rod.rest, coarse.carry) - coarse.surface.points)
+                .rowwise()
+                .norm()
+                .maxCoeff(),
+            1e-9);
+}
+
+TEST(CoarseVessels, NoneWhereOneWouldBeTooCoarseToFold) {
+  const PreparedVessel fine = prepared(tube("fine", 48, {0, 0, 0}, 60)),
+                       coarse = prepared(tube("coarse", 48, {20, 0, 0}, 24));
+  EXPECT_TRUE(coarse_vessels({fine, coarse}).empty());
+  VesselSpec obstacle = tube("obstacle", 48, {20, 0, 0}, 24);
+  obstacle.role = Role::obstacle;
+  EXPECT_EQ(coarse_vessels({fine, prepared(obstacle)}).size(), 2u);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -36,9 +36,8 @@ double offset_at(const ContactSide& side, int vertex) {
 
 Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
                        const Points& normals, const ContactSide& side, const Vec3& point,
-                       const Vec3& point_normal) {
+                       const Vec3& point_normal, const ClosestPoint::Hit& hit) {
   Feature feature;
-  const ClosestPoint::Hit hit = finder.query(point);
   if (hit.on_boundary) return feature;
   const NormalFoot foot = normal_foot(finder, surface, normals, point, hit);
   feature.weight = foot.weight;
@@ -72,16 +71,23 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
+      clear_(static_cast<size_t>(slave_.rest.points.rows())),
+      master_then_(master_.rest.points),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
+
+bool ContactPair::is_clear(int vertex, const Vec3& place, double margin) const {
+  const Clear& last = clear_[index(vertex)];
+  return last.distance - (place - last.place).norm() - (travel_ - last.travel) > margin;
+}
 
 double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
     if (!rest_) rest_.emplace(master_.rest);
-    const Feature feature =
-        facing_feature(*rest_, master_.rest, master_rest_normals_, master_,
-                       slave_.rest.points.row(vertex), slave_rest_normals_.row(vertex));
+    const Feature feature = facing_feature(
+        *rest_, master_.rest, master_rest_normals_, master_, slave_.rest.points.row(vertex),
+        slave_rest_normals_.row(vertex), rest_->query(slave_.rest.points.row(vertex)));
     const double gap =
         feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
@@ -113,9 +119,12 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   // have a gap below `reach`; from inside every feature counts.
   const Box box = box_of(master);
   const double margin = reach + slave_.offset + master_.offset;
+  travel_ += (master - master_then_).rowwise().norm().maxCoeff();
+  master_then_ = master;
   std::vector<int> near;
   for (int i = 0; i < slave.rows(); ++i)
-    if (!slave_.left_out(i) && area_[i] > 0 && box.exteriorDistance(Vec3(slave.row(i))) <= margin)
+    if (!slave_.left_out(i) && area_[i] > 0 && box.exteriorDistance(Vec3(slave.row(i))) <= margin &&
+        !is_clear(i, slave.row(i), margin))
       near.push_back(i);
   if (near.empty()) {
     end();
@@ -129,8 +138,10 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
   const Points master_normals = vertex_normals(now);
   for (const int i : near) {
-    const Feature feature =
-        facing_feature(*current_, now, master_normals, master_, slave.row(i), slave_normals.row(i));
+    const ClosestPoint::Hit hit = current_->query(slave.row(i));
+    clear_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i)};
+    const Feature feature = facing_feature(*current_, now, master_normals, master_, slave.row(i),
+                                           slave_normals.row(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;

@@ -17,6 +17,9 @@
 // on each other stick from one search to the next, as those of a wall that touches itself do
 // (self_contact.h).
 //
+// A vertex that was outside is looked at again when it and the master may have come within reach
+// since then, by how far both went.
+//
 // Left out are: hits on the rim of an open end; walls that face the same way (the far wall of a
 // vessel that a shallow one overlaps); the vertices and triangles that the caller excludes.
 #pragma once
@@ -39,6 +42,14 @@ class ContactPair : public FoundContacts {
   void hold() override { held_ = true; }
 
  private:
+  // A vertex outside the master when it was last looked at.
+  struct Clear {
+    double distance = 0;  // from the master, length; 0: not outside
+    double travel = 0;    // travel_ then
+    Vec3 place = Vec3::Zero();
+  };
+
+  bool is_clear(int vertex, const Vec3& place, double margin) const;
   double allowance(int vertex);
   void stick(ContactPoint& contact, const Points& slave, const Points& master) const;
   bool inside_at_rest(int vertex);
@@ -51,6 +62,9 @@ class ContactPair : public FoundContacts {
   Eigen::VectorXd area_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;
+  std::vector<Clear> clear_;
+  double travel_ = 0;  // sum over all searches of the farthest that a vertex of the master went
+  Points master_then_;
   std::vector<double> allowance_;  // min(0, gap at rest); NaN until computed
 };
 

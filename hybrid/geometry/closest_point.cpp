@@ -215,6 +215,7 @@ ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) 
 }
 
 void ClosestPoint::refit(const Points& points) {
+  if (points == tree_->points) return;
   tree_->points = points;
   tree_->rebuild();
 }

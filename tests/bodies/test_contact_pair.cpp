@@ -136,6 +136,31 @@ TEST(ContactPair, WhatIsOutOfReachIsNotListed) {
   EXPECT_TRUE(pair.contacts().empty());
 }
 
+// What was out of reach is looked at again when the walls may have come together, whichever moved.
+TEST(ContactPair, AfterMovesItFindsWhatANewPairFinds) {
+  const TriangleSurface slave = beside(0), master = beside(3.5);
+  ContactPair pair({slave, 0.1, {}}, {master, 0.2, {}}, 1);
+  for (int k = 0; k < 12; ++k) {
+    Points a = slave.points, b = master.points;
+    a.col(2).array() += 0.3 * k;
+    a.col(0) += Eigen::VectorXd((0.03 * k * a.col(2).array().square() / 6).matrix());
+    b.col(0).array() -= k < 8 ? 0.2 * k : 2.4 - 0.1 * k;
+    b.col(1) += Eigen::VectorXd((0.1 * k * b.col(2).array().sin()).matrix());
+    pair.refresh(a, b, 0.3);
+    ContactPair fresh({slave, 0.1, {}}, {master, 0.2, {}}, 1);
+    fresh.refresh(a, b, 0.3);
+    ASSERT_EQ(pair.contacts().size(), fresh.contacts().size()) << k;
+    for (size_t c = 0; c < fresh.contacts().size(); ++c) {
+      EXPECT_EQ(pair.contacts()[c].slave, fresh.contacts()[c].slave);
+      EXPECT_EQ(pair.contacts()[c].slack, fresh.contacts()[c].slack);
+    }
+    EXPECT_EQ(pair.swallowed(), fresh.swallowed());
+    if (k >= 6 && k < 10) {
+      EXPECT_GT(fresh.contacts().size(), 20u) << k;
+    }
+  }
+}
+
 TEST(ContactPair, OverlapAtRestCarriesNoPressureThereAndCountsFromThere) {
   const TriangleSurface slave = beside(0), master = beside(1.7);
   ContactPair pair({slave, 0, {}}, {master, 0, {}}, 1);

@@ -44,6 +44,7 @@ struct SeamWay {
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
+  bool rough = true;                      ///< begin with CoupledMinimiserOptions::convex_first
   bool buckled = false;                   ///< the smooth branch from rest lost its stability before
 };
 
@@ -58,6 +59,8 @@ struct CoupledProblem {
   std::function<std::vector<CarriedBody>(double t)> carried;
   /// How the seam is brought together; empty: its start is closed.
   std::optional<SeamWay> seam_way;
+  /// Joined walls touch right up to their seam from the beginning.
+  bool meet_up_to_seams = false;
   /// Empty: the walls start where the rods carry them.
   std::optional<CoupledStart> start;
 };

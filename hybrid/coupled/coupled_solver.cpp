@@ -140,6 +140,7 @@ class CoupledSolver::Data {
       }
       if (stack_.problem.start) {
         path_.start_at_given();
+        if (stack_.problem.meet_up_to_seams) stack_.contacts->meet_up_to_seams();
         stack_.contacts->refresh(stack_.scaled);
         stack_.stack_contacts();
         buckled = stack_.problem.start->buckled;
@@ -261,7 +262,8 @@ class CoupledSolver::Data {
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
-      inner.convex_first = outer == 1 && (stack_.problem.start || stack_.options.convex_first);
+      inner.convex_first = outer == 1 && (stack_.problem.start ? stack_.problem.start->rough
+                                                               : stack_.options.convex_first);
       inner.use_rest =
           !inner.convex_first && !stepped && alone && outer == 1 && stack_.system->contacts.empty();
       // What touches itself is looked for before a Hessian, so that each minimum begins with one.

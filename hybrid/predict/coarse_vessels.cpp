@@ -14,6 +14,7 @@ namespace {
 constexpr double edge_ratio = 2;
 // Over the mean radius.
 constexpr double longest_edge = 0.4;
+constexpr Eigen::Index fewest_vertices = 8000;
 
 // The branch of the nearest vertex of the fine surface.
 std::vector<int> branches(const Points& points, const Vessel& fine) {
@@ -44,6 +45,10 @@ PreparedVessel coarser(const PreparedVessel& fine, double edge) {
 
 std::vector<PreparedVessel> coarse_vessels(const std::vector<PreparedVessel>& vessels) {
   std::vector<PreparedVessel> all;
+  Eigen::Index vertices = 0;
+  for (const PreparedVessel& vessel : vessels)
+    if (!vessel.obstacle()) vertices += vessel.vessel.surface.points.rows();
+  if (vertices < fewest_vertices) return {};
   for (const PreparedVessel& vessel : vessels) {
     const double edge = edge_ratio * mean_edge_length(vessel.vessel.surface);
     if (!vessel.obstacle() && edge > longest_edge * vessel.vessel.mean_radius) return {};

@@ -34,7 +34,7 @@ struct Fidelity {
   bool surgery = true;            ///< takes vessels that are cut, incised and joined
   /// Takes some vessels only, and says where a state is beyond it: `accuracy:` goes on from there.
   bool partial = false;
-  /// Solves an operation with coarser meshes first (predict/coarse_start.h).
+  /// Solves a Glenn operation with coarser meshes first (predict/coarse_start.h).
   bool coarse_first = false;
 };
 

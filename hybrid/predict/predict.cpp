@@ -272,7 +272,7 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
     vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   }
   prediction.watch.lap("fit");
-  if (fidelity->coarse_first && scene.joined())
+  if (fidelity->coarse_first && scene.glenn)
     for (const PredictedVessel& vessel : prediction.vessels)
       prediction.whole.push_back(vessel.prepared);
   get_ready(prediction, fidelity->lumen, options,

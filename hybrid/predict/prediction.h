@@ -47,7 +47,7 @@ struct Prediction {
   const Scene* scene = nullptr;          ///< the scene that is solved
   std::string fidelity;                  ///< name of the fidelity
   std::vector<PredictedVessel> vessels;  ///< in the scene's order
-  /// The vessels before the operation; empty: there is none, or the fidelity does not need them.
+  /// The vessels before a Glenn operation; empty: there is none, or the fidelity needs none.
   std::vector<PreparedVessel> whole;
   std::optional<Operation> operation;           ///< the operation; empty: none
   std::optional<SolvedSurfaces> surfaces;       ///< empty at fidelities without surface energies

@@ -19,7 +19,7 @@ PreparedVessel prepared(const VesselSpec& spec) {
 }
 
 TEST(CoarseVessels, EdgesAreTwiceAsLongAndEverythingElseStays) {
-  const PreparedVessel fine = prepared(tube("tube", 48, {1, 2, 3}, 60));
+  const PreparedVessel fine = prepared(tube("tube", 48, {1, 2, 3}, 90));
   const std::vector<PreparedVessel> all = coarse_vessels({fine});
   ASSERT_EQ(all.size(), 1u);
   const Vessel &coarse = all[0].vessel, &was = fine.vessel;
@@ -44,12 +44,18 @@ TEST(CoarseVessels, EdgesAreTwiceAsLongAndEverythingElseStays) {
 }
 
 TEST(CoarseVessels, NoneWhereOneWouldBeTooCoarseToFold) {
-  const PreparedVessel fine = prepared(tube("fine", 48, {0, 0, 0}, 60)),
+  const PreparedVessel fine = prepared(tube("fine", 48, {0, 0, 0}, 90)),
                        coarse = prepared(tube("coarse", 48, {20, 0, 0}, 24));
   EXPECT_TRUE(coarse_vessels({fine, coarse}).empty());
   VesselSpec obstacle = tube("obstacle", 48, {20, 0, 0}, 24);
   obstacle.role = Role::obstacle;
   EXPECT_EQ(coarse_vessels({fine, prepared(obstacle)}).size(), 2u);
+}
+
+TEST(CoarseVessels, NoneWhereTheFineOnesAreSmall) {
+  const PreparedVessel small = prepared(tube("small", 48, {0, 0, 0}, 60));
+  EXPECT_LT(small.vessel.surface.points.rows(), 8000);
+  EXPECT_TRUE(coarse_vessels({small}).empty());
 }
 
 }  // namespace

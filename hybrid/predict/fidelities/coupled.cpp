@@ -71,13 +71,17 @@ void start_closed(Prediction& prediction, const std::vector<VesselSections>& sec
   };
 }
 
+void feel_itself(const Prediction& prediction, const SharpVein& vein, CoupledProblem& problem) {
+  const auto body = static_cast<int>(vessel_named(prediction, vein.name));
+  problem.surfaces.contacts.emplace_back(body, body);
+}
+
 // The vein starts at rest, where nothing passes through it, and goes to its seam.
 void start_at_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
                    const SharpVein& vein, CoupledProblem& problem) {
   const auto way = std::make_shared<const JoiningPath>(prediction);
   problem.seam_way = SeamWay{[way](double t) { return way->offsets(t); }, way->step()};
-  const auto body = static_cast<int>(vessel_named(prediction, vein.name));
-  problem.surfaces.contacts.emplace_back(body, body);
+  feel_itself(prediction, vein, problem);
   problem.carried = [&prediction, &sections, way](double t) {
     return carried_by_rods(prediction, sections, t, way.get());
   };
@@ -142,8 +146,9 @@ class Attempt {
       : prediction_(prediction), options_(options) {
     coupled_.times = path_times(prediction);
     coupled_.stop = options.stop;
-    coupled_.step = step_progress("walls", options);
-    coupled_.progress = iteration_progress("walls", 10, options);
+    const std::string walls = coarse ? "coarse walls" : "walls";
+    coupled_.step = step_progress(walls, options);
+    coupled_.progress = iteration_progress(walls, 10, options);
     if (coarse) {
       only_for_a_start();
       return;
@@ -177,6 +182,27 @@ class Attempt {
     return CoupledSolver(std::move(problem), coupled).solve();
   }
 
+  // From a minimum whose walls pass through each other beside the seam: they touch right up to it,
+  // and the vein itself.
+  CoupledSolution parted(const CoupledSolution& crossed, const SharpVein& vein) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem);
+    feel_itself(prediction_, vein, problem);
+    problem.meet_up_to_seams = true;
+    CoupledStart& start = problem.start.emplace();
+    start.rough = false;
+    start.buckled = crossed.status == Status::buckled;
+    for (const BodySolution& body : crossed.surface.bodies) {
+      start.bodies.emplace_back();
+      start.pressure.push_back(body.pressure);
+      if (body.modelled) start.bodies.back().points = body.positions;
+    }
+    for (size_t v = 0; v < start.bodies.size(); ++v)
+      for (const SectionSolution& section : crossed.sections[v])
+        start.bodies[v].sections.push_back({section.rotation, section.center});
+    return CoupledSolver(std::move(problem), coupled_).solve();
+  }
+
   // Along the way of a vein that folds.
   CoupledSolution on_its_way(const SharpVein& vein) {
     CoupledProblem problem = problem_of(prediction_, sections_);
@@ -206,25 +232,37 @@ class Attempt {
 
 }  // namespace
 
-// A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Where it
-// does not, or lies through itself, it goes the way from rest.
+// A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Walls
+// that pass through something there are parted, and where that fails, a vein goes the way from
+// rest.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
-  if (!vein || !has_to_fold(*vein)) {
-    std::optional<CoupledSolution> solution = attempt.from_coarse();
-    attempt.keep(solution ? std::move(*solution) : attempt.closed(), prediction);
+  const bool folds = vein && has_to_fold(*vein);
+  const auto tried = [&](const CoupledSolution& solution) {
+    Prediction state = prediction;
+    attempt.keep(CoupledSolution(solution), state);
+    return state;
+  };
+  std::optional<CoupledSolution> solution;
+  if (!folds) solution = attempt.from_coarse();
+  if (!solution) solution = attempt.closed(folds ? updates_from_closed : std::optional<int>());
+  Prediction state = tried(*solution);
+  bool crossed = is_minimum(solution->status) && !named_crossings(state).empty();
+  // A scene in which nothing touches anything keeps what is found so.
+  const bool touches = !prediction.scene->contact || !prediction.scene->contact->empty();
+  if (vein && crossed && touches) {
+    prediction.work += solution->surface.work;
+    solution = attempt.parted(*solution, *vein);
+    state = tried(*solution);
+    crossed = is_minimum(solution->status) && !named_crossings(state).empty();
+  }
+  if (!vein || solution->status == Status::interrupted ||
+      (is_minimum(solution->status) ? !(crossed && touches) : !folds)) {
+    prediction = std::move(state);
     return;
   }
-  CoupledSolution solution = attempt.closed(updates_from_closed);
-  const Status status = solution.status;
-  Prediction tried = prediction;
-  attempt.keep(std::move(solution), tried);
-  if (status == Status::interrupted || (is_minimum(status) && named_crossings(tried).empty())) {
-    prediction = std::move(tried);
-    return;
-  }
-  prediction.work = tried.work;
+  prediction.work += solution->surface.work;
   attempt.keep(attempt.on_its_way(*vein), prediction);
 }
 

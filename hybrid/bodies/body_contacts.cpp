@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "bodies/contact_pair.h"
 #include "bodies/held_overlap.h"
@@ -12,6 +13,7 @@
 #include "bodies/unmet_criteria.h"
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
+#include "numerics/threads.h"
 
 namespace vasorod {
 namespace {
@@ -161,46 +163,59 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
                                        stiffness_of(pair, scaled));
 }
 
+// What one pair adds to the state after a minimisation.
+BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scaled) const {
+  Searched found;
+  const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
+                   &master = scaled.bodies[static_cast<size_t>(pair.master)];
+  const bool live = slave.modelled || master.modelled;
+  const double margin = reach + slave.offset + master.offset;
+  if (!pair.contact && live) {
+    if (pair.own() && !keeps_its_shape(pair, slave))
+      pair.contact = within(pair, scaled);
+    else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
+      pair.contact = between(pair, scaled);
+    if (pair.contact && !pair.own() && !expected_.empty())
+      pair.contact->expect(expected_[index(pair.slave)]);
+    if (pair.contact && hold_) pair.contact->hold();
+  }
+  if (!pair.contact) return found;
+  pair.in_reach |= !pair.own();
+  for (const ContactPoint& c : pair.contact->contacts())
+    if (c.stick > 0 && (pair.own() || master.modelled))
+      found.state.slip = std::max(found.state.slip, FoundContacts::slip(c, slave.now, master.now));
+  std::tie(found.change, found.sum) = pair.contact->update_multipliers(slave.now, master.now);
+  pair.contact->refresh(slave.now, master.now, pair.own() ? self_reach : reach);
+  if (pair.own()) pair.searched = slave.now;
+  std::vector<int> pressed;
+  for (const ContactPoint& c : pair.contact->contacts()) {
+    const double gap = FoundContacts::gap(c, slave.now, master.now);
+    found.state.penetration = std::max(found.state.penetration, -gap);
+    if (c.multiplier - c.stiffness * gap > 0) pressed.push_back(c.slave);
+  }
+  found.state.pressed_changed = pressed != pair.pressed;
+  pair.pressed = std::move(pressed);
+  if (!pair.pressed.empty()) {
+    pair.in_reach = true;
+    if (!slave.modelled && !slave.obstacle) found.state.touched.push_back(pair.slave);
+    if (!master.modelled && !master.obstacle) found.state.touched.push_back(pair.master);
+  }
+  return found;
+}
+
 ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
+  std::vector<Searched> found(pairs_.size());
+  in_parallel(threads(), static_cast<int>(pairs_.size()),
+              [&](int p) { found[index(p)] = search(pairs_[index(p)], scaled); });
   ContactState state;
   double change = 0, sum = 0;
-  for (Pair& pair : pairs_) {
-    const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
-                     &master = scaled.bodies[static_cast<size_t>(pair.master)];
-    const bool live = slave.modelled || master.modelled;
-    const double margin = reach + slave.offset + master.offset;
-    if (!pair.contact && live) {
-      if (pair.own() && !keeps_its_shape(pair, slave))
-        pair.contact = within(pair, scaled);
-      else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
-        pair.contact = between(pair, scaled);
-      if (pair.contact && !pair.own() && !expected_.empty())
-        pair.contact->expect(expected_[index(pair.slave)]);
-      if (pair.contact && hold_) pair.contact->hold();
-    }
-    if (!pair.contact) continue;
-    pair.in_reach |= !pair.own();
-    for (const ContactPoint& c : pair.contact->contacts())
-      if (c.stick > 0 && (pair.own() || master.modelled))
-        state.slip = std::max(state.slip, FoundContacts::slip(c, slave.now, master.now));
-    const auto [pair_change, pair_sum] = pair.contact->update_multipliers(slave.now, master.now);
-    change += pair_change;
-    sum += pair_sum;
-    pair.contact->refresh(slave.now, master.now, pair.own() ? self_reach : reach);
-    if (pair.own()) pair.searched = slave.now;
-    std::vector<int> pressed;
-    for (const ContactPoint& c : pair.contact->contacts()) {
-      const double gap = FoundContacts::gap(c, slave.now, master.now);
-      state.penetration = std::max(state.penetration, -gap);
-      if (c.multiplier - c.stiffness * gap > 0) pressed.push_back(c.slave);
-    }
-    if (pressed != pair.pressed) state.pressed_changed = true;
-    pair.pressed = std::move(pressed);
-    if (!pair.pressed.empty()) {
-      pair.in_reach = true;
-      if (!slave.modelled && !slave.obstacle) state.touched.push_back(pair.slave);
-      if (!master.modelled && !master.obstacle) state.touched.push_back(pair.master);
-    }
+  for (const Searched& one : found) {
+    change += one.change;
+    sum += one.sum;
+    state.slip = std::max(state.slip, one.state.slip);
+    state.penetration = std::max(state.penetration, one.state.penetration);
+    state.pressed_changed |= one.state.pressed_changed;
+    state.touched.insert(state.touched.end(), one.state.touched.begin(), one.state.touched.end());
   }
   state.force_change = change > 0 ? change / std::max(sum, 1e-300) : 0;
   return state;

@@ -111,6 +111,12 @@ class BodyContacts {
                         ///< they are looked at, scaled length; -1: not computed yet
     bool own() const { return slave == master; }  ///< a body and itself
   };
+  /// What one pair adds to a ContactState: all but `force_change`, of which it has both sums.
+  struct Searched {
+    ContactState state;
+    double change = 0, sum = 0;
+  };
+  Searched search(Pair& pair, const ScaledBodies& scaled) const;
   static bool keeps_its_shape(Pair& pair, const ScaledBody& body);
   std::unique_ptr<FoundContacts> between(Pair& pair, const ScaledBodies& scaled) const;
   std::unique_ptr<FoundContacts> within(const Pair& pair, const ScaledBodies& scaled) const;

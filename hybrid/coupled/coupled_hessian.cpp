@@ -40,10 +40,14 @@ Reach reach_of(const CoupledWall& wall, const std::vector<SectionPlacement>& pla
 
 void CoupledSystem::finish() {
   Entries pattern;
-  std::vector<const Matrix*> own;
-  for (const CoupledWall& wall : walls_) {
-    own.push_back(&wall.energy->hessian(wall.energy->rest()));
-    const Matrix& h = *own.back();
+  std::vector<const Matrix*> own(walls_.size());
+  in_parallel(threads(), static_cast<int>(walls_.size()), [&](int w) {
+    WallEnergy& energy = *walls_[index(w)].energy;
+    own[index(w)] = &energy.hessian(energy.rest());
+  });
+  for (size_t w = 0; w < walls_.size(); ++w) {
+    const CoupledWall& wall = walls_[w];
+    const Matrix& h = *own[w];
     for (int column = 0; column < h.cols(); ++column)
       for (Matrix::InnerIterator it(h, column); it; ++it) {
         const int a = wall.unknown[index(it.row())], b = wall.unknown[index(column)];

@@ -3,6 +3,7 @@
 #include "data/index.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
+#include "numerics/threads.h"
 #include "surface_file/remesh.h"
 #include "vessel/fork_reach.h"
 
@@ -44,16 +45,18 @@ PreparedVessel coarser(const PreparedVessel& fine, double edge) {
 }  // namespace
 
 std::vector<PreparedVessel> coarse_vessels(const std::vector<PreparedVessel>& vessels) {
-  std::vector<PreparedVessel> all;
   Eigen::Index vertices = 0;
-  for (const PreparedVessel& vessel : vessels)
-    if (!vessel.obstacle()) vertices += vessel.vessel.surface.points.rows();
-  if (vertices < fewest_vertices) return {};
+  std::vector<double> edge;
   for (const PreparedVessel& vessel : vessels) {
-    const double edge = edge_ratio * mean_edge_length(vessel.vessel.surface);
-    if (!vessel.obstacle() && edge > longest_edge * vessel.vessel.mean_radius) return {};
-    all.push_back(coarser(vessel, edge));
+    edge.push_back(edge_ratio * mean_edge_length(vessel.vessel.surface));
+    if (vessel.obstacle()) continue;
+    vertices += vessel.vessel.surface.points.rows();
+    if (edge.back() > longest_edge * vessel.vessel.mean_radius) return {};
   }
+  if (vertices < fewest_vertices) return {};
+  std::vector<PreparedVessel> all(vessels.size());
+  in_parallel(threads(), static_cast<int>(all.size()),
+              [&](int v) { all[index(v)] = coarser(vessels[index(v)], edge[index(v)]); });
   return all;
 }
 

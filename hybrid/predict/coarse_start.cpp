@@ -2,13 +2,42 @@
 
 #include <vasorod/error.h>
 
+#include "data/index.h"
 #include "geometry/moved_with.h"
+#include "geometry/smooth_moved.h"
+#include "geometry/triangle_surface.h"
 #include "predict/coarse_vessels.h"
 #include "predict/get_ready.h"
 #include "vessel/end_conditions.h"
 
 namespace vasorod {
 namespace {
+
+// A coarse wall folds along one edge at the tip of a slit, where a fine one bends over several; a
+// start with that crease would end in a minimum of its own. Around the seam it is smoothed: within
+// this many radii, so many times.
+constexpr double crease_reach = 0.5;
+constexpr int crease_rounds = 5;
+
+// The vertices of one side of the seam's surroundings that are on no rim.
+std::vector<int> around_seam(const Prediction& fine, size_t side) {
+  const Vessel& vessel =
+      fine.vessels[vessel_named(fine, fine.operation->vessels[side].name)].prepared.vessel;
+  const Points& points = vessel.surface.points;
+  std::vector<int> rim;
+  for (const auto& pair : fine.operation->pairs) rim.push_back(pair[side]);
+  const Points seam = points(rim, Eigen::all);
+  std::vector<char> skipped(index(points.rows()), 0);
+  for (const std::vector<int>& loop : boundary_loops(vessel.surface.triangles))
+    for (const int v : loop) skipped[index(v)] = 1;
+  const double reach = crease_reach * vessel.mean_radius;
+  std::vector<int> around;
+  for (int i = 0; i < points.rows(); ++i)
+    if (!skipped[index(i)] &&
+        (seam.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff() < reach * reach)
+      around.push_back(i);
+  return around;
+}
 
 // The two vertices of a pair come from two coarse meshes, and the fine seam starts closed.
 void close_seam(const Prediction& fine, CoupledStart& start) {
@@ -53,8 +82,12 @@ CoupledStart start_from_coarse(const Prediction& coarse, const CoupledSolution& 
     start.bodies.emplace_back();
     start.pressure.emplace_back();
     if (!body.modelled) continue;
-    MovedSurface moved = moved_with(coarse.vessels[v].prepared.vessel.surface, body.positions,
-                                    body.pressure, fine.vessels[v].prepared.vessel.surface);
+    const TriangleSurface& rest = fine.vessels[v].prepared.vessel.surface;
+    MovedSurface moved =
+        moved_with(coarse.vessels[v].prepared.vessel.surface, body.positions, body.pressure, rest);
+    for (size_t side = 0; side < 2; ++side)
+      if (fine.vessels[v].prepared.spec.name == fine.operation->vessels[side].name)
+        smooth_moved(rest, around_seam(fine, side), crease_rounds, moved);
     CarriedBody& mine = start.bodies.back();
     mine.points = std::move(moved.points);
     mine.rotations = std::move(moved.rotations);

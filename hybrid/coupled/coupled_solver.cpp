@@ -47,8 +47,6 @@ constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
-// On the way of a seam, contacts that are still found differently after this many updates stick.
-constexpr int hold_after = 6;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;
@@ -199,7 +197,10 @@ class CoupledSolver::Data {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
     }
-    if (stack_.problem.seam_way) inner.follow = {};  // as SeamClosing says
+    if (stack_.problem.seam_way) {  // as SeamClosing says
+      inner.follow = {};
+      inner.release_shift = SeamClosing::release_shift;
+    }
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -270,7 +271,7 @@ class CoupledSolver::Data {
       const double tie = stack_.system->worst_tie(stack_.z);
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
-      if (stack_.problem.seam_way && outer == hold_after) stack_.contacts->hold();
+      if (outer == options.hold_after) stack_.contacts->hold();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;
@@ -384,6 +385,7 @@ std::optional<std::string> CoupledOptions::is_invalid() const {
       {positive(tie_tolerance), "tie_tolerance: expected a number above 0"},
       {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
       {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
+      {hold_after >= 0, "hold_after: expected 0 or more"},
       {rising, "times: expected rising numbers above 0, the last of them 1"},
   });
 }

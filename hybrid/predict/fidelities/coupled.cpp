@@ -19,6 +19,8 @@ namespace {
 
 // From a closed start, walls that find their minimum take some ten updates of multipliers.
 constexpr int updates_from_closed = 12;
+// Of a vein that folds: contacts that are still found differently after this many updates stick.
+constexpr int hold_after = 6;
 
 CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
                        const VesselSections& sections) {
@@ -150,7 +152,10 @@ class Attempt {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
     CoupledOptions coupled = coupled_;
-    if (updates) coupled.max_outer = *updates;
+    if (updates) {
+      coupled.max_outer = *updates;
+      coupled.hold_after = hold_after;
+    }
     return CoupledSolver(std::move(problem), coupled).solve();
   }
 
@@ -158,7 +163,9 @@ class Attempt {
   CoupledSolution on_its_way(const SharpVein& vein) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_at_rest(prediction_, sections_, vein, problem);
-    return CoupledSolver(std::move(problem), coupled_).solve();
+    CoupledOptions coupled = coupled_;
+    coupled.hold_after = hold_after;
+    return CoupledSolver(std::move(problem), coupled).solve();
   }
 
   void keep(CoupledSolution&& solution, Prediction& in) const {

@@ -21,6 +21,8 @@ FIDELITY = "paper"
 FOLDED_FILE = "glenns_coupled.csv"
 FOLDED_SCENE = SCENE.with_name("adult_physiological.yaml")
 PRESSURE = 12  # mmHg after the operation
+# Wall seconds, on a machine that does other work too: the table states processor seconds.
+FOLDED_LIMIT = 480
 
 
 def scene(cut, incision, rotation, base=SCENE):
@@ -59,7 +61,7 @@ def folded_run(pressure, cut, incision, rotation):
     return Run(
         f"glenns/coupled-{name}",
         "vasorod",
-        (*hybrid_arguments("coupled"), "--time-limit", str(TIME_LIMIT)),
+        (*hybrid_arguments("coupled"), "--time-limit", str(FOLDED_LIMIT)),
         {"scene.yaml": text_of(folded_scene(pressure, cut, incision, rotation))},
     )
 
@@ -128,7 +130,7 @@ def make_folded_table(store, path, whole=True):
         rows,
         [
             "Glenn shunts on the adult anatomy, coupled, edges of 2 mm, pressure after the"
-            f" operation in mmHg, {TIME_LIMIT} s each at most",
+            f" operation in mmHg, {FOLDED_LIMIT} s of wall time each at most",
             *provenance([record for _, record in found]),
         ],
     )

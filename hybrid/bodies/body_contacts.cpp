@@ -76,13 +76,16 @@ void BodyContacts::meet_up_to_seams() {
   if (up_to_seams_) return;
   up_to_seams_ = true;
   for (size_t p = 0; p < problem_.contacts.size(); ++p) {
-    if (!joined(pairs_[p])) continue;
-    pairs_[p].contact.reset();
-    pairs_[p].pressed.clear();
+    if (pairs_[p].own()) continue;
+    if (joined(pairs_[p])) {
+      pairs_[p].contact.reset();
+      pairs_[p].pressed.clear();
+    }
     Pair exchanged;
     exchanged.entry = static_cast<int>(p);
     exchanged.slave = pairs_[p].master;
     exchanged.master = pairs_[p].slave;
+    exchanged.exchanged = true;
     pairs_.push_back(std::move(exchanged));
   }
 }
@@ -156,7 +159,8 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
     // Two mean edges are subtracted because seam_band() adds them.
     leave_out(seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge),
               share);
-    return ContactSide{body.rest, body.offset, std::move(share), !seam.empty(), up_to_seams_};
+    return ContactSide{body.rest, body.offset, std::move(share), pair.exchanged || !seam.empty(),
+                       up_to_seams_};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),
@@ -245,14 +249,21 @@ StackedContacts BodyContacts::stacked(const ScaledBodies& scaled,
     const Pair& pair = pairs_[p];
     const int slave = first[static_cast<size_t>(pair.slave)],
               master = first[static_cast<size_t>(pair.master)];
-    if (!pair.contact || slave < 0) continue;
-    const Points& still = scaled.bodies[static_cast<size_t>(pair.master)].now;
+    if (!pair.contact || std::max(slave, master) < 0) continue;
+    const Points &still_slave = scaled.bodies[static_cast<size_t>(pair.slave)].now,
+                 &still = scaled.bodies[static_cast<size_t>(pair.master)].now;
     for (ContactPoint c : pair.contact->contacts()) {
       all.pair.push_back(pair.entry);
       all.bodies.push_back({pair.slave, pair.master});
       all.slave.push_back(c.slave);
       all.master.push_back(c.master);
-      c.slave += slave;
+      if (slave >= 0) {
+        c.slave += slave;
+      } else {
+        c.slack -= c.normal.dot(still_slave.row(c.slave));
+        c.held -= still_slave.row(c.slave);
+        c.slave = -1;
+      }
       if (master >= 0) {
         for (int& m : c.master) m += master;
       } else {

@@ -60,9 +60,10 @@ class BodyContacts {
   /// the set of those that press does not settle.
   void hold();
 
-  /// From the next search on, walls that a seam joins touch each other right up to it, and the
-  /// vertices of both are looked at; before, they touch from one edge beside the seam on, and only
-  /// the finer mesh's vertices are looked at.
+  /// From the next search on, walls that a seam joins touch each other right up to it; before, they
+  /// touch from one edge beside the seam on. Of all pairs the vertices of both are looked at, those
+  /// of obstacles too; before, only one body's: the sharp edge of a fold passes between the
+  /// vertices of the other.
   void meet_up_to_seams();
   /// Forgets all contacts with their multipliers.
   void forget();
@@ -102,7 +103,8 @@ class BodyContacts {
   struct Pair {
     int entry = 0;  ///< index into BodyProblem::contacts
     int slave = 0, master = 0;
-    bool in_reach = false;  ///< at any time so far
+    bool exchanged = false;  ///< see meet_up_to_seams()
+    bool in_reach = false;   ///< at any time so far
     double held_depth = 0;
     std::unique_ptr<FoundContacts> contact;
     std::vector<int> pressed;

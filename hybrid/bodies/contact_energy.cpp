@@ -2,45 +2,47 @@
 
 #include <algorithm>
 
+#include "data/index.h"
+
 namespace vasorod {
 namespace {
 
 // The vertices that a contact acts on and their share of the normal force: (slave, 1),
-// (master_k, -weight_k).
+// (master_k, -weight_k), without what is fixed.
 struct Stencil {
-  int count = 1;
+  int count = 0;
   std::array<int, 4> vertex{};
   std::array<double, 4> share{};
 };
 
 Stencil stencil_of(const ContactPoint& contact) {
   Stencil s;
-  s.vertex[0] = contact.slave;
-  s.share[0] = 1;
-  if (contact.master[0] < 0) return s;
-  for (size_t k = 0; k < 3; ++k) {
-    s.vertex[k + 1] = contact.master[k];
-    s.share[k + 1] = -contact.weight[static_cast<int>(k)];
-  }
-  s.count = 4;
+  const auto add = [&s](int vertex, double share) {
+    s.vertex[index(s.count)] = vertex;
+    s.share[index(s.count)] = share;
+    ++s.count;
+  };
+  if (contact.slave >= 0) add(contact.slave, 1);
+  for (size_t k = 0; k < 3 && contact.master[0] >= 0; ++k)
+    add(contact.master[k], -contact.weight[static_cast<int>(k)]);
   return s;
 }
 
 }  // namespace
 
 Vec3 contact_slip(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
-  if (contact.master[0] < 0) return Vec3::Zero();
-  Vec3 slip = Vec3(p.row(contact.slave)) - contact.held;
-  for (size_t k = 0; k < 3; ++k)
+  Vec3 slip = -contact.held;
+  if (contact.slave >= 0) slip += p.row(contact.slave).transpose();
+  for (size_t k = 0; k < 3 && contact.master[0] >= 0; ++k)
     slip -= contact.weight[static_cast<int>(k)] * p.row(contact.master[k]).transpose();
   return slip - contact.normal.dot(slip) * contact.normal;
 }
 
 double contact_gap(const ContactPoint& contact, const Eigen::Ref<const Points>& p) {
-  double gap = contact.normal.dot(p.row(contact.slave)) - contact.slack;
-  if (contact.master[0] >= 0)
-    for (size_t k = 0; k < 3; ++k)
-      gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(p.row(contact.master[k]));
+  double gap = -contact.slack;
+  if (contact.slave >= 0) gap += contact.normal.dot(p.row(contact.slave));
+  for (size_t k = 0; k < 3 && contact.master[0] >= 0; ++k)
+    gap -= contact.weight[static_cast<int>(k)] * contact.normal.dot(p.row(contact.master[k]));
   return gap;
 }
 

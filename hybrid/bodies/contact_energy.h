@@ -23,7 +23,9 @@
 namespace vasorod {
 
 /// One vertex against a plane. The plane moves with a triangle of the other surface, or is fixed
-/// (master[0] < 0). The force on the vertex and the weighted forces on the triangle sum to zero.
+/// (master[0] < 0); or the vertex is fixed (slave < 0). What is fixed counts as at the origin: its
+/// place is in `slack` and `held`. The force on the vertex and the weighted forces on the triangle
+/// sum to zero.
 struct ContactPoint {
   int slave = 0;
   std::array<int, 3> master{-1, -1, -1};
@@ -34,7 +36,7 @@ struct ContactPoint {
   double area = 0;        ///< A, rest area of the vertex, length^2
   double stiffness = 0;   ///< k, stress / length
   double multiplier = 0;  ///< m, stress
-  double stick = 0;       ///< s, stress / length; only where the plane moves with a triangle
+  double stick = 0;       ///< s, stress / length
   /// x_slave - sum weight x_master from where on it slips, length.
   Vec3 held = Vec3::Zero();
 };

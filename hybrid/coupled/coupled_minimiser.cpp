@@ -319,7 +319,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     }
     stalls = summary.status == LbfgsStatus::stalled ? stalls + 1 : 0;
     if (stalls > 2) return;
-    shift = shift <= first_shift ? 0 : shift / (shift_growth * shift_growth);
+    shift = shift <= first_shift ? 0 : shift / options.release_shift;
   }
   if (summary.status != LbfgsStatus::converged && summary.status != LbfgsStatus::stalled)
     summary.status = LbfgsStatus::iteration_limit;

@@ -30,6 +30,9 @@ struct CoupledMinimiserOptions {
   /// Iterations with one true Hessian; an iteration costs a tenth of a factorisation.
   int per_hessian = 6;
   double largest_step = 0;  ///< LbfgsOptions::largest_step
+  /// A shift that made one Hessian positive definite is this many times larger than the first that
+  /// is tried for the next. Less spares factorisations where most Hessians need a shift.
+  double release_shift = 25;
   /// Remove the bound largest_step where negative curvature persists.
   bool release_step = false;
   int max_iterations = 3000;

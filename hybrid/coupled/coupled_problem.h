@@ -79,6 +79,10 @@ struct CoupledOptions : SurfaceOptions {
   double moment_tolerance = 1e-8;
   /// Of a soft section, over k_s of the body.
   double tie_stiffness = 100;
+  /// Multiplier updates after which walls that press on each other stick between searches
+  /// (contact_pair.h): where walls crumple, contacts are found differently each time without end.
+  /// 0: never.
+  int hold_after = 0;
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};

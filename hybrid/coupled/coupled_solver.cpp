@@ -47,8 +47,6 @@ constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
-// On the way of a seam, contacts that are still found differently after this many updates stick.
-constexpr int hold_after = 6;
 // A start near a minimum takes a few factorisations; where it needs more than this, another start
 // is better.
 constexpr int most_from_start = 15;
@@ -211,7 +209,10 @@ class CoupledSolver::Data {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
     }
-    if (stack_.problem.seam_way) inner.follow = {};  // as SeamClosing says
+    if (stack_.problem.seam_way) {  // as SeamClosing says
+      inner.follow = {};
+      inner.release_shift = SeamClosing::release_shift;
+    }
     if (stack_.problem.start)
       inner.max_factorisations = std::min(inner.max_factorisations, most_from_start);
     if (stepped) {
@@ -291,7 +292,7 @@ class CoupledSolver::Data {
       const double tie = stack_.system->worst_tie(stack_.z);
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
-      if (stack_.problem.seam_way && outer == hold_after) stack_.contacts->hold();
+      if (outer == options.hold_after) stack_.contacts->hold();
       const ContactState contact = stack_.contacts->refresh(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;
@@ -405,6 +406,7 @@ std::optional<std::string> CoupledOptions::is_invalid() const {
       {positive(tie_tolerance), "tie_tolerance: expected a number above 0"},
       {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
       {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
+      {hold_after >= 0, "hold_after: expected 0 or more"},
       {rising, "times: expected rising numbers above 0, the last of them 1"},
   });
 }

@@ -13,12 +13,12 @@ namespace {
 constexpr double tolerance = 1e-3;
 // A state whose forces are this large over those of its energy is torn.
 constexpr double torn = 1;
-constexpr int most_factorisations = 30, most_iterations = 200, per_hessian = 6;
+constexpr int most_factorisations = 40, most_iterations = 200, per_hessian = 6;
 // In mean edges: the longest step of a minimisation, and the penetration that is left to the next
 // step.
 constexpr double largest_step = 0.3, passable_penetration = 0.1;
 constexpr int most_updates = 4;
-// Over the radius of the narrowest end: a wall that moves farther from where the last steps lead to
+// Over the radius of the narrowest end: a wall that moves farther from where its last step leads to
 // has snapped.
 constexpr double snap = 0.2;
 // Over the longest step of the time; and how a step grows after one that succeeded.
@@ -39,6 +39,7 @@ SeamClosing::SeamClosing(CoupledStack& stack, CoupledPath& path,
   minimising_.max_iterations = most_iterations;
   minimising_.per_hessian = per_hessian;
   minimising_.largest_step = largest_step;
+  minimising_.release_shift = release_shift;
   // Contacts that are found anew before each Hessian would let no minimisation of a crumpled wall
   // end; the steps are short enough for those found after the last one.
   minimising_.follow = {};
@@ -47,19 +48,26 @@ SeamClosing::SeamClosing(CoupledStack& stack, CoupledPath& path,
 Status SeamClosing::run() {
   const double longest = stack_.problem.seam_way->step;
   double step = longest;
-  std::optional<CoupledPath::Kept> kept;
+  path_.advance(0);
+  CoupledPath::Kept kept = path_.keep();
+  Points before, last = positions();
+  double before_last = 0;
   while (true) {
     const double time = reached_ + last_step * step > 1 ? 1 : reached_ + step;
     path_.advance(time);
+    path_.hold_back();
     stack_.set_seam_offsets(time);
-    const Points predicted = stack_.system->state(stack_.z).positions;
     const Status status = settle();
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
-      const Points found = stack_.system->state(stack_.z).positions;
-      snapped_ |= found.rows() == predicted.rows() &&
-                  (found - predicted).rowwise().norm().maxCoeff() > snap * stack_.ring_radius();
-      reached_ = time;
+      const Points found = positions();
+      if (before.rows() == last.rows() && last.rows() == found.rows()) {
+        const double along = (time - reached_) / (reached_ - before_last);
+        snapped_ |= (found - last - along * (last - before)).rowwise().norm().maxCoeff() >
+                    snap * stack_.ring_radius();
+      }
+      before = std::exchange(last, found);
+      before_last = std::exchange(reached_, time);
       ++steps_;
       if (time == 1) return meet();
       kept = path_.keep();
@@ -67,9 +75,13 @@ Status SeamClosing::run() {
       continue;
     }
     step /= 2;
-    if (!kept || step < smallest_step * longest) return Status::iteration_limit;
-    take_back(*kept);
+    if (step < smallest_step * longest) return Status::iteration_limit;
+    take_back(kept);
   }
+}
+
+Points SeamClosing::positions() const {
+  return stack_.system->state(stack_.z).positions;
 }
 
 // With the seam closed, joined walls feel each other up to it.

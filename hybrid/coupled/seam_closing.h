@@ -2,8 +2,9 @@
 //
 // The walls start at rest, where nothing passes through anything. The offsets between the seam's
 // vertices shrink in steps; at each the walls find a rough minimum with the contacts that are
-// there, and the next step starts from its extrapolation. A step that finds none is taken back and
-// halved. Folds snap on the way, so that a state need not be near a minimum to go on from: it
+// there. The next step starts from them: what is extrapolated from the last two crumples folds that
+// are about to close, from where no minimisation finds back. A step that finds none is taken back
+// and halved. Folds snap on the way, so that a state need not be near a minimum to go on from: it
 // only must not be torn.
 #pragma once
 
@@ -16,6 +17,9 @@ namespace vasorod {
 /// One way of the seam of a CoupledStack.
 class SeamClosing {
  public:
+  /// CoupledMinimiserOptions::release_shift: walls that fold have indefinite Hessians.
+  static constexpr double release_shift = 5;
+
   /// `stack` and `path` must outlive this; the path is at its start. `minimising`: options of all
   /// minimisations, of which tolerances and limits are chosen here. `count` is called after each.
   SeamClosing(CoupledStack& stack, CoupledPath& path, const CoupledMinimiserOptions& minimising,
@@ -32,6 +36,7 @@ class SeamClosing {
  private:
   Status settle();
   Status meet();
+  Points positions() const;
   void take_back(const CoupledPath::Kept& kept);
 
   CoupledStack& stack_;

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
 
 #include "coupled/coupled_contacts.h"
+#include "geometry/closest_point.h"
 
 namespace vasorod {
 namespace {
@@ -15,6 +18,8 @@ CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1) 
   add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
   add_tube(problem, half, "upper", unit * (Vec3(0, 0, 30) + apart), {half.end()});
   for (const int v : half.row(0)) problem.surfaces.seams.push_back({1, v, 0, v + 18 * 24});
+  for (SurfaceBody& body : problem.surfaces.bodies)
+    body.k = {unit, 0.1 * unit, body.k.stretching};  // force / length, as is E t
   carry_by_sections(problem);
   if (way > 0)
     problem.seam_way = SeamWay{[apart, unit, n = problem.surfaces.seams.size()](double t) {
@@ -71,6 +76,61 @@ TEST(SeamClosing, TheCertificateSaysInHowManySteps) {
             "the seam was brought together along a way of 4 steps, as the vessel "
             "folds");
   EXPECT_EQ(way.reached, 1);
+}
+
+// A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis
+// through the ridge, unit.
+TriangleSurface roof(const Vec3& ridge, const Vec3& out, int along, double step) {
+  const Vec3 aside = Vec3::UnitZ().cross(out);
+  TriangleSurface roof;
+  roof.points.resize(3 * (along + 1), 3);
+  roof.triangles.resize(4 * along, 3);
+  for (int k = 0; k <= along; ++k) {
+    const Vec3 top = ridge + k * step * Vec3::UnitZ();
+    roof.points.row(3 * k) = top + 8 * (out + aside);
+    roof.points.row(3 * k + 1) = top;
+    roof.points.row(3 * k + 2) = top + 8 * (out - aside);
+  }
+  for (int k = 0; k < along; ++k)
+    for (int side = 0; side < 2; ++side) {
+      const int a = 3 * k + side, b = a + 1;
+      roof.triangles.row(4 * k + 2 * side) << a, b, a + 3;
+      roof.triangles.row(4 * k + 2 * side + 1) << b, b + 3, a + 3;
+    }
+  return roof;
+}
+
+// The wall is pulled towards the ridge. Its vertices pass beside it, over the sides, where they
+// would meet them only when the ridge is through the wall.
+TEST(SeamClosing, AnObstaclesVerticesAreLookedAtOnceTheSeamIsClosed) {
+  const double radius = 6, thickness = 0.6, mid = std::numbers::pi / 24;
+  const HeldTube half(30, radius, thickness, 24, 18);
+  const Vec3 apart(3, 0, 2);
+  const Vec3 out(-std::cos(mid), -std::sin(mid), 0);
+  CoupledProblem problem;
+  add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
+  add_tube(problem, half, "upper", Vec3(0, 0, 30) + apart, {half.end()});
+  for (const int v : half.row(0)) problem.surfaces.seams.push_back({1, v, 0, v + 18 * 24});
+  add_obstacle(
+      problem, "roof",
+      roof(apart + Vec3(0, 0, 34) + (radius * std::cos(mid) + thickness) * out, out, 16, 0.5));
+  problem.surfaces.contacts.emplace_back(1, 2);
+  carry_by_sections(problem);
+  problem.seam_way = SeamWay{[apart, n = problem.surfaces.seams.size()](double t) {
+                               return std::vector<Vec3>(n, (1 - t) * apart);
+                             },
+                             0.25};
+  const Points ridge = problem.surfaces.bodies[2].rest.points(Eigen::seqN(1, 17, 3), Eigen::all);
+  TriangleSurface upper = problem.surfaces.bodies[1].rest;
+  CoupledSolver solver(std::move(problem));
+  const CoupledSolution s = solver.solve();
+  ASSERT_EQ(s.status, Status::converged);
+  upper.points = s.surface.bodies[1].positions;
+  const ClosestPoint wall(upper);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < ridge.rows(); ++k)
+    nearest = std::min(nearest, wall.query(ridge.row(k)).signed_distance);
+  EXPECT_NEAR(nearest, thickness / 2, 0.02 * thickness);
 }
 
 TEST(SeamClosing, StoppedItKeepsTheLastState) {

@@ -24,6 +24,8 @@ constexpr int updates_from_closed = 12;
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
                  coarse_length = 0.05;
+// Of a vein that folds: contacts that are still found differently after this many updates stick.
+constexpr int hold_after = 6;
 
 CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
                        const VesselSections& sections) {
@@ -178,7 +180,10 @@ class Attempt {
     start_closed(prediction_, sections_, problem);
     problem.start = std::move(start);
     CoupledOptions coupled = coupled_;
-    if (updates) coupled.max_outer = *updates;
+    if (updates) {
+      coupled.max_outer = *updates;
+      coupled.hold_after = hold_after;
+    }
     return CoupledSolver(std::move(problem), coupled).solve();
   }
 
@@ -200,14 +205,18 @@ class Attempt {
     for (size_t v = 0; v < start.bodies.size(); ++v)
       for (const SectionSolution& section : crossed.sections[v])
         start.bodies[v].sections.push_back({section.rotation, section.center});
-    return CoupledSolver(std::move(problem), coupled_).solve();
+    CoupledOptions coupled = coupled_;
+    coupled.hold_after = hold_after;
+    return CoupledSolver(std::move(problem), coupled).solve();
   }
 
   // Along the way of a vein that folds.
   CoupledSolution on_its_way(const SharpVein& vein) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_at_rest(prediction_, sections_, vein, problem);
-    return CoupledSolver(std::move(problem), coupled_).solve();
+    CoupledOptions coupled = coupled_;
+    coupled.hold_after = hold_after;
+    return CoupledSolver(std::move(problem), coupled).solve();
   }
 
   void keep(CoupledSolution&& solution, Prediction& in) const {

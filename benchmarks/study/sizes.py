@@ -15,7 +15,7 @@ FILE = "sizes.csv"
 AROUND = (40, 84, 168, 266, 376, 532, 736)  # about 3 k to a million vertices
 FIDELITIES = ("paper", "section", "coupled")
 TIME_LIMIT = 1200  # seconds a run may take
-MOST_COUPLED = 140_000  # vertices; the factor of twice as many takes more than 16 GB
+MOST_COUPLED = 60_000  # vertices: the next size takes 12 GB at what a vertex of this one takes
 
 
 def along(around):

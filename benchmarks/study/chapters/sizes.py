@@ -51,6 +51,18 @@ def exponents(rows, fidelity):
     return ", ".join(f"{what} {value:.2f}" for what, value in found if value is not None)
 
 
+def too_large(rows):
+    """Per fidelity with sizes that were not run, what the first of them would take."""
+    for name, last in largest(rows).items():
+        left = [r for r in rows if (r["fidelity"], r["ending"]) == (name, "not run")]
+        if left:
+            gib = last["peak_bytes"] / last["vertices"] * left[0]["vertices"] / 2**30
+            yield (
+                f"`{name}` was not run on more vertices: {whole(left[0]['vertices'])} would take at"
+                f" least {gib:.0f} GiB, at the bytes a vertex of the size before."
+            )
+
+
 def sizes_section(rows, notes):
     lines = [
         [row["fidelity"], whole(row["vertices"]), row["ending"]]
@@ -63,13 +75,12 @@ def sizes_section(rows, notes):
     head = ("fidelity", "vertices", "ending", "processor time, s", "MiB", "bytes a vertex")
     head += (*COUNTS, "factor's entries a vertex", "sentence")
     grown = [(name, exponents(rows, name)) for name in largest(rows)]
-    left = [row for row in rows if row["ending"] == "not run"]
     text = [
         "## Cost against size\n",
         paragraph(
             "One tube (L / R = 10, t / R = 0.1), bent to a quarter of Brazier's curvature, with",
             "ever more vertices: whole programs on one thread without report.",
-            "Not run: sizes whose factor would not fit beside other programs." if left else "",
+            *too_large(rows),
         ),
         markdown(head, lines),
         paragraph(

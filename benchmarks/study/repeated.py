@@ -106,6 +106,7 @@ def wall_rows():
         ("coupled", "moduli", "E x 1000, G x 0.001"),
         ("coupled", "vertices", 1680),
         ("coupled", "bend", "t/R 0.1, Brazier ratio 0.9"),
+        ("section", "moduli", "E x 1, G x 1000"),
         ("section", "vertices", 1680),
     )
 

@@ -37,4 +37,13 @@ class Model {
   int dof_count() const { return node_count() * components(); }
 };
 
+/// Row a: the three degrees of freedom from `first` on of the a-th of these nodes.
+inline Eigen::MatrixX3d triples_of(const DofValues& u, const std::vector<int>& nodes,
+                                   int components, int first = 0) {
+  Eigen::MatrixX3d out(static_cast<Eigen::Index>(nodes.size()), 3);
+  for (Eigen::Index a = 0; a < out.rows(); ++a)
+    out.row(a) = u.segment<3>(components * nodes[static_cast<std::size_t>(a)] + first);
+  return out;
+}
+
 }  // namespace vasorod::fem

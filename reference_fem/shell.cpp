@@ -67,6 +67,19 @@ Shell::Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth
   }
 }
 
+Shell::NodeValues Shell::values_of(size_t cell, const DofValues& u) const {
+  const std::vector<int>& nodes = mesh_.cell_nodes[cell];
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  NodeValues out{triples_of(u, nodes, 7), triples_of(u, nodes, 7, 3), Eigen::MatrixX3d(n, 3),
+                 Eigen::VectorXd(n)};
+  for (Eigen::Index a = 0; a < n; ++a) {
+    const int node = nodes[static_cast<size_t>(a)];
+    out.D.row(a) = directors_.row(node);
+    out.beta[a] = u[7 * node + 6];
+  }
+  return out;
+}
+
 std::vector<int> Shell::dofs(int cell) const {
   std::vector<int> out;
   for (int component = 0; component < 7; ++component)
@@ -82,17 +95,8 @@ std::vector<int> Shell::dofs(int cell) const {
 bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                      CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
-  const std::vector<int>& nodes = mesh_.cell_nodes[c];
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3), we(n, 3), De(n, 3);
-  Eigen::VectorXd be(n);
-  for (Eigen::Index a = 0; a < n; ++a) {
-    const int node = nodes[static_cast<size_t>(a)];
-    ue.row(a) = u.segment<3>(7 * node);
-    we.row(a) = u.segment<3>(7 * node + 3);
-    be[a] = u[7 * node + 6];
-    De.row(a) = directors_.row(node);
-  }
+  const auto n = static_cast<Eigen::Index>(mesh_.cell_nodes[c].size());
+  const auto [ue, we, De, be] = values_of(c, u);
   const auto count = static_cast<Eigen::Index>(points_[c].size());
   // g_u and g_w side by side, three rows per point
   static thread_local Eigen::MatrixXd slopes, weighted;

@@ -31,22 +31,28 @@ class Shell final : public VesselModel {
   /// folds as sharp as the wall is thick.
   Shell(Mesh mesh, const MaterialLaw& law, const ShellBody& body, int depth_points);
 
-  const Mesh& mesh() const { return mesh_; }
+  const Mesh& mesh() const override { return mesh_; }
   const Points& directors() const { return directors_; }  ///< per node
   int node_count() const override { return mesh_.node_count(); }
   int components() const override { return 7; }  ///< u, w (director difference), beta (1/length)
   int cell_count() const override { return mesh_.cell_count(); }
   int owner(int cell) const override { return mesh_.owner[static_cast<std::size_t>(cell)]; }
   void set_pressure(const LumenPressure& pressure) override { pressure_ = pressure; }
-  void set_prestress(double axial_stretch, const DofValues& u) override;
   bool symmetric() const override { return pressure_.scan == 0 && pressure_.after == 0; }
   std::vector<int> dofs(int cell) const override;
   bool evaluate(int cell, const DofValues& u, double load, bool want_tangent,
                 CellTerms& terms) const override;
 
  private:
+  /// The parameters of a cell's nodes and their directors at rest, a row each.
+  struct NodeValues {
+    Eigen::MatrixX3d u, w, D;
+    Eigen::VectorXd beta;
+  };
+  NodeValues values_of(std::size_t cell, const DofValues& u) const;
   void press(int cell, const DofValues& u, double load, bool want_tangent, CellTerms& terms) const;
-  CellPrestress prestress_of(std::size_t cell, double axial_stretch, const DofValues& u) const;
+  CellPrestress prestress_of(std::size_t cell, double axial_stretch,
+                             const DofValues& u) const override;
 
   struct Point {
     double zeta = 0, weight = 0;  ///< weight: volume
@@ -60,7 +66,6 @@ class Shell final : public VesselModel {
   LumenPressure pressure_;
   std::vector<Eigen::VectorXd> thickness_;  ///< per cell and surface point, length
   std::vector<std::vector<Point>> points_;  ///< per cell: depth_points_ per surface point
-  std::vector<CellPrestress> prestress_;    ///< per cell, points in the same order; empty: none
 };
 
 }  // namespace vasorod::fem

@@ -13,22 +13,16 @@ using std::size_t;
 void Shell::press(int cell, const DofValues& u, double load, bool want_tangent,
                   CellTerms& terms) const {
   const auto c = static_cast<size_t>(cell);
-  const std::vector<int>& nodes = mesh_.cell_nodes[c];
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3), de(n, 3), rest(n, 3);  // displacements, current and rest directors
-  for (Eigen::Index a = 0; a < n; ++a) {
-    const int node = nodes[static_cast<size_t>(a)];
-    ue.row(a) = u.segment<3>(7 * node);
-    rest.row(a) = directors_.row(node);
-    de.row(a) = rest.row(a) + u.segment<3>(7 * node + 3).transpose();
-  }
+  const auto n = static_cast<Eigen::Index>(mesh_.cell_nodes[c].size());
+  const NodeValues at = values_of(c, u);
+  const Eigen::MatrixX3d directors = at.D + at.w;  // current
   for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
     const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
-    const Vec3 director = (mesh_.shape.row(q) * rest).transpose(), on_mesh = mesh_.normal[c].col(q);
+    const Vec3 director = (mesh_.shape.row(q) * at.D).transpose(), on_mesh = mesh_.normal[c].col(q);
     const Vec3 normal = director.dot(on_mesh) < 0 ? Vec3(-on_mesh) : on_mesh,
                e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
     const double half = thickness_[c][q] / 2;
-    const Mat3 A = Mat3::Identity() + (gradient * (ue - half * de)).transpose();
+    const Mat3 A = Mat3::Identity() + (gradient * (at.u - half * directors)).transpose();
     const Vec3 along = A * e1, across = A * e2, area = along.cross(across);
     const double p = pressure_at(pressure_, load) * mesh_.weights[c][q];
     const Eigen::VectorXd N = mesh_.shape.row(q);

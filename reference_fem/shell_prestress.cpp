@@ -8,27 +8,9 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-void Shell::set_prestress(double axial_stretch, const DofValues& u) {
-  std::vector<CellPrestress> all;
-  for (size_t c = 0; c < mesh_.cell_nodes.size(); ++c)
-    all.push_back(prestress_of(c, axial_stretch, u));
-  prestress_ = std::move(all);
-}
-
-CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
+Shell::CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
   CellPrestress out;
-  if (points_[c].empty()) return out;  // another process evaluates the cell
-  const std::vector<int>& nodes = mesh_.cell_nodes[c];
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3), we(n, 3), De(n, 3);
-  Eigen::VectorXd be(n);
-  for (Eigen::Index a = 0; a < n; ++a) {
-    const int node = nodes[static_cast<size_t>(a)];
-    ue.row(a) = u.segment<3>(7 * node);
-    we.row(a) = u.segment<3>(7 * node + 3);
-    be[a] = u[7 * node + 6];
-    De.row(a) = directors_.row(node);
-  }
+  const auto [ue, we, De, be] = values_of(c, u);
   out.stress.resize(6, static_cast<Eigen::Index>(points_[c].size()));
   for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
     const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);

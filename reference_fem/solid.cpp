@@ -83,10 +83,9 @@ bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangen
   const auto c = static_cast<size_t>(cell);
   const std::vector<int>& nodes = mesh_.cell_nodes[c];
   const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3);
-  for (Eigen::Index a = 0; a < n; ++a) ue.row(a) = u.segment<3>(3 * nodes[static_cast<size_t>(a)]);
   const Eigen::MatrixXd& gradient = mesh_.gradient[c];
-  const Eigen::MatrixX3d slope = gradient * ue;  // row 3 q + J, column i: du_i/dX_J
+  // row 3 q + J, column i: du_i/dX_J
+  const Eigen::MatrixX3d slope = gradient * triples_of(u, nodes, 3);
 
   const int points = mesh_.point_count();
   Eigen::MatrixX3d stress(3 * points, 3);  // row 3 q + J, column i: w P_iJ

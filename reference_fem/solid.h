@@ -22,9 +22,8 @@ class Solid final : public VesselModel {
   /// `direction` is 0 or 1.
   void add_pressure(int direction, int side, double pressure);
   void set_pressure(const LumenPressure& pressure) override;
-  void set_prestress(double axial_stretch, const DofValues& u) override;
 
-  const Mesh& mesh() const { return mesh_; }
+  const Mesh& mesh() const override { return mesh_; }
   int node_count() const override { return mesh_.node_count(); }
   int components() const override { return 3; }
   int cell_count() const override;
@@ -42,14 +41,14 @@ class Solid final : public VesselModel {
   void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const DofValues& u,
                      double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
-  CellPrestress prestress_of(std::size_t cell, double axial_stretch, const DofValues& u) const;
+  CellPrestress prestress_of(std::size_t cell, double axial_stretch,
+                             const DofValues& u) const override;
 
   Mesh mesh_;
   MaterialLaw law_;
   /// Per cell and point; mesh_.gradient refers to these axes.
   std::vector<std::vector<Mat3>> axes_;
   std::vector<Pressure> pressures_;
-  std::vector<CellPrestress> prestress_;        ///< per cell; empty: none
   std::optional<VolumeProjection> projection_;  ///< split laws only
 };
 

@@ -7,22 +7,11 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-void Solid::set_prestress(double axial_stretch, const DofValues& u) {
-  std::vector<CellPrestress> all;
-  for (size_t c = 0; c < mesh_.cell_nodes.size(); ++c)
-    all.push_back(prestress_of(c, axial_stretch, u));
-  prestress_ = std::move(all);
-}
-
-CellPrestress Solid::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
+Solid::CellPrestress Solid::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
   CellPrestress out;
   const Eigen::VectorXd& weights = mesh_.weights[c];
-  if (weights.size() == 0) return out;  // another process evaluates the cell
-  const std::vector<int>& nodes = mesh_.cell_nodes[c];
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixX3d ue(n, 3);
-  for (Eigen::Index a = 0; a < n; ++a) ue.row(a) = u.segment<3>(3 * nodes[static_cast<size_t>(a)]);
-  const Eigen::MatrixX3d slope = mesh_.gradient[c] * ue;  // row 3 q + J, column i: du_i/dX_J
+  // row 3 q + J, column i: du_i/dX_J
+  const Eigen::MatrixX3d slope = mesh_.gradient[c] * triples_of(u, mesh_.cell_nodes[c], 3);
 
   Eigen::Matrix<double, 6, Eigen::Dynamic> strain(6, weights.size());
   Eigen::VectorXd volume(weights.size());

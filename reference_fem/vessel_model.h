@@ -7,6 +7,7 @@
 #include <vasorod/material.h>
 
 #include "reference_fem/law.h"
+#include "reference_fem/mesh.h"
 #include "reference_fem/model.h"
 
 namespace vasorod::fem {
@@ -19,18 +20,30 @@ class VesselModel : public Model {
   /// At rest the wall carries the stress s = C : e. The strain e is that of the linear displacement
   /// `u` and of an axial stretch under which the wall is free to contract across its axis. The
   /// energy has s : Y (law.h) in addition, and the constant s : e / 2.
-  virtual void set_prestress(double axial_stretch, const DofValues& u) = 0;
+  void set_prestress(double axial_stretch, const DofValues& u) {
+    prestress_.assign(mesh().cell_nodes.size(), {});
+    for (std::size_t c = 0; c < prestress_.size(); ++c)
+      if (mesh().weights[c].size() > 0)  // no other process evaluates the cell
+        prestress_[c] = prestress_of(c, axial_stretch, u);
+  }
+  virtual const Mesh& mesh() const = 0;
+
+ protected:
+  /// The stress at rest at each quadrature point of a cell.
+  struct CellPrestress {
+    Eigen::Matrix<double, 6, Eigen::Dynamic> stress;  ///< local axes
+    double stored = 0;                                ///< its energy at rest
+  };
+  std::vector<CellPrestress> prestress_;  ///< per cell; empty: none
+
+ private:
+  virtual CellPrestress prestress_of(std::size_t cell, double axial_stretch,
+                                     const DofValues& u) const = 0;
 };
 
 /// A pressure at a load.
 inline double pressure_at(const LumenPressure& pressure, double load) {
   return pressure.scan + load * (pressure.after - pressure.scan);
 }
-
-/// The stress at rest at each quadrature point of a cell.
-struct CellPrestress {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> stress;  ///< local axes
-  double stored = 0;                                ///< its energy at rest
-};
 
 }  // namespace vasorod::fem

@@ -109,46 +109,38 @@ def row_of(store, pick, record):
     return row
 
 
+def finished(store, plan, run_of, whole):
+    """[(one of the plan, its record)] of those that are finished; none without the anatomy, and
+    where `whole`, none before all are."""
+    found = [(one, store.record(run_of(*one).identity)) for one in plan] if has_anatomy() else []
+    if whole and any(record is None for _, record in found):
+        return []
+    return [(one, record) for one, record in found if record is not None]
+
+
+def folded_row(store, one, record):
+    pressure, *pick = one
+    row = {"pressure": pressure, **row_of(store, pick, record)}
+    solved = record["exit"] in (0, 1)
+    mouth = result_of(store, record["identity"])["glenn"]["mouth"] if solved else {}
+    good = row["ending"] in ("converged", "buckled")
+    row["mouth"] = mouth["area_ratio"] if good else None
+    return row
+
+
+def write(store, path, found, row, what, limit):
+    if found:
+        note = f"Glenn shunts on the adult anatomy, {what}, {limit} s of wall time each at most"
+        notes = [note, *provenance([record for _, record in found])]
+        write_table(path, [row(store, *one) for one in found], notes)
+
+
 def make_folded_table(store, path, whole=True):
     """whole: not before all runs are finished."""
-    if not has_anatomy():
-        return
-    found = [(one, store.record(folded_run(*one).identity)) for one in folded()]
-    if whole and any(record is None for _, record in found):
-        return
-    found = [(one, record) for one, record in found if record is not None]
-    rows = []
-    for (pressure, *pick), record in found:
-        row = {"pressure": pressure, **row_of(store, pick, record)}
-        solved = record["exit"] in (0, 1)
-        mouth = result_of(store, record["identity"])["glenn"]["mouth"] if solved else {}
-        good = row["ending"] in ("converged", "buckled")
-        row["mouth"] = mouth["area_ratio"] if good else None
-        rows.append(row)
-    write_table(
-        path,
-        rows,
-        [
-            "Glenn shunts on the adult anatomy, coupled, edges of 2 mm, pressure after the"
-            f" operation in mmHg, {FOLDED_LIMIT} s of wall time each at most",
-            *provenance([record for _, record in found]),
-        ],
-    )
+    what = "coupled, edges of 2 mm, pressure after the operation in mmHg"
+    write(store, path, finished(store, folded(), folded_run, whole), folded_row, what, FOLDED_LIMIT)
 
 
 def make_table(store, path, whole=True):
     """whole: not before all runs are finished."""
-    if not has_anatomy():
-        return
-    found = [(pick, store.record(run(*pick).identity)) for pick in picks()]
-    if whole and any(record is None for _, record in found):
-        return
-    found = [(pick, record) for pick, record in found if record is not None]
-    write_table(
-        path,
-        [row_of(store, pick, record) for pick, record in found],
-        [
-            f"Glenn shunts on the adult anatomy, {FIDELITY}, {TIME_LIMIT} s each at most",
-            *provenance([record for _, record in found]),
-        ],
-    )
+    write(store, path, finished(store, picks(), run, whole), row_of, FIDELITY, TIME_LIMIT)

@@ -145,38 +145,41 @@ class _Tube:
     tube = TUBE
 
 
-COLUMNS = ("rms", "largest", "force", "moment", "flattening", "flattening_reference")
-
-
+COLUMNS = ("rms", "largest", "force", "moment", "flattening", "flattening_reference", "own_error")
 BEND_COLUMNS = ("flattening", "moment", "wrinkling_ratio")
 
 
-def load_row(store, load, pressure, fidelity):
-    """One row and its two records; None where one of the two runs is not there."""
-    run, shell = hybrid_run(load, pressure, fidelity), shell_run(load, pressure)
+def tube_row(store, names, run, shell, columns):
+    """A row that begins with `names`, with these columns of the run's errors against the shell, and
+    its two records; None where one of the two runs is not there."""
     both = [store.record(one.identity) for one in (run, shell)]
     if None in both:
         return None
-    row = {"load": load, "pressure": pressure, "fidelity": fidelity}
-    row |= {**dict.fromkeys(COLUMNS), "own_error": None, "seconds": both[0]["processor_seconds"]}
+    row = {**names, **dict.fromkeys(columns), "seconds": both[0]["processor_seconds"]}
     row["failure"] = failed_of(store, both, solved)
     if row["failure"] is None:
+        mine, its = (result_of(store, one.identity) for one in (run, shell))
         numbers = compared(store, _Tube, run, shell)
-        row |= {name: numbers[name] for name in COLUMNS}
-        row["own_error"] = result_of(store, shell.identity)["discretisation"]["error_estimate"]
+        numbers["own_error"] = its["discretisation"]["error_estimate"]
+        if "energy" in columns:
+            numbers["energy"] = mine["energy"]["total"] / its["energy"]["total"] - 1
+        row |= {name: numbers[name] for name in columns}
     return row, both
 
 
-def load_rows(store):
-    rows, records = [], []
+def tube_rows(store, pairs, columns):
+    """Rows and records of the finished ones of `pairs`: (what a row begins with, run, shell)."""
+    found = [tube_row(store, *pair, columns) for pair in pairs]
+    found = [one for one in found if one is not None]
+    return [row for row, _ in found], [record for _, both in found for record in both]
+
+
+def load_pairs():
     for fidelity in FIDELITIES:
         for load in LOADS:
             for pressure in PRESSURES:
-                found = load_row(store, load, pressure, fidelity)
-                if found:
-                    rows.append(found[0])
-                    records += found[1]
-    return rows, records
+                names = {"load": load, "pressure": pressure, "fidelity": fidelity}
+                yield names, hybrid_run(load, pressure, fidelity), shell_run(load, pressure)
 
 
 def bend_rows(store):
@@ -200,7 +203,7 @@ def bend_rows(store):
 
 
 def make_tables(store, folder):
-    rows, records = load_rows(store)
+    rows, records = tube_rows(store, load_pairs(), COLUMNS)
     if rows:
         note = "Tubes from walls without stress to a pressure (mmHg) and a load, neo-hookean,"
         note += " against the reference's shell: RMS over R, force and moment over the"

@@ -6,7 +6,6 @@ import yaml
 import inflated
 import join
 from cases import text_of
-from measure import compared, failed_of, result_of
 from pressure import solved
 from runs import Run, hybrid_arguments
 from tables import provenance, write_table
@@ -101,34 +100,18 @@ def all_runs():
     return [run for pairs in (tube_pairs(), join_pairs()) for one in pairs for run in one[-2:]]
 
 
-class _Tube:
-    """What `compared` asks of a case."""
-
-    tube = inflated.TUBE
-
-
-COLUMNS = ("rms", "largest", "force", "moment")
+COLUMNS = ("rms", "largest", "force", "moment", "energy", "own_error")
 
 
 def tube_rows(store):
-    rows, records = [], []
-    for case, shape, law, run, shell in tube_pairs():
-        both = [store.record(one.identity) for one in (run, shell)]
-        if None in both:
-            continue
-        records += both
-        row = {"case": case, "shape": shape, "law": law, **dict.fromkeys(COLUMNS)}
-        row |= {"energy": None, "own_error": None, "seconds": both[0]["processor_seconds"]}
-        row["failure"] = failed_of(store, both, solved)
-        if row["failure"] is None:
-            numbers = compared(store, _Tube, run, shell)
-            mine, its = (result_of(store, one.identity) for one in (run, shell))
-            row |= {name: numbers[name] for name in COLUMNS}
-            if case == "release":  # its load alone says what the held end carries
-                row |= {"force": None, "moment": None}
-            row["energy"] = mine["energy"]["total"] / its["energy"]["total"] - 1
-            row["own_error"] = its["discretisation"]["error_estimate"]
-        rows.append(row)
+    named = (
+        ({"case": case, "shape": shape, "law": law}, *both)
+        for case, shape, law, *both in tube_pairs()
+    )
+    rows, records = inflated.tube_rows(store, named, COLUMNS)
+    for row in rows:
+        if row["case"] == "release":  # its load alone says what the held end carries
+            row |= {"force": None, "moment": None}
     return rows, records
 
 

@@ -21,6 +21,7 @@ import promise
 import sections
 import sensitivity
 import shear_gap
+import sizes
 import trade
 from cases import case_named
 from drift import TOLERANCES, VALUE, Unchecked, drifts, sentence
@@ -105,6 +106,8 @@ def wall_rows():
         ("coupled", "moduli", "E x 1000, G x 0.001"),
         ("coupled", "vertices", 1680),
         ("coupled", "bend", "t/R 0.1, Brazier ratio 0.9"),
+        ("section", "moduli", "E x 1, G x 1000"),
+        ("section", "vertices", 1680),
     )
 
 
@@ -140,9 +143,10 @@ ALONE = (
             ("coupled", "soft", 0.2, 0),
             ("coupled", "soft", 0.2, 5),
             ("coupled", "rigid", 0.4, 1),
+            ("section", "soft", 0.2, 5),
         ),
         lambda: [inflated.bend_run("soft", 0.2, 0), inflated.bend_run("soft", 0.2, 5)]
-        + [inflated.bend_run("rigid", 0.4, 1)],
+        + [inflated.bend_run("rigid", 0.4, 1), inflated.bend_run("soft", 0.2, 5, "section")],
         inflated.make_tables,
         ("moment",),
     ),
@@ -152,6 +156,13 @@ ALONE = (
         wall_rows(),
         wall_runs,
         lambda store, folder: extremes.make_tables(store, folder, whole=False),
+    ),
+    Repeated(
+        sizes.FILE,
+        ("fidelity", "vertices"),
+        tuple((fidelity, sizes.vertices(40)) for fidelity in sizes.FIDELITIES),
+        lambda: [sizes.run(fidelity, 40) for fidelity in sizes.FIDELITIES],
+        lambda store, folder: sizes.make_table(store, folder / sizes.FILE, whole=False),
     ),
     Repeated(
         sections.REFINEMENT,
@@ -292,7 +303,7 @@ AGAINST = (
     Repeated(
         inflated.FILE,
         ("load", "pressure", "fidelity"),
-        (("bend", 5, "coupled"), ("bend", 5, "skin")),
+        tuple(("bend", 5, fidelity) for fidelity in inflated.FIDELITIES),
         lambda: [inflated.hybrid_run("bend", 5, name) for name in inflated.FIDELITIES]
         + [inflated.shell_run("bend", 5)],
         inflated.make_tables,

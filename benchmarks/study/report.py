@@ -36,6 +36,7 @@ TABLES = (
     "prestress_joins",
     "extremes_rod",
     "extremes_wall",
+    "sizes",
     "glenns",
     "glenns_coupled",
 )

@@ -1,6 +1,7 @@
-"""Why `coupled` and the shell differ where a wall is soft in shear: G_axial is also the shell's
-shear modulus through the thickness, and the normals of `coupled` stay normal. If that is the
-reason, the gap closes as the wall gets thinner."""
+"""How near `coupled` is to the shell where a wall is soft in shear: G_axial is also the shell's
+shear modulus through the thickness. Beside glued rims the wall of `coupled` shears there too
+(docs/wall.md), elsewhere its normals stay normal. What of the gap comes from the thickness closes
+as the wall gets thinner."""
 
 from measure import converged, moved_end, norm, own_error, result_of, shapes
 from runs import hybrid, reference

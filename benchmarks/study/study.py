@@ -34,6 +34,7 @@ import repeated  # noqa: E402
 import sections  # noqa: E402
 import sensitivity  # noqa: E402
 import shear_gap  # noqa: E402
+import sizes  # noqa: E402
 import trade  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
@@ -63,6 +64,7 @@ WHOLE = {
     "inflated": inflated.all_runs,
     "prestress": prestress.all_runs,
     "glenns": glenns.all_runs,
+    "sizes": sizes.all_runs,
     "section-refinement": lambda: [sections.refinement_run()],
 }  # of no case
 
@@ -133,6 +135,7 @@ def tables(arguments):
     inflated.make_tables(store, arguments.baselines)
     prestress.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
+    sizes.make_table(store, arguments.baselines / sizes.FILE)
     sections.make_tables(store, all_cases(), arguments.baselines)
     glenns.make_table(store, arguments.baselines / glenns.FILE)
     glenns.make_folded_table(store, arguments.baselines / glenns.FOLDED_FILE)

@@ -117,6 +117,18 @@ def markdown(header, rows):
     return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]) + "\n"
 
 
+def outcomes(head, rows, start, numbers):
+    """A table with a line per row: start(row), then numbers(row), or why the run has none."""
+
+    def line(row):
+        first = start(row)
+        if row["failure"]:
+            return [*first, row["failure"], *["-"] * (len(head) - len(first) - 1)]
+        return [*first, *numbers(row)]
+
+    return markdown(head, [line(row) for row in rows])
+
+
 def percent(value, digits=2):
     """A share in percent; "-" where there is none."""
     return "-" if value is None else f"{100 * value:.{digits}f}"

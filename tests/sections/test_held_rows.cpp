@@ -20,20 +20,24 @@ HeldSection section_at(bool last, bool rigid) {
   return section;
 }
 
-VectorXd some_unknowns(const HeldRows& rows) {
+struct Placed {
+  SectionPlacement end;
+  SectionShape shape;
+};
+
+// By some unknowns, from the shape at rest.
+Placed placed(const HeldRows& rows, SectionShape shape) {
   VectorXd z(rows.unknowns());
   for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = 0.1 * std::sin(1.9 * static_cast<double>(i));
-  return z;
+  rows.place(z, shape.coefficients);
+  return {rows.pose.place(z.data()), std::move(shape)};
 }
 
 TEST(HeldRows, ARigidEndKeepsItsRimAndItsNormals) {
   const SectionShape rest = disturbed(straight_shape(space, 1, length), 0.02);
   for (const bool last : {false, true}) {
-    HeldRows rows(section_at(last, true), rest, last);
-    const VectorXd z = some_unknowns(rows);
-    const SectionPlacement at = rows.pose.place(z.data());
-    SectionShape now = rest;
-    rows.place(z, now.coefficients);
+    const HeldRows rows(section_at(last, true), rest, last);
+    const auto [at, now] = placed(rows, rest);
     const double u = last ? 1 : 0;
     const Vec3 point = rows.pose.section().rest.position;
     double slope = 0;
@@ -47,11 +51,7 @@ TEST(HeldRows, ARigidEndKeepsItsRimAndItsNormals) {
     EXPECT_LT(slope, 0.05 * length);
   }
   const SectionShape tube = straight_shape(space, 1, length);
-  HeldRows rows(section_at(false, true), tube, false);
-  const VectorXd z = some_unknowns(rows);
-  const SectionPlacement at = rows.pose.place(z.data());
-  SectionShape now = tube;
-  rows.place(z, now.coefficients);
+  const auto [at, now] = placed(HeldRows(section_at(false, true), tube, false), tube);
   for (const double angle : {0.0, 0.7, 2.1, 4.4}) {
     const Vec3 normal = at.rotation * Vec3(std::cos(angle), std::sin(angle), 0);
     EXPECT_LT(std::abs(normal.dot(now.jet(0, angle).col(0))), 1e-12);
@@ -60,11 +60,8 @@ TEST(HeldRows, ARigidEndKeepsItsRimAndItsNormals) {
 
 TEST(HeldRows, ASoftEndKeepsItsMeanAndItsMeanRotation) {
   const SectionShape rest = straight_shape(space, 1, length);
-  HeldRows rows(section_at(true, false), rest, true);
-  const VectorXd z = some_unknowns(rows);
-  const SectionPlacement at = rows.pose.place(z.data());
-  SectionShape now = rest;
-  rows.place(z, now.coefficients);
+  const HeldRows rows(section_at(true, false), rest, true);
+  const auto [at, now] = placed(rows, rest);
   Vec3 mean = Vec3::Zero(), moment = Vec3::Zero();
   double apart = 0;
   const int points = 60;
@@ -90,10 +87,10 @@ TEST(HeldRows, UnknownsOfAMovedShapeAreThoseOfTheMotion) {
     const VectorXd z = rows.unknowns_of(motion.rotation, motion * rows.pose.section().rest.position,
                                         moved(rest, motion));
     EXPECT_LT(z.tail(rows.unknowns() - 6).norm(), 1e-12) << "no field beside the motion";
-    MatrixXd placed = MatrixXd::Zero(rest.coefficients.rows(), rest.coefficients.cols());
-    rows.place(z, placed);
+    MatrixXd now = MatrixXd::Zero(rest.coefficients.rows(), rest.coefficients.cols());
+    rows.place(z, now);
     for (const int row : rows.rows())
-      EXPECT_LT((placed.col(row) - moved(rest, motion).col(row)).norm(), 1e-12);
+      EXPECT_LT((now.col(row) - moved(rest, motion).col(row)).norm(), 1e-12);
   }
 }
 

@@ -6,7 +6,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
-from tables import extended, markdown, provenance, read_table, write_table  # noqa: E402
+from tables import extended, markdown, outcomes, provenance, read_table  # noqa: E402
+from tables import write_table  # noqa: E402
 
 records = [
     {"identity": f"case/{k}", "program": "vasorod", "program_sha256": "a" * 64, "commit": commit}
@@ -30,6 +31,11 @@ assert (
 )
 assert abs(back[0]["rms"] / rows[0]["rms"] - 1) < 1e-5 and back[1]["rms"] == 0.25
 assert markdown(("a", "b"), [(1, "x")]) == "| a | b |\n| --- | --- |\n| 1 | x |\n"
+# A run without a result says why, and is not asked for its numbers.
+asked = outcomes(
+    ("case", "rms", "largest"), rows, lambda row: [row["case"]], lambda row: [row["rms"] * 4, 3]
+)
+assert asked.splitlines()[2:] == ['| bend | found "x", expected y | - |', "| twist | 1.0 | 3 |"]
 
 # A plan that grew: what was run now stands in its place, the rest stays, what the plan has dropped
 # goes, and a column that is new is empty where nothing was run.

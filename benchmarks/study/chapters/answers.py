@@ -150,8 +150,7 @@ def moduli(sensitivity):
         value, factor, _ = worst[key]
         parts.append(
             f"In the other {sum(one[0] == load for one in missed)} ({load}) the difference is"
-            f" {signed(value)} % at {key[1]} x {factor:.3g}, where the wall is softest in shear:"
-            " normals of `coupled` stay normal."
+            f" {signed(value)} % at {key[1]} x {factor:.3g}."
         )
     return [
         "## Does the prediction follow one modulus alone?\n",

@@ -1,19 +1,16 @@
 """Tubes with a pressure in their lumen."""
 
-from tables import markdown, paragraph, percent, provenance_text
+from tables import markdown, outcomes, paragraph, percent, provenance_text
 
 
 def loads_section(rows, notes):
-    def line(row):
-        start = [row["fidelity"], row["load"], f"{row['pressure']:g}"]
-        if row["failure"]:
-            return [*start, row["failure"], *["-"] * 6]
+    def numbers(row):
         shares = ("rms", "largest", "force", "moment", "own_error")
         sections = [
             "-" if row[name] is None else f"{row[name]:.4f}"
             for name in ("flattening", "flattening_reference")
         ]
-        return [*start, *(percent(row[name], 3) for name in shares), *sections]
+        return [*(percent(row[name], 3) for name in shares), *sections]
 
     head = ("fidelity", "load", "mmHg", "RMS, % of R", "largest, % of R", "force, %", "moment, %")
     head += ("shell's own error, %", "flattening", "the shell's")
@@ -29,7 +26,12 @@ def loads_section(rows, notes):
                 "radius, reactions and energy. The rod of `skin` is linear and keeps the radius",
                 "of its sections.",
             ),
-            markdown(head, [line(row) for row in rows]),
+            outcomes(
+                head,
+                rows,
+                lambda row: [row["fidelity"], row["load"], f"{row['pressure']:g}"],
+                numbers,
+            ),
             provenance_text(notes),
         ]
     )

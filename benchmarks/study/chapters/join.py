@@ -1,6 +1,6 @@
 """Joins of two tubes: slit, ellipse and end to end, thin and thick walls, longer incisions."""
 
-from tables import markdown, paragraph, percent, provenance_text, signed
+from tables import markdown, outcomes, paragraph, percent, provenance_text, signed
 
 
 def over(row, quantity):
@@ -9,28 +9,43 @@ def over(row, quantity):
     return None if mine is None or its is None else mine / its - 1
 
 
-def accuracy_table(rows):
-    def line(row):
-        start = [row["opening"], f"{row['thickness']:g}", row["law"], row["fidelity"]]
-        start.append(f"{row['around']:g}")
-        if row["failure"]:
-            return [*start, row["failure"], *["-"] * 7]
+def pressed_table(rows, names, start):
+    """Joins under pressure: per row what start(row) says in the columns `names`, and the mouth."""
+
+    def numbers(row):
         return [
-            *start,
             f"{row['mouth_reference']:.2f}",
             f"{row['mouth']:.2f}",
             signed(over(row, "mouth")),
+            f"{row['span']:.2f} x {row['width']:.2f}",
             signed(over(row, "energy")),
             signed(over(row, "support")),
             percent(row["rms_first"]),
             percent(row["rms_second"]),
             percent(row["own_error"]),
+            f"{row['seconds']:.1f}",
         ]
+
+    head = (*names, "shell, mm2", "`coupled`, mm2", "mouth, %", "span x width, mm", "energy, %")
+    head += ("support, %", "vein, % of R", "artery, % of R", "shell's own error, %", "s")
+    return outcomes(head, rows, start, numbers)
+
+
+def accuracy_table(rows):
+    def start(row):
+        names = [row["opening"], f"{row['thickness']:g}", row["law"], row["fidelity"]]
+        return [*names, f"{row['around']:g}"]
+
+    def numbers(row):
+        areas = [f"{row[name]:.2f}" for name in ("mouth_reference", "mouth")]
+        shares = [signed(over(row, name)) for name in ("mouth", "energy", "support")]
+        errors = [percent(row[name]) for name in ("rms_first", "rms_second", "own_error")]
+        return [*areas, *shares, *errors]
 
     head = ("opening", "thickness", "law", "model", "around", "shell, mm2", "mouth, mm2")
     head += ("mouth, %", "energy, %", "support, %", "first, % of R", "second, % of R")
     head += ("shell's own error, %",)
-    return markdown(head, [line(row) for row in rows if row["length"] == 1])
+    return outcomes(head, [row for row in rows if row["length"] == 1], start, numbers)
 
 
 def limit_and_order(values):
@@ -74,22 +89,18 @@ def length_table(rows):
         if (row["opening"], row["thickness"], row["law"]) == ("slit", 1, "neo-hookean")
         and (row["fidelity"], row["around"]) == ("coupled", 60)
     ]
-    lines = [
-        (
-            [f"{row['length']:g}", row["failure"], "-", "-", "-"]
-            if row["failure"]
-            else [
-                f"{row['length']:g}",
-                f"{row['mouth_reference']:.2f}",
-                f"{row['mouth']:.2f}",
-                signed(over(row, "mouth")),
-                f"{row['span']:.2f} x {row['width']:.2f}",
-            ]
-        )
-        for row in sorted(chosen, key=lambda row: row["length"])
-    ]
+
+    def numbers(row):
+        areas = [f"{row[name]:.2f}" for name in ("mouth_reference", "mouth")]
+        return [*areas, signed(over(row, "mouth")), f"{row['span']:.2f} x {row['width']:.2f}"]
+
     head = ("`incision_length`", "shell, mm2", "`coupled`, mm2", "%", "span x width, mm")
-    return markdown(head, lines)
+    return outcomes(
+        head,
+        sorted(chosen, key=lambda row: row["length"]),
+        lambda row: [f"{row['length']:g}"],
+        numbers,
+    )
 
 
 def cost_table(rows):

@@ -1,6 +1,7 @@
 """docs/extremes_tables.md: every run that pushed a solver to its limit."""
 
 import extremes
+from chapters.sizes import sizes_section
 from glenns import FIDELITY
 from tables import markdown, paragraph, provenance_text, value_or_range
 
@@ -291,7 +292,11 @@ def page(tables):
             "in [guide.md](guide.md).",
         ),
     ]
-    for name, section in (("extremes_rod", rod_section), ("extremes_wall", wall_section)):
+    for name, section in (
+        ("extremes_rod", rod_section),
+        ("extremes_wall", wall_section),
+        ("sizes", sizes_section),
+    ):
         if name in tables:
             text += section(*tables[name])
     if "sensitivity" in tables:

@@ -2,6 +2,7 @@
 computed from the tables, and each is also in docs/extremes_tables.md."""
 
 from chapters.limits import share
+from chapters.sizes import exponents, largest
 from tables import IMAGES, markdown, paragraph, value_or_range
 
 TABLES = "extremes_tables.md"
@@ -97,6 +98,24 @@ def walls(rows):
             link("Every run", "walls") + ".",
         ),
         markdown(("fidelity", "family", "ending", "runs", "cases"), lines),
+    ]
+
+
+def sizes_answer(rows):
+    lines = [
+        [f"`{name}`", f"{row['vertices']:.0f}", f"{row['seconds']:.1f}"]
+        + [f"{row['peak_bytes'] / 2**20:.0f}", exponents(rows, name)]
+        for name, row in largest(rows).items()
+    ]
+    head = ("fidelity", "largest that converged, vertices", "processor time, s", "MiB")
+    return [
+        "## How does the cost grow with the mesh?\n",
+        paragraph(
+            "One gently bent tube with ever more vertices, whole programs on one thread without",
+            "report. Growth: the power of the number of vertices.",
+            link("Every size", "cost-against-size") + ".",
+        ),
+        markdown((*head, "growth"), lines),
     ]
 
 
@@ -197,6 +216,7 @@ def page(tables):
     for name, answer in (
         ("extremes_rod", rods),
         ("extremes_wall", walls),
+        ("sizes", sizes_answer),
         ("sensitivity", reference),
         ("glenns", glenns_answer),
         ("glenns_coupled", folded_answer),

@@ -1,32 +1,18 @@
 """The join under pressure."""
 
-from chapters.join import over
-from tables import markdown, paragraph, percent, provenance_text, signed
+from chapters.join import pressed_table
+from tables import paragraph, percent, provenance_text
 
 
 def mouth_table(rows):
-    def line(row):
-        start = [row["opening"], f"{row['length']:g}", f"{row['pressure']:g}", f"{row['around']:g}"]
-        if row["failure"]:
-            return [*start, row["failure"], *["-"] * 9]
-        return [
-            *start,
-            f"{row['mouth_reference']:.2f}",
-            f"{row['mouth']:.2f}",
-            signed(over(row, "mouth")),
-            f"{row['span']:.2f} x {row['width']:.2f}",
-            signed(over(row, "energy")),
-            signed(over(row, "support")),
-            percent(row["rms_first"]),
-            percent(row["rms_second"]),
-            percent(row["own_error"]),
-            f"{row['seconds']:.1f}",
-        ]
-
-    head = ("opening", "`incision_length`", "mmHg", "around", "shell, mm2", "`coupled`, mm2")
-    head += ("mouth, %", "span x width, mm", "energy, %", "support, %", "vein, % of R")
-    head += ("artery, % of R", "shell's own error, %", "s")
-    return markdown(head, [line(row) for row in rows])
+    return pressed_table(
+        rows,
+        ("opening", "`incision_length`", "mmHg", "around"),
+        lambda row: [
+            row["opening"],
+            *(f"{row[name]:g}" for name in ("length", "pressure", "around")),
+        ],
+    )
 
 
 def pressure_section(rows, notes):

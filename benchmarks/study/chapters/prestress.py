@@ -1,8 +1,8 @@
 """Tubes and joins whose walls carried a stress when they were seen."""
 
-from chapters.join import over
+from chapters.join import pressed_table
 from prestress import PRESSURES
-from tables import markdown, paragraph, percent, provenance_text, signed
+from tables import outcomes, paragraph, percent, provenance_text, signed
 
 CASES = {
     "inflate": "seen at 5, taken to 12 mmHg",
@@ -14,41 +14,25 @@ CASES = {
 
 
 def tubes_table(rows):
-    def line(row):
-        start = [CASES[row["case"]], row["shape"], row["law"]]
-        if row["failure"]:
-            return [*start, row["failure"], *["-"] * 5]
-        names = ("rms", "largest", "force", "moment")
-        shares = ["-" if row[name] is None else percent(row[name], 3) for name in names]
-        return [*start, *shares, signed(row["energy"]), percent(row["own_error"], 3)]
+    def numbers(row):
+        shares = [percent(row[name], 3) for name in ("rms", "largest", "force", "moment")]
+        return [*shares, signed(row["energy"]), percent(row["own_error"], 3)]
 
     head = ("tube", "shape", "law", "RMS, % of R", "largest, % of R", "force, %", "moment, %")
-    return markdown((*head, "energy, %", "shell's own error, %"), [line(row) for row in rows])
+    return outcomes(
+        (*head, "energy, %", "shell's own error, %"),
+        rows,
+        lambda row: [CASES[row["case"]], row["shape"], row["law"]],
+        numbers,
+    )
 
 
 def joins_table(rows):
-    def line(row):
-        start = [row["opening"], f"{row['length']:g}", f"{row['stretch']:g}"]
-        if row["failure"]:
-            return [*start, row["failure"], *["-"] * 9]
-        return [
-            *start,
-            f"{row['mouth_reference']:.2f}",
-            f"{row['mouth']:.2f}",
-            signed(over(row, "mouth")),
-            f"{row['span']:.2f} x {row['width']:.2f}",
-            signed(over(row, "energy")),
-            signed(over(row, "support")),
-            percent(row["rms_first"]),
-            percent(row["rms_second"]),
-            percent(row["own_error"]),
-            f"{row['seconds']:.1f}",
-        ]
-
-    head = ("opening", "`incision_length`", "`axial_prestretch`", "shell, mm2", "`coupled`, mm2")
-    head += ("mouth, %", "span x width, mm", "energy, %", "support, %", "vein, % of R")
-    head += ("artery, % of R", "shell's own error, %", "s")
-    return markdown(head, [line(row) for row in rows])
+    return pressed_table(
+        rows,
+        ("opening", "`incision_length`", "`axial_prestretch`"),
+        lambda row: [row["opening"], *(f"{row[name]:g}" for name in ("length", "stretch"))],
+    )
 
 
 def tubes_section(rows, notes):

@@ -127,8 +127,10 @@ def sensitivity_section(rows, notes, parted):
             paragraph(
                 f"`{parted[0][0]['load']}` at {parted[0][0]['modulus']} x",
                 f"{parted[0][0]['factor']:g}, where the wall is softest in shear. G_axial is also",
-                "the shear modulus of the shell through its thickness; the normals of `coupled`",
-                "stay normal. The gap that remains on a fine mesh falls with the thickness:",
+                "the shear modulus of the shell through its thickness. Beside its glued rims the",
+                "wall of `coupled` shears there too",
+                "([wall.md](wall.md#shear-beside-a-rim)); elsewhere its",
+                "normals stay normal. What is left, over thickness and mesh:",
             ),
             markdown(
                 (

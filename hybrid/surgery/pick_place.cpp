@@ -25,9 +25,10 @@ Vec3 in_other_space(const Vec3& point) {
   return {-point.x(), -point.y(), point.z()};
 }
 
-// A picked point may lie up to one radius off its vessel's surface.
+// A picked point may lie up to one radius off its vessel's surface, and with `inside` anywhere in
+// the vessel: from the axis to an outer surface it is half the wall more than the radius.
 PickPlace place_point(const std::string& where, const PickSpec& pick, const PreparedVessel& vessel,
-                      const AxisRoute& route) {
+                      const AxisRoute& route, bool inside) {
   const std::string& space = vessel.loaded.space;
   const bool other = !pick.space.empty() && !space.empty() && pick.space != space;
   PickPlace place;
@@ -40,7 +41,7 @@ PickPlace place_point(const std::string& where, const PickSpec& pick, const Prep
 
   const ClosestPoint::Hit hit = closest_on(vessel.vessel.surface, place.point);
   const double off = (hit.point - place.point).norm();
-  if (off <= place.radius) return place;
+  if (off <= place.radius || (inside && at.local.norm() <= place.radius)) return place;
   std::string hint;
   if (!pick.space.empty() && space.empty()) {
     const Vec3 turned = in_other_space(place.point);
@@ -84,13 +85,13 @@ PickPlace place_cut(const std::string& where, const PickSpec& pick, const Prepar
                     int kept) {
   const AxisRoute route = pick_route(where, pick, vessel.vessel, kept);
   return pick.along ? place_along(pick, vessel.vessel, route)
-                    : place_point(where, pick, vessel, route);
+                    : place_point(where, pick, vessel, route, true);
 }
 
 PickPlace place_incision_pick(const std::string& where, const PickSpec& pick,
                               const PreparedVessel& vessel) {
   const AxisRoute route = pick_route(where, pick, vessel.vessel, 0);
-  if (!pick.along) return place_point(where, pick, vessel, route);
+  if (!pick.along) return place_point(where, pick, vessel, route, false);
   PickPlace place = place_along(pick, vessel.vessel, route);
   place.angle = pick.around_deg * (M_PI / 180);
   const auto point = wall_point(RayHits(vessel.vessel.surface), place.section, place.angle);

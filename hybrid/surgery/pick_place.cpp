@@ -41,11 +41,14 @@ PickPlace place_point(const std::string& where, const PickSpec& pick, const Prep
 
   const ClosestPoint::Hit hit = closest_on(vessel.vessel.surface, place.point);
   const double off = (hit.point - place.point).norm();
-  if (off <= place.radius || (inside && at.local.norm() <= place.radius)) return place;
+  const auto on_vessel = [&](const Vec3& point) {
+    return (closest_on(vessel.vessel.surface, point).point - point).norm() <= place.radius ||
+           (inside && project(vessel.vessel.rod, point).local.norm() <= place.radius);
+  };
+  if (on_vessel(place.point)) return place;
   std::string hint;
   if (!pick.space.empty() && space.empty()) {
-    const Vec3 turned = in_other_space(place.point);
-    if ((closest_on(vessel.vessel.surface, turned).point - turned).norm() <= place.radius)
+    if (on_vessel(in_other_space(place.point)))
       hint = "; with x and y negated it lies on it: the file of " + vessel.spec.name +
              " names no SPACE, and its points are not in " + pick.space;
   }

@@ -71,7 +71,7 @@ Point arrays of `NAME.vtp`; all are 64-bit floating-point numbers:
 | `Displacement` | 3 | length | the point minus `RestPosition` |
 | `AxialStretch` | 1 | none | stretch of the fibre along the axis through the point; 1 at rest |
 | `TwistShear` | 1 | none | change of twist times the point's distance from the axis at rest |
-| `ContactPressure` | 1 | stress | pressure of contact; 0 where there is none |
+| `ContactPressure` | 1 | stress | pressure of contact; 0 where there is none, and where contact is not modelled |
 
 The point and cell arrays of a surface file come along with their types. One that has the name of an
 array above is kept as `NAME_input`.

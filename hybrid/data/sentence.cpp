@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 
 namespace vasorod {
 namespace {
@@ -36,6 +37,17 @@ std::string written(double value, std::chars_format format, int digits) {
 
 std::string number_text(double value, int digits) {
   return written(value, std::chars_format::general, digits);
+}
+
+std::string number_beside(double value, double limit, int digits) {
+  std::string text = number_text(value, digits);
+  constexpr int exact = 17;
+  while (digits < exact) {
+    const double seen = std::strtod(text.c_str(), nullptr);
+    if ((seen < limit) == (value < limit) && (seen > limit) == (value > limit)) break;
+    text = number_text(value, ++digits);
+  }
+  return text;
 }
 
 std::string fixed_text(double value, int digits) {

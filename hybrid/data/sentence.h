@@ -13,6 +13,9 @@ namespace vasorod {
 /// `digits` significant digits, and no more than the number needs.
 std::string number_text(double value, int digits = 6);
 
+/// As number_text, with the digits that it takes to stay on its side of a limit: 0.599 below 0.6.
+std::string number_beside(double value, double limit, int digits);
+
 /// With `digits` after the point, as 12.50; with an exponent, as 1.250e+01.
 std::string fixed_text(double value, int digits);
 std::string scientific_text(double value, int digits);

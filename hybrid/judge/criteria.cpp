@@ -131,15 +131,14 @@ void add_twist(const Result& result, std::vector<Criterion>& criteria) {
 }
 
 void add_contact(const Result& result, std::vector<Criterion>& criteria) {
-  if (std::none_of(result.vessels.begin(), result.vessels.end(),
-                   [](const VesselResult& vessel) { return vessel.contact_pressure.size() > 0; }))
-    return;
   Worst worst;
   const auto see = [&](double pressure, const std::string& vessel) {
     if (worst.vessel.empty() || !(pressure <= worst.value)) worst = {pressure, vessel};
   };
-  for (const VesselMetrics& metrics : result.metrics) see(metrics.largest_pressure, metrics.vessel);
+  for (const VesselMetrics& metrics : result.metrics)
+    if (metrics.largest_pressure) see(*metrics.largest_pressure, metrics.vessel);
   for (const ContactReport& contact : result.contact) see(contact.largest_pressure, contact.a);
+  if (worst.vessel.empty()) return;
   worst.value *= mmhg_per(result.stress_unit);
   criteria.push_back(unjudged("contact_pressure", worst, "mmHg"));
 }

@@ -76,12 +76,11 @@ VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses
     }
   }
 
-  if (pressure.size() > 0 && pressure.maxCoeff(&place) > 0) {
-    metrics.largest_pressure = pressure[place];
-    metrics.where["largest_pressure"] = current.row(place);
+  if (pressure.size() > 0) {
+    metrics.largest_pressure = pressure.maxCoeff(&place);
+    if (pressure[place] > 0) metrics.where["largest_pressure"] = current.row(place);
     const Eigen::VectorXd areas = vertex_areas({current, vessel.vessel.surface.triangles});
-    for (Eigen::Index i = 0; i < pressure.size(); ++i)
-      if (pressure[i] > 0) metrics.contact_area += areas[i];
+    metrics.contact_area = (pressure.array() > 0).select(areas.array(), 0.0).sum();
   }
   return metrics;
 }

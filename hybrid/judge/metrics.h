@@ -19,11 +19,12 @@ struct VertexFields {
 VertexFields vertex_fields(const PreparedVessel& vessel, const RodPoses& poses);
 
 /// Extremes over the vessel and their places. `current`: the deformed surface; places are points on
-/// it. `sections`: its judged sections; none (nothing moved): flattening and lumen keep their rest
-/// values. Flattening is the largest 1 - H / H_rest, where H is the width of the mid-wall section
-/// in one direction of its frame (for a round tube Brazier's 1 - H / 2R). `opened`: per rod
-/// element, whether an incision opens the section there; such elements and those within the reach
-/// of a fork (vessel/fork_reach.h) do not count in the curvature. Empty: none.
+/// it. `pressure`: of contact, per vertex; empty: not modelled. `sections`: its judged sections;
+/// none (nothing moved): flattening and lumen keep their rest values. Flattening is the largest 1 -
+/// H / H_rest, where H is the width of the mid-wall section in one direction of its frame (for a
+/// round tube Brazier's 1 - H / 2R). `opened`: per rod element, whether an incision opens the
+/// section there; such elements and those within the reach of a fork (vessel/fork_reach.h) do not
+/// count in the curvature. Empty: none.
 VesselMetrics vessel_metrics(const PreparedVessel& vessel, const RodPoses& poses,
                              const VertexFields& fields, const Points& current,
                              const Eigen::VectorXd& pressure,

@@ -75,10 +75,11 @@ void judge_mouth(const std::string& vein, const MouthReport& mouth, VesselMetric
     metrics.where["smallest_lumen_ratio"] = mouth.center;
   }
   if (!(mouth.area_ratio < 0.6)) return;
+  const bool severe = mouth.area_ratio < 0.4;
   validity.warnings.push_back(
       "mouth of " + vein + " at " + place_text(mouth.center, 3) + ": its lumen is " +
-      number_text(mouth.area_ratio, 2) + " of the cut vein's, " +
-      (mouth.area_ratio < 0.4 ? "a severe narrowing (below 0.4)" : "a narrowing (below 0.6)") +
+      number_beside(mouth.area_ratio, severe ? 0.4 : 0.6, 2) + " of the cut vein's, " +
+      (severe ? "a severe narrowing (below 0.4)" : "a narrowing (below 0.6)") +
       "; both limits are conventions, no measured threshold is known");
 }
 

@@ -39,7 +39,8 @@ struct Extreme {
 std::string sentence(const std::string& vessel, const Extreme& extreme, const std::string& near,
                      const std::string& past, double limit) {
   return "vessel " + vessel + " at " + place_text(extreme.where, 3) + ": " +
-         (extreme.value < limit ? near : past) + " (ratio " + number_text(extreme.value, 3) + ")";
+         (extreme.value < limit ? near : past) + " (ratio " +
+         number_beside(extreme.value, limit, 3) + ")";
 }
 
 void judge(const std::string& vessel, const Extreme& extreme, const std::string& near,
@@ -163,9 +164,10 @@ void warn_of_law(const VesselSpec& vessel, const FaceExtremes& faces, Validity& 
   const double strain = std::max(shortened, lengthened);
   if (law == Law::neo_hookean || strain <= largest_strain_of_linear_laws) return;
   const bool compressed = shortened >= lengthened || faces.least <= 0;
-  const std::string how = faces.least <= 0 ? "folded through itself"
-                          : compressed     ? "shortened by " + number_text(100 * strain, 2) + " %"
-                                           : "lengthened by " + number_text(100 * strain, 2) + " %";
+  std::string how = "folded through itself";
+  if (faces.least > 0)
+    how = (compressed ? "shortened by " : "lengthened by ") +
+          number_beside(100 * strain, 100 * largest_strain_of_linear_laws, 2) + " %";
   validity.warnings.push_back("vessel " + vessel.name + " at " +
                               place_text(compressed ? faces.least_place : faces.largest_place, 3) +
                               ": a face of its wall is " + how +

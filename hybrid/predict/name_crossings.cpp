@@ -12,21 +12,24 @@ namespace vasorod {
 namespace {
 
 std::string sentence(const std::string& a, const std::string& b, const Crossing& crossing,
-                     const std::string& length_unit, bool felt) {
+                     const std::string& length_unit, const std::string& why) {
   return a + (a == b ? " passes through itself" : " and " + b + " pass through each other") +
          " at " + place_text(crossing.where) + ", " + number_text(crossing.depth, 3) + " " +
-         length_unit + " deep in " + std::to_string(crossing.pairs) + " pairs of triangles: " +
-         (a == b && !felt ? "the wall did not feel itself" : "the contact did not part them");
+         length_unit + " deep in " + std::to_string(crossing.pairs) + " pairs of triangles: " + why;
 }
 
-// Whether a vessel's contact with itself was looked for and found.
-bool feels_itself(const Prediction& prediction, const std::string& name) {
-  if (!prediction.surfaces) return false;
+// Why nothing kept the walls apart.
+std::string why_crossed(const Prediction& prediction, const std::string& fidelity,
+                        const NamedCrossing& crossing) {
+  if (!prediction.surfaces) return "fidelity " + fidelity + " models no contact";
+  const auto name = [&](int body) { return prediction.vessels[index(body)].prepared.spec.name; };
   const auto& contacts = prediction.surfaces->solution.contacts;
-  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactSolution& pair) {
-    return pair.a == pair.b && pair.within_reach &&
-           prediction.vessels[index(pair.a)].prepared.spec.name == name;
-  });
+  if (std::any_of(contacts.begin(), contacts.end(), [&](const ContactSolution& pair) {
+        return pair.within_reach && ((name(pair.a) == crossing.a && name(pair.b) == crossing.b) ||
+                                     (name(pair.a) == crossing.b && name(pair.b) == crossing.a));
+      }))
+    return "the contact did not part them";
+  return crossing.a == crossing.b ? "the wall did not feel itself" : "they did not feel each other";
 }
 
 }  // namespace
@@ -55,10 +58,11 @@ std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
 
 void name_crossings(const Prediction& prediction, Result& result) {
   if (result.status == Status::interrupted) return;
-  for (const auto& [a, b, crossing] : named_crossings(prediction)) {
+  for (const NamedCrossing& named : named_crossings(prediction)) {
+    const auto& [a, b, crossing] = named;
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
-    result.validity.warnings.push_back(
-        sentence(a, b, crossing, prediction.scene->units.length, feels_itself(prediction, a)));
+    result.validity.warnings.push_back(sentence(a, b, crossing, prediction.scene->units.length,
+                                                why_crossed(prediction, result.fidelity, named)));
     result.validity.in_range = false;
   }
   if (result.self_intersections.empty() || !prediction.surfaces) return;

@@ -85,8 +85,8 @@ void scan_metrics(const VesselMetrics& metrics, Scan& scan) {
   scan.see("largest stretch" + of, metrics.stretch[1]);
   scan.see("largest curvature" + of, metrics.largest_curvature);
   scan.see("smallest lumen ratio" + of, metrics.smallest_lumen_ratio);
-  scan.see("largest pressure" + of, metrics.largest_pressure);
-  scan.see("contact area" + of, metrics.contact_area);
+  if (metrics.largest_pressure) scan.see("largest pressure" + of, *metrics.largest_pressure);
+  if (metrics.contact_area) scan.see("contact area" + of, *metrics.contact_area);
   for (const auto& [name, place] : metrics.where)
     scan.see(joined_text("place of ", name, of), place);
 }

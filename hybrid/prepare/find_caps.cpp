@@ -41,7 +41,7 @@ class Caps {
   }
 
   std::vector<FlatCap> find(double least) {
-    std::vector<std::pair<double, FlatCap>> found;  // with its growth
+    std::vector<FlatCap> found;
     for (const double flat : flats) {
       std::vector<char> tried(area_.size(), 0);
       for (int seed = 0; seed < static_cast<int>(area_.size()); ++seed) {
@@ -59,18 +59,20 @@ class Caps {
         if (part.size() < fewest) continue;
         const double inner = area(part), outer = area(within(seed, normal, 2 * flat));
         const double radius = std::sqrt(0.5 * (inner + outer) / M_PI);
-        if (radius < least || outer > most_growth_ * inner || oval(part, normal) > most_oval)
-          continue;
-        found.emplace_back(outer / inner, FlatCap{center(part), normal, radius});
+        if (radius < least || outer > most_growth_ * inner) continue;
+        const double longer = oval(part, normal);
+        if (longer > most_oval) continue;
+        FlatCap cap{center(part), normal, radius, outer / inner, longer, 0};
+        cap.unevenness = off_plane(part, cap.center, normal) / radius;
+        found.push_back(cap);
       }
     }
     // One place is found from many seeds: the one with the sharpest rim stands for all.
     std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+                     [](const FlatCap& a, const FlatCap& b) { return a.growth < b.growth; });
     std::vector<FlatCap> caps;
-    for (const auto& [growth, cap] : found)
-      if (behind_rim(cap) &&
-          std::none_of(caps.begin(), caps.end(), [&cap = cap](const FlatCap& other) {
+    for (const FlatCap& cap : found)
+      if (behind_rim(cap) && std::none_of(caps.begin(), caps.end(), [&](const FlatCap& other) {
             return (other.center - cap.center).norm() < std::max(other.radius, cap.radius);
           }))
         caps.push_back(cap);
@@ -125,6 +127,19 @@ class Caps {
     return sum / area(part);
   }
 
+  // Root mean square of the distance from the plane.
+  double off_plane(const std::vector<int>& part, const Vec3& middle, const Vec3& normal) const {
+    double sum = 0;
+    for (const int t : part) {
+      const auto height = [&](Eigen::Index k) {
+        return (surface_.points.row(surface_.triangles(t, k)).transpose() - middle).dot(normal);
+      };
+      const Vec3 h(height(0), height(1), height(2));
+      sum += area_[at(t)] / 12 * (h.squaredNorm() + h.sum() * h.sum());
+    }
+    return std::sqrt(sum / area(part));
+  }
+
   // Long axis over short one of the ellipse with the part's second moments.
   double oval(const std::vector<int>& part, const Vec3& normal) const {
     const Vec3 middle = center(part);
@@ -153,6 +168,10 @@ class Caps {
 
 std::vector<FlatCap> find_caps(const TriangleSurface& surface, double least, bool named) {
   return Caps(surface, named).find(least);
+}
+
+bool surely_cut(const FlatCap& cap) {
+  return cap.growth < 1.4 && cap.oval < 1.5 && cap.unevenness < 0.04;
 }
 
 double depth_behind(const TriangleSurface& surface, const FlatCap& cap) {

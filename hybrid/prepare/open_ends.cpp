@@ -57,36 +57,49 @@ class Opening {
   }
 
   void open_all() {
+    std::vector<FlatCap> ends;  // that may be, seen before openings cut sections open
+    for (const FlatCap& cap : caps(false))
+      if (may_end(cap)) ends.push_back(cap);
     open_tips(left_of(find_tips(surface_, shortest_branch)), most_lost);
     for (const FlatCap& cap : caps(false))
-      if (!(cap.radius < wanted_.cut_branches_below && taken_off(cap))) opened(cap, false);
+      if (!(cap.radius < wanted_.cut_branches_below && taken_off(cap)))
+        opened(cap, surely_cut(cap));
     // What has no nearer section: find_tips again, as caps may have opened some.
     std::vector<Tip> closed =
         other_points(open_tips(left_of(find_tips(surface_, shortest_branch)), HUGE_VAL));
     for (const Tip& tip : closed)
       out_.warnings.push_back("the end at " + place_mm(tip.place) +
                               " stays closed: no section across it parts it from the rest");
-    say_flat(closed);
+    say_flat(closed, ends);
   }
 
-  // Flat parts that are left, in one sentence: of a folded wall there may be several.
-  void say_flat(const std::vector<Tip>& closed) {
-    constexpr double side = 2.4;  // a flat side of a tube has its other side 2 behind it
+  // Whether a branch may end at the cap: the lumen behind it is not much wider, nor is its other
+  // side as near as that of a tube, 2.
+  bool may_end(const FlatCap& cap) const {
+    constexpr double side = 2.4;
+    return depth_behind(surface_, cap) > side && !sections_behind_cap(surface_, cap, true).empty();
+  }
+
+  // Flat parts that are left, in one sentence. `ends`: those that were seen before.
+  void say_flat(const std::vector<Tip>& closed, const std::vector<FlatCap>& ends) {
     std::string places, option;
+    for (const Vec3& place : opened_at_) option += " " + end_option(place);
     for (const FlatCap& cap : caps(false)) {
-      if (depth_behind(surface_, cap) < side ||
-          std::any_of(closed.begin(), closed.end(), [&](const Tip& tip) {
-            return (tip.place - cap.center).norm() < 1.5 * cap.radius;
-          }))
-        continue;
+      const auto at_cap = [&](const Vec3& place, double radii) {
+        return (place - cap.center).norm() < radii * cap.radius;
+      };
+      const bool seen = std::any_of(ends.begin(), ends.end(),
+                                    [&](const FlatCap& end) { return at_cap(end.center, 0.5); });
+      const bool said = std::any_of(closed.begin(), closed.end(),
+                                    [&](const Tip& tip) { return at_cap(tip.place, 1.5); });
+      if (said || !(seen || may_end(cap))) continue;
       places += (places.empty() ? "" : ", ") + place_mm(cap.center) + " over a radius of " +
                 in_mm(cap.radius);
-      if (option.empty()) option = end_option(cap.center);
+      option += " " + end_option(cap.center);
     }
     if (!places.empty())
       out_.warnings.push_back("the wall is flat behind a rim, as over a closed end, at " + places +
-                              ": where a branch ends there, name it and every other end (" +
-                              option + ")");
+                              ": where a branch ends there, name all ends," + option);
   }
 
   void open_named() {
@@ -189,6 +202,7 @@ class Opening {
         continue;
       }
       const double length = (tip.place - cut->center).norm();
+      opened_at_.push_back(tip.place);
       out_.done.push_back("end opened at " + place_mm(cut->center) + ", " + in_mm(length) +
                           " from its tip");
       if (length > most_lost * cut->radius)
@@ -213,8 +227,8 @@ class Opening {
     return closed;
   }
 
-  bool opened(const FlatCap& cap, bool named) {
-    for (const FlatSection& section : sections_behind_cap(surface_, cap, named)) {
+  bool opened(const FlatCap& cap, bool known) {
+    for (const FlatSection& section : sections_behind_cap(surface_, cap, known)) {
       TriangleSurface whole = surface_;
       if (!cut_tip(surface_, {cap.center, 0, cap.radius}, section)) continue;
       // The cap and at most a radius of tube, which may lean.
@@ -223,6 +237,7 @@ class Opening {
           most_area * M_PI * section.radius * section.radius) {
         out_.done.push_back("end opened at " + place_mm(section.center) + " along its flat cap, " +
                             in_mm((cap.center - section.center).dot(cap.normal)) + " behind it");
+        opened_at_.push_back(cap.center);
         return true;
       }
       surface_ = std::move(whole);
@@ -232,6 +247,7 @@ class Opening {
 
   TriangleSurface& surface_;
   const EndsToOpen& wanted_;
+  std::vector<Vec3> opened_at_;  // outermost places of the ends that were opened
   OpenedEnds out_;
 };
 

@@ -83,6 +83,29 @@ std::optional<FlatSection> straightened(const TriangleSurface& surface, FlatSect
   return section;
 }
 
+// On a branch that is few edges wide the first section may lie in the rounding of its cap: from
+// there inwards to where the area no longer grows. Another section stays as it is.
+FlatSection behind_rounding(const TriangleSurface& surface, const FlatSection& section) {
+  constexpr double few = 3;  // edges in a radius
+  if (section.radius > few * mean_edge_length(surface)) return section;
+  constexpr double step = 0.25;  // radii
+  constexpr int most_steps = 7, first_steps = 2;
+  constexpr double steep = 1.2, settled = 1.03, most_growth = 2;  // shares of areas
+  FlatSection here = section;
+  for (int k = 1; k <= most_steps; ++k) {
+    const auto loop = closed_section(
+        surface, section.center - k * step * section.radius * section.normal, section.normal);
+    if (!loop) break;
+    const FlatSection next = flat_section(*loop, section.normal);
+    const double whole = std::pow(next.radius / section.radius, 2);
+    if (whole > most_growth || (k == first_steps && whole < steep)) break;
+    if (k > first_steps && std::pow(next.radius / here.radius, 2) < settled)
+      return straightened(surface, here).value_or(section);
+    here = next;
+  }
+  return section;
+}
+
 // From a section on the tube outwards while the tube goes on; the order is sections_behind_tip()'s.
 std::vector<FlatSection> way_out(const TriangleSurface& surface, FlatSection section) {
   const double full = section.radius;
@@ -122,15 +145,17 @@ std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, con
   for (const double radii : {3.4, 2.8, 2.2, 1.7}) {
     auto section = first_section(surface, tip, radii);
     if (section) section = straightened(surface, *section);
-    if (section) return way_out(surface, *section);
+    if (section) return way_out(surface, behind_rounding(surface, *section));
   }
   return {};
 }
 
 std::vector<FlatSection> sections_behind_cap(const TriangleSurface& surface, const FlatCap& cap,
-                                             bool named) {
+                                             bool known) {
   constexpr double step = 0.05, deepest = 0.6, widest = 1.5, settled = 1.03;  // radii; area shares
-  std::vector<FlatSection> sections, within;
+  constexpr double rounding = 0.15;  // radii; behind it a mask's rim is over
+  std::vector<FlatSection> sections;
+  std::vector<std::pair<double, FlatSection>> within;  // with the distance from `rounding`
   for (double depth = step; depth < deepest; depth += step) {
     const auto section_at = [&](double radii) -> std::optional<FlatSection> {
       const Vec3 place = cap.center - radii * cap.radius * cap.normal;
@@ -147,9 +172,12 @@ std::vector<FlatSection> sections_behind_cap(const TriangleSurface& surface, con
     if (behind && std::pow(behind->radius / here->radius, 2) < settled)
       sections.push_back(*here);
     else
-      within.push_back(*here);
+      within.emplace_back(std::abs(depth - rounding), *here);
   }
-  if (named) sections.insert(sections.end(), within.rbegin(), within.rend());
+  std::stable_sort(within.begin(), within.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (known)
+    for (const auto& [off, section] : within) sections.push_back(section);
   return sections;
 }
 

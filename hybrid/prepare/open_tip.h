@@ -22,10 +22,11 @@ struct FlatSection {
 std::vector<FlatSection> sections_behind_tip(const TriangleSurface& surface, const Tip& tip);
 
 /// Sections along a flat cap, the best first: where the rounding of its rim is over, not far behind
-/// it, and the wall has not widened by more than a half; with `named` then also those within the
-/// rounding, for a cap that is known to be an end. None where the wall there has no such section.
+/// it, and the wall has not widened by more than a half; with `known` then also those within the
+/// rounding or on a wall that goes on widening, for a cap that is known to be an end. None where
+/// the wall there has no such section.
 std::vector<FlatSection> sections_behind_cap(const TriangleSurface& surface, const FlatCap& cap,
-                                             bool named);
+                                             bool known);
 
 /// From a section on a branch towards its foot: the last before the area grows by half within a
 /// radius, where the branch leaves the wall of another.

@@ -99,27 +99,26 @@ std::string facts(const Result& result) {
   const bool solved = is_solution(result.status);
   const auto peak = [&](double value) { return solved ? cell_text(value) : "unknown"; };
   const auto unit = [&](const std::string& name) { return solved ? name : std::string(); };
-  double twist = 0, lumen = 1, pressure = 0;
+  double twist = 0, lumen = 1;
+  std::optional<double> pressure;
   for (const VesselMetrics& m : result.metrics) {
     twist = std::max(twist, m.largest_twist_shear);
     lumen = std::min(lumen, m.smallest_lumen_ratio);
-    pressure = std::max(pressure, m.largest_pressure);
+    pressure = std::max(pressure, m.largest_pressure);  // none is less than any
   }
-  for (const ContactReport& c : result.contact) pressure = std::max(pressure, c.largest_pressure);
+  for (const ContactReport& c : result.contact)
+    pressure = std::max(pressure, std::optional(c.largest_pressure));
   std::string html = "<dl class=\"facts\">\n";
   if (result.fit) html += fit_facts(*result.fit, result.length_unit);
   if (!result.metrics.empty()) {
     html += fact("Largest twist shear", peak(twist), "");
     if (result.fidelity != "rod") {  // without surfaces there is no lumen and no contact
       html += fact("Smallest lumen over rest", peak(lumen), "");
-      const bool touching = std::any_of(
-          result.vessels.begin(), result.vessels.end(),
-          [](const VesselResult& vessel) { return vessel.contact_pressure.size() > 0; });
-      if (!touching)
+      if (!pressure)
         html += fact("Largest contact pressure", "not modelled", "");
       else
-        html += fact("Largest contact pressure", peak(pressure * mmhg_per(result.stress_unit)),
-                     unit("mmHg (" + cell_text(pressure) + " " + result.stress_unit + ")"));
+        html += fact("Largest contact pressure", peak(*pressure * mmhg_per(result.stress_unit)),
+                     unit("mmHg (" + cell_text(*pressure) + " " + result.stress_unit + ")"));
     }
   }
   if (const auto joined = joined_vessels(result))

@@ -85,6 +85,10 @@ std::string words_of(const Criterion& criterion) {
 std::string value_of(const Criterion& criterion, const Result& result) {
   if (criterion.verdict == Verdict::unknown) return "unknown";
   std::string text = cell_text(criterion.value);
+  // Both thresholds stand beside it.
+  for (const auto& threshold : {criterion.threshold, criterion.strong_threshold})
+    if (threshold && text == cell_text(*threshold))
+      text = number_beside(criterion.value, *threshold, 3);
   if (!criterion.unit.empty()) text += " " + criterion.unit;
   if (criterion.unit == "mmHg")
     text += " (" + cell_text(criterion.value / mmhg_per(result.stress_unit)) + " " +
@@ -155,17 +159,19 @@ std::string metrics_table(const Result& result) {
                 "Largest pressure, " + result.stress_unit,
                 "mmHg",
                 "Contact area, " + result.length_unit + "²"};
-  // Without surfaces there is no section and no contact.
+  // Without surfaces there is no section.
   const auto of_surface = [&](double value) {
     return result.fidelity == "rod" ? std::string("–") : cell_text(value);
   };
+  const auto of_contact = [](const std::optional<double>& value, double scale = 1) {
+    return value ? cell_text(scale * *value) : std::string("–");
+  };
   for (const VesselMetrics& m : result.metrics)
-    table.rows.push_back({html_text(m.vessel), cell_text(m.largest_twist_shear),
-                          cell_text(m.stretch[0]), cell_text(m.stretch[1]),
-                          cell_text(m.largest_curvature), of_surface(m.flattening),
-                          of_surface(m.smallest_lumen_ratio), of_surface(m.largest_pressure),
-                          of_surface(m.largest_pressure * mmhg_per(result.stress_unit)),
-                          of_surface(m.contact_area)});
+    table.rows.push_back(
+        {html_text(m.vessel), cell_text(m.largest_twist_shear), cell_text(m.stretch[0]),
+         cell_text(m.stretch[1]), cell_text(m.largest_curvature), of_surface(m.flattening),
+         of_surface(m.smallest_lumen_ratio), of_contact(m.largest_pressure),
+         of_contact(m.largest_pressure, mmhg_per(result.stress_unit)), of_contact(m.contact_area)});
   Table where;
   where.head = {"Vessel", "Extreme", "At, " + result.length_unit};
   where.text_columns = 3;

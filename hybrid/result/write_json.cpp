@@ -89,15 +89,16 @@ Json self_intersection(const SelfIntersection& s) {
 Json metrics(const VesselMetrics& m) {
   Json where = Json::object();
   for (const auto& [key, point] : m.where) where[key] = row(point);
-  return {{"vessel", m.vessel},
-          {"flattening", m.flattening},
-          {"largest_twist_shear", m.largest_twist_shear},
-          {"stretch", {m.stretch[0], m.stretch[1]}},
-          {"largest_curvature", m.largest_curvature},
-          {"smallest_lumen_ratio", m.smallest_lumen_ratio},
-          {"largest_pressure", m.largest_pressure},
-          {"contact_area", m.contact_area},
-          {"where", where}};
+  Json value = {{"vessel", m.vessel},
+                {"flattening", m.flattening},
+                {"largest_twist_shear", m.largest_twist_shear},
+                {"stretch", {m.stretch[0], m.stretch[1]}},
+                {"largest_curvature", m.largest_curvature},
+                {"smallest_lumen_ratio", m.smallest_lumen_ratio},
+                {"where", where}};
+  if (m.largest_pressure) value["largest_pressure"] = *m.largest_pressure;
+  if (m.contact_area) value["contact_area"] = *m.contact_area;
+  return value;
 }
 
 Json criterion(const Criterion& c) {

@@ -25,9 +25,10 @@ Vec3 in_other_space(const Vec3& point) {
   return {-point.x(), -point.y(), point.z()};
 }
 
-// A picked point may lie up to one radius off its vessel's surface.
+// A picked point may lie up to one radius off its vessel's surface, and with `inside` anywhere in
+// the vessel: from the axis to an outer surface it is half the wall more than the radius.
 PickPlace place_point(const std::string& where, const PickSpec& pick, const PreparedVessel& vessel,
-                      const AxisRoute& route) {
+                      const AxisRoute& route, bool inside) {
   const std::string& space = vessel.loaded.space;
   const bool other = !pick.space.empty() && !space.empty() && pick.space != space;
   PickPlace place;
@@ -40,11 +41,14 @@ PickPlace place_point(const std::string& where, const PickSpec& pick, const Prep
 
   const ClosestPoint::Hit hit = closest_on(vessel.vessel.surface, place.point);
   const double off = (hit.point - place.point).norm();
-  if (off <= place.radius) return place;
+  const auto on_vessel = [&](const Vec3& point) {
+    return (closest_on(vessel.vessel.surface, point).point - point).norm() <= place.radius ||
+           (inside && project(vessel.vessel.rod, point).local.norm() <= place.radius);
+  };
+  if (on_vessel(place.point)) return place;
   std::string hint;
   if (!pick.space.empty() && space.empty()) {
-    const Vec3 turned = in_other_space(place.point);
-    if ((closest_on(vessel.vessel.surface, turned).point - turned).norm() <= place.radius)
+    if (on_vessel(in_other_space(place.point)))
       hint = "; with x and y negated it lies on it: the file of " + vessel.spec.name +
              " names no SPACE, and its points are not in " + pick.space;
   }
@@ -84,13 +88,13 @@ PickPlace place_cut(const std::string& where, const PickSpec& pick, const Prepar
                     int kept) {
   const AxisRoute route = pick_route(where, pick, vessel.vessel, kept);
   return pick.along ? place_along(pick, vessel.vessel, route)
-                    : place_point(where, pick, vessel, route);
+                    : place_point(where, pick, vessel, route, true);
 }
 
 PickPlace place_incision_pick(const std::string& where, const PickSpec& pick,
                               const PreparedVessel& vessel) {
   const AxisRoute route = pick_route(where, pick, vessel.vessel, 0);
-  if (!pick.along) return place_point(where, pick, vessel, route);
+  if (!pick.along) return place_point(where, pick, vessel, route, false);
   PickPlace place = place_along(pick, vessel.vessel, route);
   place.angle = pick.around_deg * (M_PI / 180);
   const auto point = wall_point(RayHits(vessel.vessel.surface), place.section, place.angle);

@@ -45,7 +45,8 @@ AxisRoute pick_route(const std::string& where, const PickSpec& pick, const Vesse
                      int first);
 
 /// The place of a cut, `along` counted from the end `kept`: its point is then the middle of the
-/// section. A picked point may lie up to one radius off the surface. Throws InputError.
+/// section. A picked point lies in the vessel or up to one radius off its surface. Throws
+/// InputError.
 PickPlace place_cut(const std::string& where, const PickSpec& pick, const PreparedVessel& vessel,
                     int kept);
 

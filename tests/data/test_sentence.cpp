@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -19,6 +20,19 @@ TEST(Sentence, NumbersHaveNoMoreDigitsThanTheyNeed) {
   EXPECT_EQ(number_text(1e-9), "1e-09");
   EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
   EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
+TEST(Sentence, ANumberBesideALimitDoesNotReachItByRounding) {
+  EXPECT_EQ(number_beside(0.42, 0.6, 2), "0.42");
+  EXPECT_EQ(number_beside(0.599, 0.6, 2), "0.599");
+  EXPECT_EQ(number_beside(0.59999, 0.6, 2), "0.59999");
+  EXPECT_EQ(number_beside(0.6004, 0.6, 2), "0.6004");
+  EXPECT_EQ(number_beside(0.6, 0.6, 2), "0.6");
+  EXPECT_EQ(number_beside(20.04, 20, 2), "20.04");
+  EXPECT_EQ(number_beside(-1.001, -1, 2), "-1.001");
+  const double nearest = std::nextafter(0.6, 0);
+  EXPECT_EQ(std::stod(number_beside(nearest, 0.6, 2)), nearest);
+  EXPECT_EQ(number_beside(std::numeric_limits<double>::infinity(), 1, 2), "inf");
 }
 
 TEST(Sentence, TheLongestNumberFits) {

@@ -110,6 +110,16 @@ TEST(Criteria, WhatHasNoKnownThresholdIsNotJudgedAndSaysSo) {
   }
 }
 
+TEST(Criteria, WithoutContactThereIsNoPressure) {
+  Result result = paper_result();
+  for (VesselMetrics& metrics : result.metrics) metrics.largest_pressure.reset();
+  result.contact.clear();
+  const auto criteria = criteria_of(result);
+  EXPECT_TRUE(std::none_of(criteria.begin(), criteria.end(), [](const Criterion& criterion) {
+    return criterion.name == "contact_pressure";
+  }));
+}
+
 TEST(Criteria, APressureIsInMillimetresOfMercury) {
   Result result = paper_result();  // 1e-3 MPa
   EXPECT_NEAR(named(result, "contact_pressure").value, 7.50062, 1e-5);
@@ -128,10 +138,9 @@ TEST(Criteria, WhatTheFidelityDidNotModelIsNotCalledFine) {
   EXPECT_EQ(named(skin, "lumen").verdict, Verdict::strong_warning);
   Result rod = test::example_result();
   rod.fidelity = "rod";
-  for (VesselResult& vessel : rod.vessels) {
-    vessel.rest.resize(0, 3);
-    vessel.contact_pressure.resize(0);
-  }
+  for (VesselResult& vessel : rod.vessels) vessel.rest.resize(0, 3);
+  for (VesselMetrics& metrics : rod.metrics) metrics.largest_pressure.reset();
+  rod.contact.clear();
   EXPECT_EQ(names(rod), (std::vector<std::string>{"twist", "twist_shear", "stretch"}));
 }
 

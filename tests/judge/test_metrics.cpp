@@ -93,11 +93,27 @@ TEST(Metrics, PressureGivesContactArea) {
       vessel_metrics(tube, tube.vessel.rod.rest, vertex_fields(tube, tube.vessel.rod.rest),
                      tube.vessel.surface.points, pressure, {});
   EXPECT_EQ(metrics.largest_pressure, 0.01);
-  EXPECT_NEAR(metrics.contact_area, 2 * M_PI * 10 * 100 / (48 * 80),
+  ASSERT_TRUE(metrics.contact_area);
+  EXPECT_NEAR(*metrics.contact_area, 2 * M_PI * 10 * 100 / (48 * 80),
               0.01 * 1.64);  // one vertex of 48 x 80 equal ones
   EXPECT_EQ(
       (metrics.where.at("largest_pressure") - Vec3(tube.vessel.surface.points.row(2000))).norm(),
       0);
+}
+
+TEST(Metrics, WhereContactIsNotModelledThereIsNoPressureAndWhereNothingTouchesItIsZero) {
+  const PreparedVessel tube = judged_tube();
+  const auto metrics = [&](const Eigen::VectorXd& pressure) {
+    return vessel_metrics(tube, tube.vessel.rod.rest, vertex_fields(tube, tube.vessel.rod.rest),
+                          tube.vessel.surface.points, pressure, {});
+  };
+  const VesselMetrics without = metrics({});
+  EXPECT_FALSE(without.largest_pressure);
+  EXPECT_FALSE(without.contact_area);
+  const VesselMetrics apart = metrics(Eigen::VectorXd::Zero(tube.vessel.surface.points.rows()));
+  EXPECT_EQ(apart.largest_pressure, 0);
+  EXPECT_EQ(apart.contact_area, 0);
+  EXPECT_FALSE(apart.where.contains("largest_pressure"));
 }
 
 }  // namespace

@@ -131,6 +131,10 @@ TEST(Mouth, NarrowOnesAreWarnedOfAndCountAsTheVeinsNarrowestSection) {
   ASSERT_EQ(warned.warnings.size(), 1U);
   EXPECT_NE(warned.warnings[0].find("a narrowing (below 0.6)"), std::string::npos)
       << warned.warnings[0];
+  const auto [almost, close] = judged(0.599);
+  ASSERT_EQ(close.warnings.size(), 1U);
+  EXPECT_NE(close.warnings[0].find("its lumen is 0.599 of the cut vein's"), std::string::npos)
+      << close.warnings[0];
   const auto [slit, strong] = judged(0.25);
   ASSERT_EQ(strong.warnings.size(), 1U);
   EXPECT_NE(strong.warnings[0].find("a severe narrowing (below 0.4)"), std::string::npos)

@@ -54,7 +54,25 @@ TEST(NameCrossings, ACarriedWallIsOnlyWarnedOf) {
   EXPECT_EQ(result.self_intersections.size(), 1U);
   EXPECT_TRUE(warns(result));
   EXPECT_FALSE(result.validity.in_range);
+  EXPECT_TRUE(warning(result).ends_with("fidelity skin models no contact")) << warning(result);
   EXPECT_TRUE(predict(folded("rod")).self_intersections.empty());  // no surface, no wall
+}
+
+// Mid-wall radius 6, axes 14 apart; one moves by 4: walls 2 deep in each other.
+TEST(NameCrossings, OfTwoVesselsWithoutContactThatIsTheReason) {
+  Scene scene;
+  scene.name = "two";
+  scene.vessels = {tube("vein", 36), tube("artery", 36, {14, 0, 0})};
+  scene.ends = {moved("vein", Kind::start, {4, 0, 0}), moved("vein", Kind::end, {4, 0, 0}),
+                held("artery", Kind::start), held("artery", Kind::end)};
+  scene.fidelity = "skin";
+  const Result result = predict(scene);
+  ASSERT_EQ(result.self_intersections.size(), 1U);
+  EXPECT_NEAR(result.self_intersections[0].depth, 2, 0.05);
+  EXPECT_TRUE(result.validity.warnings[0].starts_with("vein and artery pass through each other"))
+      << result.validity.warnings[0];
+  EXPECT_TRUE(result.validity.warnings[0].ends_with("fidelity skin models no contact"))
+      << result.validity.warnings[0];
 }
 
 TEST(NameCrossings, ABendIsNone) {

@@ -22,6 +22,22 @@ TEST(FindCaps, AFlatEndIsOneWithItsPlaceAndSize) {
   }
 }
 
+// The fan over an end as a cone of height h is h / sqrt(18) off its plane.
+TEST(FindCaps, AFlatEndWasSurelyCutABulgingOneWasNot) {
+  for (const auto& [height, cut] : {std::pair{0.0, true}, {0.25, false}}) {
+    TriangleSurface tube = closed_tube(length, radius, false);
+    tube.points(tube.points.rows() - 1, 2) += height * radius;
+    int bulging = 0;
+    for (const FlatCap& cap : find_caps(tube, 0.2 * radius))
+      if (cap.center.z() > 0.5 * length) {
+        ++bulging;
+        EXPECT_NEAR(cap.unevenness, height / std::sqrt(18), 0.05 * height + 1e-12);
+        EXPECT_EQ(surely_cut(cap), cut) << height;
+      }
+    EXPECT_EQ(bulging, 1) << height;
+  }
+}
+
 TEST(FindCaps, ABallIsNone) {
   EXPECT_TRUE(find_caps(closed_tube(length, radius, true), 0.2 * radius).empty());
 }

@@ -4,6 +4,7 @@
 #include <vasorod/error.h>
 
 #include "prepare/open_ends.h"
+#include "prepare/open_tip.h"
 #include "prepare/repair.h"
 #include "prepare/tube_shapes.h"
 
@@ -32,6 +33,28 @@ TEST(OpenEnds, AShortTubeIsOpenedAlongItsFlatCaps) {
   EXPECT_GT(tube.points.col(2).maxCoeff(), length - 0.2 * radius);
   for (const auto& loop : boundary_loops(tube.triangles))
     EXPECT_LT(unevenness(tube.points, loop), 1e-9);
+}
+
+// As branches that are cut off at the wall that they leave.
+TEST(OpenEnds, AFlatCapOfATubeThatGoesOnWideningIsOpened) {
+  const double length = 2 * radius;
+  TriangleSurface tube = closed_tube(length, radius, false);
+  for (Eigen::Index v = 0; v < tube.points.rows(); ++v)
+    tube.points.row(v).head<2>() *= 1 + 0.6 * tube.points(v, 2) / length;
+  const auto caps = find_caps(tube, 0.2 * radius);
+  const auto narrow = std::find_if(caps.begin(), caps.end(),
+                                   [](const FlatCap& cap) { return cap.normal.z() < -0.99; });
+  ASSERT_NE(narrow, caps.end());
+  EXPECT_TRUE(surely_cut(*narrow));
+  EXPECT_TRUE(sections_behind_cap(tube, *narrow, false).empty());
+  const auto sections = sections_behind_cap(tube, *narrow, true);
+  ASSERT_FALSE(sections.empty());
+  EXPECT_NEAR(sections.front().center.z(), 0.15 * narrow->radius, 1e-9);
+  open_ends(tube, {});
+  const auto loops = boundary_loops(tube.triangles);
+  EXPECT_TRUE(std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
+    return tube.points(loop.front(), 2) < 0.2 * radius;
+  }));
 }
 
 TEST(OpenEnds, ANamedCapIsOpenedAndTheOtherIsNot) {

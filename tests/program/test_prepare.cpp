@@ -274,24 +274,97 @@ TEST(PrepareCommand, ALumenAfterTheOperationIsFittedWithAllItsEnds) {
   }
 }
 
-// The arch's branches are cut so near the arch that they have no length of their own.
-TEST(PrepareCommand, RealAnatomyEndsThatStayClosedAreNamed) {
+// Its thinnest branch is six voxels wide.
+TEST(PrepareCommand, EveryEndOfTheAortaIsOpenedBehindItsCap) {
   const ScratchFolder scratch;
+  const auto radii = [](const TriangleSurface& surface) {
+    std::vector<double> out;
+    for (const auto& loop : boundary_loops(surface.triangles))
+      out.push_back(perimeter(surface.points, loop) / (2 * M_PI));
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const std::vector<double> whole =
+      radii(read_polydata(fs::path(VASOROD_SOURCE_DIR) / "meshes/infant/aorta.vtp").surface);
+  ASSERT_EQ(whole.size(), 5U);
+  for (const char* file : {"mask.nrrd", "mask.nii.gz", "stairs.vtp"}) {
+    SCOPED_TRACE(file);
+    const fs::path out = scratch / "out.vtp";
+    const ProgramRun run = run_program(
+        vasorod("prepare" + quoted(spoilt("aorta") / file) + " --json -o" + quoted(out)));
+    ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    const Json report = Json::parse(run.out);
+    EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+    const std::vector<double> found = radii(read_polydata(out).surface);
+    ASSERT_EQ(found.size(), whole.size());
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      EXPECT_NEAR(found[k] / whole[k], 1, 0.06) << whole[k];
+  }
+}
+
+// The spoilt files of a vessel of the real anatomy.
+void spoil_real(const std::string& vessel, const fs::path& folder) {
   const ProgramRun spoil = run_program(
       "'" VASOROD_SPOIL_PYTHON "'" + quoted(fs::path(VASOROD_SOURCE_DIR) / "meshes" / "spoil.py") +
-      quoted(real_anatomy() / "aorta.vtp") + quoted(scratch / "spoilt"));
+      quoted(real_anatomy() / (vessel + ".vtp")) + quoted(folder));
   ASSERT_EQ(spoil.exit_code, 0) << spoil.err;
+}
+
+// The arch's branches are cut so near the arch that they have no length of their own. The first
+// one's cap goes over into the wall between it and the second: it stays closed and is named.
+TEST(PrepareCommand, RealAnatomyOfCutBranchesAllButOneAreOpenedAndThatIsNamed) {
+  const ScratchFolder scratch;
+  spoil_real("aorta", scratch / "spoilt");
   const fs::path out = scratch / "out.vtp";
-  const ProgramRun run = run_program(
-      vasorod("prepare" + quoted(scratch / "spoilt" / "mask.nrrd") + " -o" + quoted(out)));
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(boundary_loops(read_polydata(out).surface.triangles).size(), 2U);
-  EXPECT_NE(run.out.find("as over a closed end, at"), std::string::npos) << run.out;
-  // The three ends' centres in the surface: (-7.9, 538.4, -55.5), (4.4, 543.5, -57.1),
-  // (16.2, 546.5, -74.1).
-  for (const char* place : {"539.", "543.", "546."})
-    EXPECT_NE(run.out.find(place), std::string::npos) << place << "\n" << run.out;
-  EXPECT_NE(run.out.find("--end "), std::string::npos) << run.out;
+  for (const char* file : {"mask.nrrd", "mask.nii.gz", "stairs.vtp"}) {
+    SCOPED_TRACE(file);
+    const ProgramRun run =
+        run_program(vasorod("prepare" + quoted(scratch / "spoilt" / file) + " -o" + quoted(out)));
+    EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+    Points points = read_polydata(out).surface.points;
+    const auto loops = boundary_loops(read_polydata(out).surface.triangles);
+    EXPECT_EQ(loops.size(), 4U);
+    if (run.out.find("system: RAS") != std::string::npos) points.leftCols<2>() *= -1;
+    // Centres and radii of the ends in the surface, mm; the tubes widen towards the arch.
+    for (const auto& [center, radius] :
+         {std::pair{Vec3(4.4, 543.5, -57.1), 4.2}, {Vec3(16.2, 546.5, -74.1), 7.5}}) {
+      double nearest = HUGE_VAL, found = 0;
+      for (const auto& loop : loops) {
+        Vec3 middle = Vec3::Zero();
+        for (const int v : loop)
+          middle += points.row(v).transpose() / static_cast<double>(loop.size());
+        if ((middle - center).norm() > nearest) continue;
+        nearest = (middle - center).norm();
+        found = perimeter(points, loop) / (2 * M_PI);
+      }
+      EXPECT_LT(nearest, 0.25 * radius);
+      EXPECT_NEAR(found / radius, 1, 0.1);
+    }
+    // The third: (-7.9, 538.4, -55.5).
+    const auto place = run.out.find("as over a closed end, at (");
+    ASSERT_NE(place, std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("53", place), std::string::npos) << run.out;
+    // The option that opens every end.
+    std::size_t options = 0;
+    for (auto at = run.out.find("--end ", place); at != std::string::npos;
+         at = run.out.find("--end ", at + 1))
+      ++options;
+    EXPECT_EQ(options, 5U) << run.out;
+  }
+}
+
+// Its folded walls have flat places that no plane parts from the rest.
+TEST(PrepareCommand, RealAnatomyNoWallIsTakenForAnEnd) {
+  const ScratchFolder scratch;
+  for (const std::string name : {"svc", "pulmonary_artery"}) {
+    spoil_real(name, scratch / name);
+    for (const char* file : {"holes.vtp", "mask.nrrd", "mask.nii.gz", "stairs.vtp"}) {
+      const ProgramRun run = run_program(
+          vasorod("prepare" + quoted(scratch / name / file) + " -o" + quoted(scratch / "out.vtp")));
+      EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+      EXPECT_EQ(run.out.find("as over a closed end"), std::string::npos) << run.out;
+    }
+  }
 }
 
 TEST(PrepareCommand, RealAnatomyIsReadAndFits) {

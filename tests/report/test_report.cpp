@@ -162,7 +162,11 @@ TEST(Report, WithoutSurfacesThereIsNoLumenAndNoContact) {
   EXPECT_FALSE(has(page_of(result), "<dt>Smallest lumen over rest</dt>"));
   EXPECT_FALSE(has(page_of(result), "<dt>Largest contact pressure</dt>"));
   result.fidelity = "skin";  // surfaces that do not feel each other
-  for (VesselResult& vessel : result.vessels) vessel.contact_pressure.resize(0);
+  for (VesselMetrics& metrics : result.metrics) {
+    metrics.largest_pressure.reset();
+    metrics.contact_area.reset();
+  }
+  result.contact.clear();
   EXPECT_TRUE(has(page_of(result), "<dt>Largest contact pressure</dt><dd>not modelled</dd>"));
 }
 

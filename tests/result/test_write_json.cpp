@@ -88,6 +88,16 @@ TEST(WriteJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(v.at("environment").at("inputs").at("svc.vtp"), "sha256:00ff");
 }
 
+TEST(WriteJson, WithoutContactThereIsNoPressure) {
+  Result result = test::example_result();
+  EXPECT_EQ(Json::parse(to_json(result)).at("metrics").at(0).at("largest_pressure"), 1e-3);
+  result.metrics[0].largest_pressure.reset();
+  result.metrics[0].contact_area.reset();
+  const Json metrics = Json::parse(to_json(result)).at("metrics").at(0);
+  EXPECT_FALSE(metrics.contains("largest_pressure"));
+  EXPECT_FALSE(metrics.contains("contact_area"));
+}
+
 TEST(WriteJson, GlennHasCutIncisionAndJoin) {
   Result result = test::example_result();
   const Json glenn = Json::parse(to_json(result)).at("glenn");

@@ -144,6 +144,31 @@ TEST(PickPlace, OffTheVesselTheNearestPointIsNamed) {
 }
 
 // At the very end of the tube, half of a ray's directions meet no wall.
+// From the axis to an outer surface it is half the wall more than the mid-wall radius.
+TEST(PickPlace, ACutMayBePickedOnTheAxisOfAnOuterSurface) {
+  const BentTube tube;
+  PreparedVessel vessel = tube.prepared();
+  for (double& radius : vessel.vessel.rod.radius) radius = tube.spec.radius - 0.3;
+  PickSpec pick;
+  pick.point = tube.axis(0.4);
+  const PickPlace place = place_cut("scene.yaml:3: cut", pick, vessel, 0);
+  EXPECT_NEAR(place.fraction.value(), 0.4, 1e-3);
+  EXPECT_EQ(place.point, pick.point);
+  // Of a file without SPACE, the other space is found there too.
+  PickSpec turned = pick;
+  turned.point.head<2>() *= -1;
+  turned.space = "RAS";
+  try {
+    place_cut("scene.yaml:3: cut", turned, vessel, 0);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("with x and y negated"), std::string::npos)
+        << error.what();
+  }
+  // An incision has no side there.
+  EXPECT_NE(refusal(pick, vessel).find("off vessel tube"), std::string::npos);
+}
+
 TEST(PickPlace, AtAnOpenEndThereMayBeNoWall) {
   const BentTube tube;
   const RayHits wall(tube_surface(tube.spec));

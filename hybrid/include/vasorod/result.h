@@ -106,8 +106,9 @@ struct VesselMetrics {
   std::array<double, 2> stretch{1, 1};  ///< smallest and largest v3 over its rest value
   double largest_curvature = 0;     ///< largest (u1, u2) away from forks and incisions, 1/length
   double smallest_lumen_ratio = 1;  ///< smallest lumen area over its rest value
-  double largest_pressure = 0,      ///< largest contact pressure, stress
-      contact_area = 0;             ///< contact area, length^2
+  /// Empty: contact is not modelled.
+  std::optional<double> largest_pressure,  ///< largest contact pressure, stress
+      contact_area;                        ///< contact area, length^2
   /// Place of each extreme, by the names above; smallest_stretch and largest_stretch for `stretch`.
   std::map<std::string, Vec3> where;
 };

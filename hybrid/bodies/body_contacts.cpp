@@ -179,7 +179,7 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
       pair.contact = within(pair, scaled);
     else if (!pair.own() && vasorod::within_reach(box_of(slave.now), box_of(master.now), margin))
       pair.contact = between(pair, scaled);
-    if (pair.contact && !pair.own() && !expected_.empty())
+    if (pair.contact && !pair.own() && !pair.exchanged && !expected_.empty())
       pair.contact->expect(expected_[index(pair.slave)]);
     if (pair.contact && hold_) pair.contact->hold();
   }

@@ -53,7 +53,7 @@ class BodyContacts {
   ContactState refresh(const ScaledBodies& scaled);
 
   /// Pressures per body and vertex with which different bodies that come within reach for the first
-  /// time press, scaled stress; an empty one: none.
+  /// time press, scaled stress; an empty one: none. Pairs with exchanged roles begin without.
   void expect(std::vector<Eigen::VectorXd> pressure) { expected_ = std::move(pressure); }
 
   /// Walls that press on each other stick between searches from here on (contact_pair.h): where

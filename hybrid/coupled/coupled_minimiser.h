@@ -1,11 +1,10 @@
 // Minimises the energy of a CoupledSystem for given multipliers and contact planes.
 //
-// Stage 1, where asked for: L-BFGS preconditioned by K0 in the frames of the start, with seams and
-// contacts. It smoothes a rough start, for which Cholesky would have to be tried with many shifts.
-//
 // Stage 1, where walls are only held and moved: L-BFGS preconditioned by the rest Hessian K0, which
 // is factorised once and applied in the frames of the rods, D K0^-1 D^T. This brings the start
-// given by the rods close to its minimum.
+// given by the rods close to its minimum. From a rough start of joined or touching walls: the same
+// with K0 in the frames of the start and the springs of seams, ties and contacts, for which the
+// true Hessian would have to be tried with many shifts.
 //
 // Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
 // convergence slows down: Newton's method with as few factorisations as possible. Cholesky decides

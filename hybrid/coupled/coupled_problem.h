@@ -40,7 +40,7 @@ struct SeamWay {
   double step = 1;  ///< longest step of the time
 };
 
-/// Where walls are expected at the end of the path, as coarser ones found them.
+/// Where walls are expected at the end of the path, as coarser ones or an earlier solve found them.
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress

@@ -283,7 +283,7 @@ class CoupledSolver::Data {
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
       if (stack_.problem.start && outer == 1 && !minimum && !stalled) {
-        solution_.notes.emplace_back("no minimum was found near that of coarser walls");
+        solution_.notes.emplace_back("no minimum was found near the given start");
         return Status::iteration_limit;
       }
       const double moment_change = stack_.system->recentre(stack_.z);

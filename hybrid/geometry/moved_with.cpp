@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <vector>
 
 #include "data/index.h"
 #include "geometry/closest_point.h"
+#include "geometry/rigid_motion.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -66,14 +66,6 @@ Vec3 barycentric_in_plane(const Vec3& point, const Vec3& a, const Vec3& b, const
   return {1 - v - w, v, w};
 }
 
-Mat3 rotation_in(const Mat3& gradient) {
-  const Eigen::JacobiSVD<Mat3> svd(gradient, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 u = svd.matrixU();
-  const Mat3 v = svd.matrixV();
-  if ((u * v.transpose()).determinant() < 0) u.col(2) *= -1;
-  return u * v.transpose();
-}
-
 }  // namespace
 
 MovedSurface moved_with(const TriangleSurface& coarse, const Points& moved,
@@ -85,15 +77,14 @@ MovedSurface moved_with(const TriangleSurface& coarse, const Points& moved,
   out.points.resize(queries.rows(), 3);
   out.values.setZero(queries.rows());
   for (Eigen::Index i = 0; i < queries.rows(); ++i) {
-    const int t = closest.query(queries.row(i)).triangle;
+    const ClosestPoint::Hit hit = closest.query(queries.row(i));
     const Vec3 rest = surface.points.row(i);
-    const auto corner = [&](int k) { return coarse.triangles(t, k); };
+    const auto corner = [&](int k) { return coarse.triangles(hit.triangle, k); };
+    const bool on_rim = queries.row(i) != surface.points.row(i);
     const Vec3 b =
-        queries.row(i) == surface.points.row(i)
-            ? closest_in_triangle(rest, coarse.points.row(corner(0)), coarse.points.row(corner(1)),
-                                  coarse.points.row(corner(2)))
-            : barycentric_in_plane(rest, coarse.points.row(corner(0)), coarse.points.row(corner(1)),
-                                   coarse.points.row(corner(2)));
+        on_rim ? barycentric_in_plane(rest, coarse.points.row(corner(0)),
+                                      coarse.points.row(corner(1)), coarse.points.row(corner(2)))
+               : hit.barycentric;
     Vec3 foot = Vec3::Zero(), to = Vec3::Zero();
     for (int k = 0; k < 3; ++k) foot += b[k] * coarse.points.row(corner(k)).transpose();
     Mat3 gradient = Mat3::Zero();
@@ -106,7 +97,7 @@ MovedSurface moved_with(const TriangleSurface& coarse, const Points& moved,
           b[k] * (moved.row(corner(k)).transpose() + (own - Mat3::Identity()) * (foot - from) / 2);
     }
     out.points.row(i) = to + gradient * (rest - foot);
-    out.rotations.push_back(rotation_in(gradient));
+    out.rotations.push_back(rotation_part(gradient));
   }
   return out;
 }

@@ -170,4 +170,11 @@ Mat3 nearest_rotation(const Mat3& matrix) {
   return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
 }
 
+Mat3 rotation_part(const Mat3& matrix) {
+  const Eigen::JacobiSVD<Mat3> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 sign = Mat3::Identity();
+  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return svd.matrixU() * sign * svd.matrixV().transpose();
+}
+
 }  // namespace vasorod

@@ -50,6 +50,10 @@ Pose interpolate(const Pose& a, const Pose& b, double t);
 /// The rotation nearest to a matrix that is a rotation up to round-off.
 Mat3 nearest_rotation(const Mat3& matrix);
 
+/// The rotation nearest to any matrix, that of its polar decomposition where the determinant is
+/// positive; a rotation for reflections and singular matrices too (Kabsch 1976).
+Mat3 rotation_part(const Mat3& matrix);
+
 /// Coefficients of exp and its Jacobians as functions of z = angle^2, accurate down to 0:
 /// b = (1 - cos a) / a^2, d = (a - sin a) / a^3, b2 = b'(a) / a, d2 = d'(a) / a.
 struct ExpCoefficients {

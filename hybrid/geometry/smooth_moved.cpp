@@ -2,6 +2,7 @@
 
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
+#include "geometry/umbrella.h"
 
 namespace vasorod {
 namespace {
@@ -13,23 +14,13 @@ constexpr double share = 0.7;
 
 void smooth_moved(const TriangleSurface& rest, const std::vector<int>& chosen, int rounds,
                   MovedSurface& moved) {
-  std::vector<std::vector<int>> neighbours(index(rest.points.rows()));
-  for (const Edge& edge : edges_of(rest.triangles)) {
-    neighbours[index(edge.a)].push_back(edge.b);
-    neighbours[index(edge.b)].push_back(edge.a);
-  }
-  const auto from_neighbours = [&](const Points& points, int vertex) {
-    Vec3 mean = Vec3::Zero();
-    for (const int n : neighbours[index(vertex)]) mean += points.row(n).transpose();
-    return Vec3(points.row(vertex).transpose() -
-                mean / static_cast<double>(neighbours[index(vertex)].size()));
-  };
+  const Umbrella umbrella(edges_of(rest.triangles), static_cast<int>(rest.points.rows()));
+  const Points at_rest = umbrella.apply(rest.points);
   for (int round = 0; round < rounds; ++round) {
-    const Points before = moved.points;
+    const Points now = umbrella.apply(moved.points);
     for (const int i : chosen) {
-      const Vec3 off = from_neighbours(before, i),
-                 wanted = moved.rotations[index(i)] * from_neighbours(rest.points, i);
-      moved.points.row(i) += share * (wanted - off).transpose();
+      const Vec3 wanted = moved.rotations[index(i)] * at_rest.row(i).transpose();
+      moved.points.row(i) += share * (now.row(i) - wanted.transpose());
     }
   }
 }

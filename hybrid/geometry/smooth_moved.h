@@ -7,11 +7,11 @@
 
 namespace vasorod {
 
-/// Moves the chosen vertices, `rounds` times, most of the way to where their neighbours j and the
-/// shape at rest, turned with them, have them:
+/// Moves the chosen vertices, `rounds` times, most of the way to where their umbrella Laplacian l
+/// (geometry/umbrella.h) is that of the shape at rest, turned with them:
 ///
 /// ```
-/// x_i -> mean x_j + R_i (p_i - mean p_j)
+/// x_i -> x_i + l(x)_i - R_i l(p)_i
 /// ```
 ///
 /// so that a crease along one edge spreads over the edges beside it, and a rigid motion stays as it

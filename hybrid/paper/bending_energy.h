@@ -6,7 +6,7 @@
 // present state. k_b in force / length.
 #pragma once
 
-#include "paper/umbrella.h"
+#include "geometry/umbrella.h"
 
 namespace vasorod {
 

@@ -5,9 +5,9 @@
 #include <vasorod/error.h>
 
 #include "geometry/triangle_surface.h"
+#include "geometry/umbrella.h"
 #include "numerics/cholesky.h"
 #include "paper/bending_energy.h"
-#include "paper/umbrella.h"
 
 namespace vasorod {
 namespace {

@@ -55,11 +55,8 @@ std::optional<Pose> rigid_fit(const std::vector<WeightedPair>& pairs) {
   }
   const Vec3 extent = Eigen::JacobiSVD<Mat3>(size).singularValues();
   if (extent[1] < thin * extent[0]) return {};
-  const Eigen::JacobiSVD<Mat3> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 sign = Mat3::Identity();
-  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   Pose change;
-  change.rotation = svd.matrixU() * sign * svd.matrixV().transpose();
+  change.rotation = rotation_part(spread);
   change.position = after - change.rotation * before;
   return change;
 }

@@ -108,7 +108,7 @@ TEST_F(CoupledStartTest, ACrumpledOneEndsSoonWithASentence) {
   const CoupledSolution solution = from(start);
   EXPECT_EQ(solution.status, Status::iteration_limit) << to_string(solution.status);
   ASSERT_FALSE(solution.notes.empty());
-  EXPECT_EQ(solution.notes.front(), "no minimum was found near that of coarser walls");
+  EXPECT_EQ(solution.notes.front(), "no minimum was found near the given start");
   EXPECT_LE(solution.surface.work.counts.factorisations, 16);
 }
 

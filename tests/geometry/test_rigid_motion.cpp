@@ -137,5 +137,17 @@ TEST(RigidMotion, InterpolateFollowsTheScrew) {
   EXPECT_LT((interpolate(a, b, 1).position - b.position).norm(), 1e-14);
 }
 
+// R S with S symmetric and positive has the rotation R; a reflection has none that is nearer.
+TEST(RigidMotion, RotationPartIsThatOfThePolarDecomposition) {
+  const Mat3 rotation = exp_motion(twist_with_angle(1.3)).rotation;
+  Mat3 stretch;
+  stretch << 2, 0.3, -0.1, 0.3, 0.5, 0.2, -0.1, 0.2, 1.4;
+  EXPECT_LT((rotation_part(rotation * stretch) - rotation).norm(), 1e-14);
+  const Mat3 reflected = rotation_part(Mat3(Vec3(1, 1, -0.5).asDiagonal()));
+  EXPECT_LT((reflected - Mat3::Identity()).norm(), 1e-14);
+  const Mat3 flat = rotation_part(rotation * Mat3(Vec3(3, 2, 0).asDiagonal()));
+  EXPECT_LT((flat - rotation).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace vasorod

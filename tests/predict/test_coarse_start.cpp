@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "predict/coarse_start.h"
-#include "predict/fidelity.h"
+#include "predict/fidelities/fidelities.h"
+#include "predict/get_ready.h"
 #include "predict/t_glenn.h"
 
 namespace vasorod {
@@ -13,29 +14,35 @@ using namespace testing;
 constexpr double radius = 6;
 constexpr int around = 56;
 
-// The same solver from a closed seam alone.
-std::string closed_only() {
-  const std::string name = "coupled_closed";
-  if (find_fidelity(name) == nullptr) {
-    Fidelity fidelity = *find_fidelity("coupled");
-    fidelity.name = name;
-    fidelity.coarse_first = fidelity.choosable = false;
-    register_fidelity(std::move(fidelity));
-  }
-  return name;
-}
-
-Result solved(const Scene& scene, const std::string& fidelity) {
+Result solved(const Scene& scene) {
   SolveOptions options;
-  options.fidelity = fidelity;
+  options.fidelity = "coupled";
   return predict(scene, options);
 }
 
-void expect_same(const Result& a, const Result& b, double tolerance) {
+// The same from a closed seam alone: without the whole vessels no coarser ones are made.
+Prediction closed_only(const Scene& scene) {
+  SolveOptions options;
+  options.stop = [] { return false; };
+  options.progress = [](const std::string&) {};
+  Prediction prediction;
+  prediction.scene = &scene;
+  for (const VesselSpec& spec : scene.vessels) {
+    PredictedVessel& vessel = prediction.vessels.emplace_back();
+    vessel.prepared = read_vessel(spec, scene);
+    fit(vessel.prepared);
+    vessel.conditions = end_conditions(scene, spec.name, vessel.prepared.vessel);
+  }
+  get_ready(prediction, LumenOf::wall, options, options.progress);
+  solve_coupled(prediction, options);
+  return prediction;
+}
+
+void expect_same(const Result& a, const Prediction& b, double tolerance) {
   ASSERT_EQ(a.vessels.size(), b.vessels.size());
   for (size_t v = 0; v < a.vessels.size(); ++v) {
-    ASSERT_EQ(a.vessels[v].current.rows(), b.vessels[v].current.rows());
-    EXPECT_LT((a.vessels[v].current - b.vessels[v].current).rowwise().norm().maxCoeff(),
+    ASSERT_EQ(a.vessels[v].current.rows(), b.vessels[v].positions.rows());
+    EXPECT_LT((a.vessels[v].current - b.vessels[v].positions).rowwise().norm().maxCoeff(),
               tolerance * radius)
         << a.vessels[v].name;
   }
@@ -43,13 +50,14 @@ void expect_same(const Result& a, const Result& b, double tolerance) {
 
 TEST(CoarseStart, TheMinimumIsThatOfAClosedStart) {
   const Scene scene = t_glenn(around, 4);
-  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
+  const Result coarse = solved(scene);
+  const Prediction closed = closed_only(scene);
   EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
-  EXPECT_EQ(closed.status, Status::converged) << to_string(closed.status);
+  EXPECT_EQ(closed.surfaces->solution.status, Status::converged);
   EXPECT_TRUE(coarse.certificate.smallest_curvature_positive.value_or(false));
   expect_same(coarse, closed, 1e-6);
   // Both meshes count.
-  EXPECT_GT(coarse.counts->outer, closed.counts->outer);
+  EXPECT_GT(coarse.counts->outer, closed.work.counts.outer);
 }
 
 // The artery's other side rests on a tube that yields, which the coarse walls find out.
@@ -66,11 +74,11 @@ TEST(CoarseStart, WhatIsTouchedTakesPartFromTheBeginning) {
       end.hold = false;
       end.move = Vec3(0, 0, -0.3);
     }
-  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
+  const Result coarse = solved(scene);
+  const Prediction closed = closed_only(scene);
   EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
-  ASSERT_FALSE(closed.contact.empty());
   double pressure = 0;
-  for (const auto& contact : closed.contact)
+  for (const ContactSolution& contact : closed.surfaces->solution.contacts)
     pressure = std::max(pressure, contact.largest_pressure);
   EXPECT_GT(pressure, 0);
   expect_same(coarse, closed, 1e-4);
@@ -78,9 +86,10 @@ TEST(CoarseStart, WhatIsTouchedTakesPartFromTheBeginning) {
 
 TEST(CoarseStart, MeshesThatAreCoarseAlreadyAreNotCoarsened) {
   const Scene scene = t_glenn(24, 4);
-  const Result coarse = solved(scene, "coupled"), closed = solved(scene, closed_only());
-  EXPECT_EQ(coarse.counts->factorisations, closed.counts->factorisations);
-  expect_same(coarse, closed, 0 + 1e-15);
+  const Result coarse = solved(scene);
+  const Prediction closed = closed_only(scene);
+  EXPECT_EQ(coarse.counts->factorisations, closed.work.counts.factorisations);
+  expect_same(coarse, closed, 1e-15);
 }
 
 // The picks lie beside the mesh's lines, where rounding could decide how the surgery cuts them.
@@ -100,7 +109,7 @@ TEST(CoarseStart, TheUnitDoesNotMatter) {
   }
   m.glenn->cut.point = 1e-3 * m.glenn->cut.point;
   m.glenn->incision.point = 1e-3 * m.glenn->incision.point;
-  const Result first = solved(mm, "coupled"), second = solved(m, "coupled");
+  const Result first = solved(mm), second = solved(m);
   EXPECT_EQ(second.status, first.status);
   for (size_t v = 0; v < first.vessels.size(); ++v)
     EXPECT_LT(

@@ -141,6 +141,13 @@ bool is_minimum(Status status) {
          status == Status::equilibrium_only;
 }
 
+// The prediction with one solution.
+struct Outcome {
+  Prediction state;
+  Status status = Status::iteration_limit;
+  bool crossed = false;  // a minimum whose walls pass through something
+};
+
 // One solve of a prediction.
 class Attempt {
  public:
@@ -223,6 +230,15 @@ class Attempt {
     take(std::move(solution), sections_, in);
   }
 
+  // Adds the solution's work to the prediction.
+  Outcome outcome(const CoupledSolution& solution) {
+    Outcome outcome{prediction_, solution.status, false};
+    keep(CoupledSolution(solution), outcome.state);
+    prediction_.work += solution.surface.work;
+    outcome.crossed = is_minimum(solution.status) && !named_crossings(outcome.state).empty();
+    return outcome;
+  }
+
  private:
   // A start needs few digits.
   void only_for_a_start() {
@@ -243,36 +259,30 @@ class Attempt {
 
 // A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Walls
 // that pass through something there are parted, and where that fails, a vein goes the way from
-// rest.
+// rest. A minimum is better than none, whatever passes through it.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
   const bool folds = vein && has_to_fold(*vein);
-  const auto tried = [&](const CoupledSolution& solution) {
-    Prediction state = prediction;
-    attempt.keep(CoupledSolution(solution), state);
-    return state;
-  };
-  std::optional<CoupledSolution> solution;
-  if (!folds) solution = attempt.from_coarse();
-  if (!solution) solution = attempt.closed(folds ? updates_from_closed : std::optional<int>());
-  Prediction state = tried(*solution);
-  bool crossed = is_minimum(solution->status) && !named_crossings(state).empty();
-  // A scene in which nothing touches anything keeps what is found so.
-  const bool touches = !prediction.scene->contact || !prediction.scene->contact->empty();
-  if (vein && crossed && touches) {
-    prediction.work += solution->surface.work;
-    solution = attempt.parted(*solution, *vein);
-    state = tried(*solution);
-    crossed = is_minimum(solution->status) && !named_crossings(state).empty();
-  }
-  if (!vein || solution->status == Status::interrupted ||
-      (is_minimum(solution->status) ? !(crossed && touches) : !folds)) {
-    prediction = std::move(state);
+  std::optional<CoupledSolution> first;
+  if (!folds) first = attempt.from_coarse();
+  if (!first) first = attempt.closed(folds ? updates_from_closed : std::optional<int>());
+  // In a scene in which nothing touches anything, walls may lie in each other.
+  const auto& contact = prediction.scene->contact;
+  if (!vein || (!folds && contact && contact->empty())) {
+    attempt.keep(std::move(*first), prediction);
     return;
   }
-  prediction.work += solution->surface.work;
-  attempt.keep(attempt.on_its_way(*vein), prediction);
+  Outcome best = attempt.outcome(*first);
+  const auto take_if_better = [&](const CoupledSolution& solution) {
+    Outcome next = attempt.outcome(solution);
+    if (is_minimum(next.status) || !is_minimum(best.status)) best = std::move(next);
+  };
+  if (best.crossed) take_if_better(attempt.parted(*first, *vein));
+  if ((best.crossed || (folds && !is_minimum(best.status))) && !options.stop())
+    take_if_better(attempt.on_its_way(*vein));
+  best.state.work = prediction.work;
+  prediction = std::move(best.state);
 }
 
 }  // namespace vasorod

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "geometry/umbrella.h"
 #include "paper/paper_tubes.h"
-#include "paper/umbrella.h"
 
 namespace vasorod {
 namespace {

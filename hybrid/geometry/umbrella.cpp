@@ -1,4 +1,4 @@
-#include "paper/umbrella.h"
+#include "geometry/umbrella.h"
 
 namespace vasorod {
 

@@ -13,6 +13,7 @@
 #include "app/watchdog.h"
 #include "data/sentence.h"
 #include "predict/kept_state.h"
+#include "predict/name_stop.h"
 #include "result/folder_replacement.h"
 #include "result/read_folder.h"
 #include "result/unknown_validity.h"
@@ -66,7 +67,7 @@ void say_status(const Result& result, const CommandOptions& options) {
     std::cout << ", largest seam gap " << joined->seam->largest_gap << ' ' << result.length_unit;
   std::cout << '\n';
   if (!is_solution(result.status)) std::cout << "  " << why_unknown(result.status) << '\n';
-  if (result.status == Status::iteration_limit)
+  if (is_unfinished(result.status))
     for (const std::string& note : result.certificate.notes) std::cout << "  " << note << '\n';
   for (const Criterion& criterion : result.criteria)
     if (criterion.verdict == Verdict::warning || criterion.verdict == Verdict::strong_warning)
@@ -106,9 +107,7 @@ int end_in_the_middle(const Watchdog::MakeResult& state, const std::string& stag
   try {
     if (!state) stop_early(stage);
     Result result = state();
-    result.certificate.notes.push_back("stopped at " + in_quotes(stage) +
-                                       ", which could not be waited for; this is the last state "
-                                       "before it");
+    name_stop(options.solve.stopped_by(), stage, result);
     return finish(result, options);
   } catch (...) {
     return say_failure();

@@ -269,10 +269,12 @@ int run(int argc, char** argv) {
   }
   if (const auto ended = parsed(app, "vasorod", argc, argv)) return *ended;
   const bool alone = explore_options.list > 0 || !explore_options.only.empty();
-  if (*solve || (*explore && !alone))
+  if (*solve || (*explore && !alone)) {
     common.command.solve.stop = explore_options.stop = stop_on_signal_or_after(common.time_limit);
-  else
+    common.command.solve.stopped_by = [&] { return stopped_by_signal_or(common.time_limit); };
+  } else {
     end_on_signal();
+  }
   explore_options.progress = !common.quiet && isatty(STDERR_FILENO) != 0;
   if (explore_options.progress)
     common.command.solve.progress = init_options.progress = prepare_options.request.progress =

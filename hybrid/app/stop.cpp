@@ -5,6 +5,7 @@
 #include <csignal>
 #include <unistd.h>
 
+#include "data/sentence.h"
 #include "result/folder_replacement.h"
 
 namespace vasorod {
@@ -40,6 +41,10 @@ std::function<bool()> stop_on_signal_or_after(double seconds) {
            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >
                seconds;
   };
+}
+
+std::string stopped_by_signal_or(double seconds) {
+  return signalled.load() ? "a signal" : "the time limit of " + number_text(seconds) + " s";
 }
 
 void end_on_signal() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace vasorod {
 
@@ -10,6 +11,10 @@ namespace vasorod {
 /// ignored if it was (nohup). Returns a function that is true once the flag is set or `seconds`
 /// (0: no limit) have passed since this call.
 std::function<bool()> stop_on_signal_or_after(double seconds);
+
+/// What the function of stop_on_signal_or_after(seconds) stopped by: "a signal" or "the time limit
+/// of 5 s".
+std::string stopped_by_signal_or(double seconds);
 
 /// Installs handlers with which the first of these signals ends the process in that way.
 void end_on_signal();

@@ -8,6 +8,7 @@
 #include "data/sentence.h"
 #include "numerics/threads.h"
 #include "planner/failure.h"
+#include "predict/name_stop.h"
 #include "result/sha256.h"
 
 namespace vasorod::planner {
@@ -19,6 +20,9 @@ constexpr std::size_t most_jobs = 64;  // whose end may still be asked for
 constexpr std::chrono::milliseconds patience(1500);
 // For which the answer to a request to stop waits for the stop.
 constexpr std::chrono::milliseconds between(500);
+
+// What stops a solve whose result is wanted: the page's button.
+const std::string cancel = "Cancel";
 
 // Thrown inside a solve that nobody wants any more, between its stages.
 struct Dropped {};
@@ -141,6 +145,7 @@ void SolveJobs::solve(Job& job) {
   options.patience = 0;
   options.threads = processors();
   options.stop = [&] { return job.asked.load(); };
+  options.stopped_by = [] { return cancel; };
   options.progress = [&](const std::string& stage) {
     live();
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -237,11 +242,14 @@ void SolveJobs::end_if_overdue(Job& job, std::unique_lock<std::mutex>& lock) {
   if (job.over() || !job.asked || Clock::now() - job.asked_at < patience || !job.kept) return;
   const std::function<Result()> kept = std::exchange(job.kept, nullptr);
   const std::shared_ptr<const OpenedScene> opened = job.opened;
+  const std::string stage = job.stage;
   lock.unlock();
   std::shared_ptr<const StoredResult> stored;
   std::string error;
   try {
-    stored = store(job, *opened, kept());
+    Result result = kept();
+    name_stop(cancel, stage, result);
+    stored = store(job, *opened, std::move(result));
   } catch (...) {
     error = failure_now().sentence;
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 
 #include <vasorod/error.h>
 #include <vasorod/predict.h>
@@ -17,6 +18,7 @@
 #include "predict/kept_state.h"
 #include "predict/memory_need.h"
 #include "predict/name_faults.h"
+#include "predict/name_stop.h"
 #include "predict/prediction.h"
 #include "predict/prestress.h"
 #include "predict/rod_scene.h"
@@ -221,14 +223,14 @@ SolveOptions checked(const SolveOptions& given) {
   if (const auto fault = given.is_invalid()) throw InputError(*fault);
   SolveOptions options = given;
   if (!options.stop) options.stop = [] { return false; };
+  if (!options.stopped_by) options.stopped_by = [] { return "the caller"; };
   if (!options.progress) options.progress = [](const std::string&) {};
   if (!options.solved) options.solved = [] {};
   return options;
 }
 
-// `fitted`: null where the vessels have to be read and fitted first.
-Result predict_from(const Scene& scene, const SolveOptions& given, const FittedVessels* fitted) {
-  const SolveOptions options = checked(given);
+// `fitted`: null where the vessels have to be read and fitted first. `options` are checked.
+Result predict_from(const Scene& scene, const SolveOptions& options, const FittedVessels* fitted) {
   const Fidelity* fidelity = &checked_fidelity(scene, options);
   require_a_condition(scene);
   std::vector<double> sizes = stated_sizes(scene);
@@ -298,6 +300,26 @@ Result predict_from(const Scene& scene, const SolveOptions& given, const FittedV
   return whole_result(std::move(prediction), options.threads);
 }
 
+// As predict_from(); a result that was interrupted says by what and where.
+Result predict_or_say_why(const Scene& scene, const SolveOptions& given,
+                          const FittedVessels* fitted) {
+  SolveOptions options = checked(given);
+  std::string stage = "reading the scene", stopped_at;
+  std::once_flag stopped;  // asked by all threads of a factorisation
+  options.progress = [&, tell = options.progress](const std::string& next) {
+    stage = next;
+    tell(next);
+  };
+  options.stop = [&, stop = options.stop] {
+    if (!stop()) return false;
+    std::call_once(stopped, [&] { stopped_at = stage; });
+    return true;
+  };
+  Result result = predict_from(scene, options, fitted);
+  if (result.status == Status::interrupted) name_stop(options.stopped_by(), stopped_at, result);
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::string> SolveOptions::is_invalid() const {
@@ -323,11 +345,11 @@ FittedVessels fit_vessels(const Scene& scene, const SolveOptions& given) {
 }
 
 Result predict(const Scene& scene, const SolveOptions& options) {
-  return predict_from(scene, options, nullptr);
+  return predict_or_say_why(scene, options, nullptr);
 }
 
 Result predict(const Scene& scene, const SolveOptions& options, const FittedVessels& fitted) {
-  return predict_from(scene, options, &fitted);
+  return predict_or_say_why(scene, options, &fitted);
 }
 
 }  // namespace vasorod

@@ -12,6 +12,7 @@
 
 #include "data/sentence.h"
 #include "predict/kept_state.h"
+#include "predict/name_stop.h"
 #include "python/apart.h"
 #include "python/classes.h"
 #include "python/errors.h"
@@ -23,16 +24,18 @@ namespace {
 
 namespace py = pybind11;
 
+std::string limit_of(double seconds) {
+  return "the time limit of " + number_text(seconds) + " s";
+}
+
 // Of a solve that goes on long after its time limit, as the program does (app/commands.cpp).
-Result state_so_far(const std::shared_ptr<Job>& job) {
+Result state_so_far(const std::shared_ptr<Job>& job, double time_limit) {
   const py::gil_scoped_release others_run;
   const auto [make_result, stage] = job->kept();
   Job::leave(job);
   if (!make_result) stop_early(stage);
   Result result = make_result();
-  result.certificate.notes.push_back("stopped at " + in_quotes(stage) +
-                                     ", which could not be waited for; this is the last state "
-                                     "before it");
+  name_stop(limit_of(time_limit), stage, result);
   return result;
 }
 
@@ -50,6 +53,7 @@ std::shared_ptr<Result> solve(const std::shared_ptr<Scene>& scene,
   const auto job = Job::start(
       [=](Job& self) mutable {
         options.stop = [&self] { return self.stop(); };
+        if (time_limit) options.stopped_by = [=] { return limit_of(*time_limit); };
         options.progress = [&self](const std::string& stage) { self.begin(stage); };
         options.keep = [&self](Job::MakeResult state) { self.keep(std::move(state)); };
         options.solved = [&self] { self.solved(); };
@@ -57,7 +61,7 @@ std::shared_ptr<Result> solve(const std::shared_ptr<Scene>& scene,
       },
       time_limit);
   if (wait_for(job, OnInterrupt::leave, progress)) return result;
-  return std::make_shared<Result>(state_so_far(job));
+  return std::make_shared<Result>(state_so_far(job, *time_limit));
 }
 
 std::shared_ptr<Result> fitted(const std::filesystem::path& surface, const std::string& length_unit,

@@ -70,7 +70,9 @@ TEST_F(SolveJobsTest, CancellingKeepsTheLastState) {
   jobs.cancel(id);
   status = ended(jobs, id);
   ASSERT_EQ(status["state"], "cancelled") << status;
-  EXPECT_EQ(shelf.find(status["result"])->result.status, Status::interrupted);
+  const auto stored = shelf.find(status["result"]);
+  EXPECT_EQ(stored->result.status, Status::interrupted);
+  EXPECT_EQ(stored->result.certificate.notes.back().rfind("stopped by Cancel at ", 0), 0U);
   EXPECT_EQ(jobs.cancel(id)["state"], "cancelled");
 }
 

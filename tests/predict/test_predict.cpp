@@ -133,6 +133,8 @@ TEST(Predict, StoppedItReturnsTheBestStateByName) {
     const Result result = predict(scene, options);
     EXPECT_EQ(result.status, Status::interrupted) << fidelity << ": " << to_string(result.status);
     EXPECT_GT(asked, 1) << fidelity;
+    EXPECT_EQ(result.certificate.notes.back().rfind("stopped by the caller at ", 0), 0U)
+        << fidelity;
     EXPECT_TRUE(result.vessels.at(0).current.allFinite());
     EXPECT_TRUE(result.vessels.at(0).centerline->current.allFinite());
   }

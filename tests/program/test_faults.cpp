@@ -102,7 +102,10 @@ TEST_F(Faults, AnUnfinishedSolveSaysItsResidualAndWhy) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find("small-glenn: interrupted (paper), relative residual "), std::string::npos)
       << run.out;
+  const std::string why = "stopped by the time limit of 1e-06 s at ";
+  EXPECT_NE(run.out.find("\n  " + why), std::string::npos) << run.out;
   const std::string page = contents_of(scratch / "out" / "report.html");
+  EXPECT_NE(page.find(why), std::string::npos);
   EXPECT_NE(page.find("best state so far, relative residual "), std::string::npos);
   EXPECT_NE(page.find("Validity: unknown"), std::string::npos);
 }
@@ -147,6 +150,8 @@ TEST_F(Faults, TheFirstSignalWritesTheBestStateSoFar) {
     program.send(signal);
     EXPECT_EQ(program.wait(), 1);
     EXPECT_EQ(result().at("status"), "interrupted");
+    const auto notes = result().at("certificate").at("notes");
+    EXPECT_EQ(notes.back().get<std::string>().rfind("stopped by a signal at ", 0), 0U) << notes;
     fs::remove_all(out);
   }
 }

@@ -38,6 +38,9 @@ class TimeLimit : public ::testing::Test {
     }
     const auto result = nlohmann::json::parse(contents_of(scratch / "out" / "result.json"));
     EXPECT_EQ(result.at("status"), "interrupted");
+    const std::string why = result.at("certificate").at("notes").back();
+    EXPECT_EQ(why.rfind("stopped by the time limit of ", 0), 0U) << why;
+    EXPECT_NE(run.out.find(why), std::string::npos) << run.out;
     EXPECT_TRUE(fs::exists(scratch / "out" / "report.html"));
   }
   ScratchFolder scratch;

@@ -97,6 +97,8 @@ class TimeLimit(unittest.TestCase):
             except TimeoutError:
                 pass
         self.assertEqual(result.status, "interrupted")
+        why = result.json["certificate"]["notes"][-1]
+        self.assertRegex(why, f"^stopped by the time limit of {limit} s at ")
         self.assertIsNone(result.json["validity"]["in_range"])
         self.assertEqual(result.vessels["tube"].points.shape, (400 * 251, 3))
         # Its ends are where the scene puts them, also in a state that is none of equilibrium.

@@ -29,6 +29,9 @@ struct SolveOptions {
   /// Called often; returning true ends the solve with the best state so far. Asked between vessels,
   /// stages and iterations and within factorisations, not within orderings. May be empty.
   std::function<bool()> stop;
+  /// What `stop` stops by, for an interrupted result's sentence: "the time limit of 5 s". Asked
+  /// after `stop` was true. Empty: "the caller".
+  std::function<std::string()> stopped_by;
   /// Seconds for which reading, fitting and surgery go on to reach a first state after `stop` was
   /// first true; then StoppedEarly is thrown.
   double patience = 1.5;

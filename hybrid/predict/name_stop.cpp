@@ -1,0 +1,14 @@
+#include "predict/name_stop.h"
+
+#include "data/sentence.h"
+
+namespace vasorod {
+
+void name_stop(const std::string& by, const std::string& stage, Result& result) {
+  result.certificate.notes.push_back(
+      "stopped by " + by + " at " + in_quotes(stage) +
+      ", before there was an equilibrium; this is the best state so far, expected more time or a "
+      "cheaper fidelity");
+}
+
+}  // namespace vasorod

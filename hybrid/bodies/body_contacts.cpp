@@ -76,11 +76,13 @@ void BodyContacts::meet_up_to_seams() {
   if (up_to_seams_) return;
   up_to_seams_ = true;
   for (size_t p = 0; p < problem_.contacts.size(); ++p) {
-    if (pairs_[p].own()) continue;
-    if (joined(pairs_[p])) {
+    const bool own = pairs_[p].own();
+    if (own ? !seam_of(pairs_[p].slave).empty() : joined(pairs_[p])) {
       pairs_[p].contact.reset();
       pairs_[p].pressed.clear();
+      pairs_[p].searched.resize(0, 3);
     }
+    if (own) continue;
     Pair exchanged;
     exchanged.entry = static_cast<int>(p);
     exchanged.slave = pairs_[p].master;
@@ -88,6 +90,15 @@ void BodyContacts::meet_up_to_seams() {
     exchanged.exchanged = true;
     pairs_.push_back(std::move(exchanged));
   }
+  allowed_ = 1;
+  for (Pair& pair : pairs_)
+    if (pair.contact) pair.contact->start_parting();
+}
+
+void BodyContacts::allow(double share) {
+  allowed_ = share;
+  for (Pair& pair : pairs_)
+    if (pair.contact) pair.contact->allow(share);
 }
 
 void BodyContacts::forget() {
@@ -104,6 +115,15 @@ bool BodyContacts::joined(const Pair& pair) const {
   });
 }
 
+std::vector<int> BodyContacts::seam_of(int body) const {
+  std::vector<int> seam;
+  for (const SeamPair& joined : problem_.seams) {
+    if (joined.body_a == body) seam.push_back(joined.vertex_a);
+    if (joined.body_b == body) seam.push_back(joined.vertex_b);
+  }
+  return seam;
+}
+
 double BodyContacts::stiffness_of(const Pair& pair, const ScaledBodies& scaled) const {
   double k = std::numeric_limits<double>::infinity();
   for (const int index : {pair.slave, pair.master}) {
@@ -114,21 +134,17 @@ double BodyContacts::stiffness_of(const Pair& pair, const ScaledBodies& scaled) 
   return k;
 }
 
-// Left out are the seam and what a rigid section holds.
+// Left out are the seam, before walls meet up to it, and what a rigid section holds.
 std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
                                                     const ScaledBodies& scaled) const {
   const ScaledBody& body = scaled.bodies[static_cast<size_t>(pair.slave)];
-  std::vector<int> seam;
-  for (const SeamPair& joined : problem_.seams) {
-    if (joined.body_a == pair.slave) seam.push_back(joined.vertex_a);
-    if (joined.body_b == pair.slave) seam.push_back(joined.vertex_b);
-  }
+  std::vector<int> seam = seam_of(pair.slave);
   std::vector<double> share(index(body.rest.points.rows()), 1);
-  leave_out(seam_band(body.rest, seam, body.thickness), share);
+  if (!up_to_seams_) leave_out(seam_band(body.rest, seam, body.thickness), share);
   leave_out(body.fixed, share);
-  return std::make_unique<SelfContact>(
-      ContactSide{body.rest, body.offset, std::move(share), !seam.empty()}, body.thickness,
-      stiffness_of(pair, scaled));
+  ContactSide side{body.rest, body.offset, std::move(share), !seam.empty(), up_to_seams_, {}};
+  if (up_to_seams_) side.seam = std::move(seam);
+  return std::make_unique<SelfContact>(std::move(side), body.thickness, stiffness_of(pair, scaled));
 }
 
 bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {
@@ -159,8 +175,8 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
     // Two mean edges are subtracted because seam_band() adds them.
     leave_out(seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge),
               share);
-    return ContactSide{body.rest, body.offset, std::move(share), pair.exchanged || !seam.empty(),
-                       up_to_seams_};
+    return ContactSide{body.rest,    body.offset, std::move(share), pair.exchanged || !seam.empty(),
+                       up_to_seams_, {}};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),
@@ -168,7 +184,8 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
 }
 
 // What one pair adds to the state after a minimisation.
-BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scaled) const {
+BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scaled,
+                                            Features features) const {
   Searched found;
   const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
                    &master = scaled.bodies[static_cast<size_t>(pair.master)];
@@ -182,6 +199,10 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
     if (pair.contact && !pair.own() && !pair.exchanged && !expected_.empty())
       pair.contact->expect(expected_[index(pair.slave)]);
     if (pair.contact && hold_) pair.contact->hold();
+    if (pair.contact && allowed_ > 0) {
+      pair.contact->start_parting();
+      pair.contact->allow(allowed_);
+    }
   }
   if (!pair.contact) return found;
   pair.in_reach |= !pair.own();
@@ -189,8 +210,12 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
     if (c.stick > 0 && (pair.own() || master.modelled))
       found.state.slip = std::max(found.state.slip, FoundContacts::slip(c, slave.now, master.now));
   std::tie(found.change, found.sum) = pair.contact->update_multipliers(slave.now, master.now);
-  pair.contact->refresh(slave.now, master.now, pair.own() ? self_reach : reach);
-  if (pair.own()) pair.searched = slave.now;
+  if (features == Features::anew) {
+    pair.contact->refresh(slave.now, master.now, pair.own() ? self_reach : reach);
+    if (pair.own()) pair.searched = slave.now;
+  } else {
+    pair.contact->hold_here(slave.now, master.now);
+  }
   std::vector<int> pressed;
   for (const ContactPoint& c : pair.contact->contacts()) {
     const double gap = FoundContacts::gap(c, slave.now, master.now);
@@ -208,9 +233,17 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
 }
 
 ContactState BodyContacts::refresh(const ScaledBodies& scaled) {
+  return state(scaled, Features::anew);
+}
+
+ContactState BodyContacts::update(const ScaledBodies& scaled) {
+  return state(scaled, Features::as_found);
+}
+
+ContactState BodyContacts::state(const ScaledBodies& scaled, Features features) {
   std::vector<Searched> found(pairs_.size());
   in_parallel(threads(), static_cast<int>(pairs_.size()),
-              [&](int p) { found[index(p)] = search(pairs_[index(p)], scaled); });
+              [&](int p) { found[index(p)] = search(pairs_[index(p)], scaled, features); });
   ContactState state;
   double change = 0, sum = 0;
   for (const Searched& one : found) {

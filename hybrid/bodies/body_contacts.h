@@ -51,6 +51,8 @@ class BodyContacts {
   /// Sets the multipliers to the pressures at the bodies' current positions, then finds the closest
   /// features again.
   ContactState refresh(const ScaledBodies& scaled);
+  /// The same with the features found last, and walls that stick do so where they are now.
+  ContactState update(const ScaledBodies& scaled);
 
   /// Pressures per body and vertex with which different bodies that come within reach for the first
   /// time press, scaled stress; an empty one: none. Pairs with exchanged roles begin without.
@@ -63,8 +65,11 @@ class BodyContacts {
   /// From the next search on, walls that a seam joins touch each other right up to it; before, they
   /// touch from one edge beside the seam on. Of all pairs the vertices of both are looked at, those
   /// of obstacles too; before, only one body's: the sharp edge of a fold passes between the
-  /// vertices of the other.
+  /// vertices of the other. What is joined meets itself up to the seam too. What lies in each other
+  /// then may stay so until allow().
   void meet_up_to_seams();
+  /// FoundContacts::allow() of all pairs.
+  void allow(double share);
   /// Forgets all contacts with their multipliers.
   void forget();
 
@@ -118,18 +123,22 @@ class BodyContacts {
     ContactState state;
     double change = 0, sum = 0;
   };
-  Searched search(Pair& pair, const ScaledBodies& scaled) const;
+  enum class Features { anew, as_found };
+  Searched search(Pair& pair, const ScaledBodies& scaled, Features features) const;
+  ContactState state(const ScaledBodies& scaled, Features features);
   static bool keeps_its_shape(Pair& pair, const ScaledBody& body);
   std::unique_ptr<FoundContacts> between(Pair& pair, const ScaledBodies& scaled) const;
   std::unique_ptr<FoundContacts> within(const Pair& pair, const ScaledBodies& scaled) const;
   double stiffness_of(const Pair& pair, const ScaledBodies& scaled) const;
 
   bool joined(const Pair& pair) const;
+  std::vector<int> seam_of(int body) const;
 
   const BodyProblem& problem_;
   double stiffness_;
   std::vector<Eigen::VectorXd> expected_;
   bool hold_ = false, up_to_seams_ = false;
+  double allowed_ = 0;
   /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
   /// exchanged.
   std::vector<Pair> pairs_;

@@ -20,6 +20,9 @@ constexpr double facing_same_way = 0.2;
 // Where two vessels are joined, a wall farther inside than this many mean edges of its own surface
 // has come in through the mouth, which is open to it.
 constexpr double through_the_mouth = 3;
+// The same where walls meet right up to their seam, to which they come in small steps: what seems
+// deeper is a wall whose side is mistaken.
+constexpr double through_the_seam = 1.5;
 
 struct Feature {
   bool valid = false;
@@ -65,7 +68,8 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
-      deepest_(slave_.joined ? through_the_mouth * mean_edge_length(slave_.rest)
+      deepest_(slave_.joined ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) *
+                                   mean_edge_length(slave_.rest)
                              : std::numeric_limits<double>::infinity()),
       edge_(mean_edge_length(slave_.rest)),
       area_(vertex_areas(slave_.rest)),
@@ -155,8 +159,9 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const double rest = allowance(i);
     if (feature.distance - faces - rest > reach) continue;
     if (feature.distance - faces - rest < -deepest_) continue;
-    ContactPoint contact{
-        i, feature.vertex, feature.weight, feature.normal, faces + rest, area_[i], stiffness_, 0};
+    const double slack = faces + rest + allowed_depth(i, feature.distance - faces - rest);
+    ContactPoint contact{i,     feature.vertex, feature.weight, feature.normal,
+                         slack, area_[i],       stiffness_,     0};
     if (held_) stick(contact, slave, master);
     add(contact, i);
   }

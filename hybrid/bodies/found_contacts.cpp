@@ -20,6 +20,24 @@ void FoundContacts::add(ContactPoint contact, Eigen::Index slot) {
 
 void FoundContacts::end() {
   multiplier_ = kept_;
+  finds_depth_ = false;
+}
+
+void FoundContacts::start_parting() {
+  depth_ = Eigen::VectorXd::Zero(multiplier_.size());
+  finds_depth_ = true;
+  allowed_ = 1;
+}
+
+double FoundContacts::allowed_depth(Eigen::Index slot, double gap) {
+  if (depth_.size() == 0) return 0;
+  if (finds_depth_) depth_[slot] = std::min(0.0, gap);
+  return allowed_ * depth_[slot];
+}
+
+void FoundContacts::hold_here(const Points& slave, const Points& master) {
+  for (ContactPoint& contact : contacts_)
+    if (contact.stick > 0) contact.held = apart(contact, slave, master);
 }
 
 double FoundContacts::gap(const ContactPoint& contact, const Points& slave, const Points& master) {

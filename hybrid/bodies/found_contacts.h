@@ -16,6 +16,7 @@ struct ContactSide {
   bool joined = false;        ///< to the other side's vessel, by a seam
   /// Vertices left out themselves are corners of triangles that are not; else those are, too.
   bool met_up_to_seam = false;
+  std::vector<int> seam;  ///< where walls meet up to it: its vertices on this side
   bool left_out(int vertex) const {
     return !share.empty() && share[static_cast<size_t>(vertex)] == 0;
   }
@@ -32,6 +33,16 @@ class FoundContacts {
 
   /// From the next search on, walls that press on each other stick until the one after.
   virtual void hold() {}
+
+  /// What the next search finds in each other may stay so; then allow() says how far. Walls are so
+  /// brought apart in steps.
+  void start_parting();
+  /// From the next search on, this share (1 to 0) of the depth that start_parting() found is no
+  /// overlap.
+  void allow(double share) { allowed_ = share; }
+
+  /// Between two searches: walls that stick do so where they are now.
+  void hold_here(const Points& slave, const Points& master);
 
   /// Of contacts whose slots are the slave's vertices: the multipliers of those that the first
   /// search finds, stress; empty: zero.
@@ -73,6 +84,8 @@ class FoundContacts {
   void add(ContactPoint contact, Eigen::Index slot);
   /// The multiplier of a slot.
   double multiplier(Eigen::Index slot) const { return multiplier_[slot]; }
+  /// What is added to the slack of the slot's contact, whose gap is this without it, length.
+  double allowed_depth(Eigen::Index slot, double gap);
   /// Multipliers of slots that were not taken are zero from here on.
   void end();
 
@@ -83,6 +96,9 @@ class FoundContacts {
 
  private:
   Eigen::VectorXd multiplier_, kept_;
+  Eigen::VectorXd depth_;  // per slot, at most 0; empty: start_parting() was not called
+  bool finds_depth_ = false;
+  double allowed_ = 0;
   std::vector<ContactPoint> contacts_;
   std::vector<Eigen::Index> slots_;  // of contacts_
 };

@@ -15,6 +15,8 @@ namespace {
 
 // Edges along the surface within which a mesh can only be bent, not folded onto itself.
 constexpr double bent_edges = 4;
+// The same of a vessel that is joined: its folds beside the seam are shorter.
+constexpr double bent_edges_when_joined = 2.5;
 // A vessel that is joined comes to itself in small steps: what seems deeper than this many mean
 // edges is a wall whose side is mistaken, beside a mouth that is no plane.
 constexpr double deepest_when_joined = 1;
@@ -38,12 +40,14 @@ SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
                             : std::numeric_limits<double>::infinity()),
       never_(2 * index(side_.rest.points.rows()), 0) {
   near_ = std::make_unique<NearOnSurface>(
-      side_.rest,
-      std::max(bent_edges * edge_, std::numbers::pi * std::max(offset_[0], offset_[1])));
+      side_.rest, std::max((side_.joined ? bent_edges_when_joined : bent_edges) * edge_,
+                           std::numbers::pi * std::max(offset_[0], offset_[1])));
   settled_ = settled * edge_;
   side_.share.resize(index(side_.rest.points.rows()), 1);
-  for (const std::vector<int>& loop : boundary_loops(side_.rest.triangles))
+  for (const std::vector<int>& loop : boundary_loops(side_.rest.triangles)) {
+    if (std::find(side_.seam.begin(), side_.seam.end(), loop.front()) != side_.seam.end()) continue;
     for (const int v : loop) side_.share[index(v)] = 0;
+  }
   for (int i = 0; i < side_.rest.points.rows(); ++i)
     if (!(area_[i] > 0) || side_.left_out(i))
       for (const bool outside : {false, true})
@@ -69,18 +73,22 @@ bool SelfContact::own(int vertex, const std::array<int, 3>& corner) const {
 
 // Takes what a vertex faces as a contact if it is within reach.
 void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double reach) {
-  if (wall.triangle < 0 || std::any_of(wall.corner.begin(), wall.corner.end(),
-                                       [this](int v) { return side_.left_out(v); }))
+  if (wall.triangle < 0) return;
+  if (!side_.met_up_to_seam && std::any_of(wall.corner.begin(), wall.corner.end(),
+                                           [this](int v) { return side_.left_out(v); }))
     return;
   // The normals of two walls in contact are opposite but for the mesh; halfway between them both
   // walls agree on the direction of the force.
   const Vec3 own_normal = walls_->normals().row(vertex);
   const Vec3 normal = (outside ? 1 : -1) * (wall.normal - own_normal).normalized();
-  const double slack = 2 * offset_[outside ? 1 : 0] + allowance(wall, vertex, outside);
+  double slack = 2 * offset_[outside ? 1 : 0] + allowance(wall, vertex, outside);
   const Vec3 apart = Vec3(now_.row(vertex)) - wall.at;
-  const double gap = normal.dot(apart) - slack;
+  double gap = normal.dot(apart) - slack;
   if (gap > reach || gap < -deepest_) return;
   const auto slot = static_cast<Eigen::Index>(slot_of(vertex, outside));
+  const double allowed = allowed_depth(slot, gap);
+  slack += allowed;
+  gap -= allowed;
   const double stick = std::max(0.0, multiplier(slot) - stiffness_ * gap) / edge_;
   add({vertex, wall.corner, wall.weight, normal, slack, area_[vertex] / 2, stiffness_, 0, stick,
        apart},

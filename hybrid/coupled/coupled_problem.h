@@ -59,7 +59,8 @@ struct CoupledProblem {
   std::function<std::vector<CarriedBody>(double t)> carried;
   /// How the seam is brought together; empty: its start is closed.
   std::optional<SeamWay> seam_way;
-  /// Joined walls touch right up to their seam from the beginning.
+  /// Joined walls touch right up to their seam from the beginning; what lies in each other in the
+  /// start is brought apart (seam_closing.h).
   bool meet_up_to_seams = false;
   /// Empty: the walls start where the rods carry them.
   std::optional<CoupledStart> start;
@@ -81,7 +82,7 @@ struct CoupledOptions : SurfaceOptions {
   double tie_stiffness = 100;
   /// Multiplier updates after which walls that press on each other stick between searches
   /// (contact_pair.h): where walls crumple, contacts are found differently each time without end.
-  /// 0: never.
+  /// After twice as many, they are searched at every tenth update only. 0: never.
   int hold_after = 0;
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.

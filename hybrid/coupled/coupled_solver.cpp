@@ -26,6 +26,9 @@ constexpr double finest_tolerance = 1e-13;
 // tolerance, with a note.
 constexpr int patience_with_contact = 40;
 constexpr double slack_contact = 10;
+// From there on of walls that crumple, contacts are searched after so many updates only: the set of
+// those that press changes with each search, without end.
+constexpr int updates_per_search = 10;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
@@ -138,7 +141,7 @@ class CoupledSolver::Data {
       }
       if (stack_.problem.start) {
         path_.start_at_given();
-        if (stack_.problem.meet_up_to_seams) stack_.contacts->meet_up_to_seams();
+        if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         stack_.contacts->refresh(stack_.scaled);
         stack_.stack_contacts();
         buckled = stack_.problem.start->buckled;
@@ -173,13 +176,28 @@ class CoupledSolver::Data {
     }
   }
 
+  SeamClosing seam_closing() {
+    return SeamClosing(stack_, path_, inner_options(true),
+                       [this](const CoupledMinimiserSummary& summary) {
+                         ++solution_.surface.outer_iterations;
+                         count(summary);
+                       });
+  }
+
+  // Brings apart what lies in each other at the given start. False: it was torn or interrupted.
+  bool part_walls() {
+    stack_.unstack();
+    solution_.status = seam_closing().part();
+    if (solution_.status == Status::iteration_limit)
+      solution_.notes.emplace_back(
+          "walls that lay in each other beside the seam could not be brought apart, and no "
+          "equilibrium was found");
+    return solution_.status == Status::converged;
+  }
+
   // Brings the seam together along its way, up to a rough state at time 1. False: it ended before.
   bool close_seam(bool& buckled) {
-    SeamClosing closing(stack_, path_, inner_options(true),
-                        [this](const CoupledMinimiserSummary& summary) {
-                          ++solution_.surface.outer_iterations;
-                          count(summary);
-                        });
+    SeamClosing closing = seam_closing();
     solution_.status = closing.run();
     solution_.reached = closing.reached();
     buckled |= closing.snapped();
@@ -193,6 +211,11 @@ class CoupledSolver::Data {
                                 std::to_string(closing.steps()) + " steps, as the vessel folds");
     return solution_.status == Status::converged;
   }
+
+  // Walls that fold, or are brought apart, at a seam.
+  bool crumples() const { return stack_.problem.seam_way || stack_.problem.meet_up_to_seams; }
+  // A given start should be near a minimum, where it is not to be brought apart first.
+  bool is_near_start() const { return stack_.problem.start && !stack_.problem.meet_up_to_seams; }
 
   // `stepped`: the start was extrapolated along the path. The true Hessian stays on its branch
   // where the longer steps of K0 could leave it.
@@ -209,11 +232,11 @@ class CoupledSolver::Data {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
     }
-    if (stack_.problem.seam_way) {  // as SeamClosing says
+    if (crumples()) {  // as SeamClosing says
       inner.follow = {};
       inner.release_shift = SeamClosing::release_shift;
     }
-    if (stack_.problem.start)
+    if (is_near_start())
       inner.max_factorisations = std::min(inner.max_factorisations, most_from_start);
     if (stepped) {
       inner.per_hessian = 3;
@@ -259,6 +282,7 @@ class CoupledSolver::Data {
     bool updates = !alone || surfaces.may_meet() || stack_.contacts->pressing();
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
+    const int patience = options.hold_after > 0 ? 2 * options.hold_after : patience_with_contact;
     Kept best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
@@ -282,7 +306,7 @@ class CoupledSolver::Data {
       if (failures > most_failures) restore(best);
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
-      if (stack_.problem.start && outer == 1 && !minimum && !stalled) {
+      if (is_near_start() && outer == 1 && !minimum && !stalled) {
         solution_.notes.emplace_back("no minimum was found near the given start");
         return Status::iteration_limit;
       }
@@ -293,12 +317,16 @@ class CoupledSolver::Data {
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       if (outer == options.hold_after) stack_.contacts->hold();
-      const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+      const bool settles_late = outer > patience;
+      const bool search =
+          !settles_late || options.hold_after == 0 || outer % updates_per_search == 0;
+      const ContactState contact =
+          search ? stack_.contacts->refresh(stack_.scaled) : stack_.contacts->update(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;
         tolerance = std::max(first_tolerance, options.tolerance);
       }
-      const double slackness = outer > patience_with_contact ? slack_contact : 1;
+      const double slackness = settles_late ? slack_contact : 1;
       // A vertex that opens and closes moves the soft sections, too.
       const bool tied =
           tie <= (stack_.contacts->pressing() ? slackness : 1) * options.tie_tolerance;

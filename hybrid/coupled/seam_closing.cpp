@@ -25,6 +25,8 @@ constexpr double snap = 0.2;
 constexpr double smallest_step = 0.04, growth = 1.4;
 // The last step may be longer by this factor, so that none is left that is much shorter.
 constexpr double last_step = 1.5;
+// Over the depth in which walls lie in each other beside a closed seam.
+constexpr double parting_step = 0.25, smallest_parting_step = 0.05;
 
 }  // namespace
 
@@ -69,7 +71,7 @@ Status SeamClosing::run() {
       before = std::exchange(last, found);
       before_last = std::exchange(reached_, time);
       ++steps_;
-      if (time == 1) return meet();
+      if (time == 1) return part();
       kept = path_.keep();
       step = std::min(growth * step, longest);
       continue;
@@ -84,19 +86,40 @@ Points SeamClosing::positions() const {
   return stack_.system->state(stack_.z).positions;
 }
 
-// With the seam closed, joined walls feel each other up to it.
-Status SeamClosing::meet() {
+Status SeamClosing::part() {
   stack_.contacts->meet_up_to_seams();
+  search();
+  CoupledPath::Kept kept = path_.keep();
+  for (double share = 1, step = parting_step; share > 0;) {
+    const double next = std::max(0.0, share - step);
+    stack_.contacts->allow(next);
+    search();
+    const Status status = settle();
+    if (status == Status::interrupted) return status;
+    if (status == Status::converged) {
+      share = next;
+      kept = path_.keep();
+      continue;
+    }
+    step /= 2;
+    if (step < smallest_parting_step) {
+      stack_.contacts->allow(0);
+      return status;
+    }
+    path_.restore(kept);
+  }
+  return Status::converged;
+}
+
+void SeamClosing::search() {
   stack_.contacts->refresh(stack_.scaled);
   stack_.stack_contacts();
-  return settle() == Status::interrupted ? Status::interrupted : Status::converged;
 }
 
 void SeamClosing::take_back(const CoupledPath::Kept& kept) {
   path_.restore(kept);
   stack_.contacts->forget();
-  stack_.contacts->refresh(stack_.scaled);
-  stack_.stack_contacts();
+  search();
 }
 
 // A rough minimum at the present offsets.

@@ -6,6 +6,9 @@
 // are about to close, from where no minimisation finds back. A step that finds none is taken back
 // and halved. Folds snap on the way, so that a state need not be near a minimum to go on from: it
 // only must not be torn.
+//
+// Once the seam is closed, joined walls meet right up to it. What lies in each other there is
+// brought apart in steps too (BodyContacts::allow): pushed out at once, the walls would be torn.
 #pragma once
 
 #include <functional>
@@ -14,7 +17,7 @@
 
 namespace vasorod {
 
-/// One way of the seam of a CoupledStack.
+/// One way of the seam of a CoupledStack, or only its end.
 class SeamClosing {
  public:
   /// CoupledMinimiserOptions::release_shift: walls that fold have indefinite Hessians.
@@ -29,13 +32,16 @@ class SeamClosing {
   /// `iteration_limit` where no step leads on, or `interrupted`.
   Status run();
 
+  /// Of a closed seam: brings apart what lies in each other up to the seam. Returns as run() does.
+  Status part();
+
   double reached() const { return reached_; }  ///< the time of the last state that was found
   int steps() const { return steps_; }         ///< that were taken, without those taken back
   bool snapped() const { return snapped_; }    ///< a fold snapped on the way
 
  private:
   Status settle();
-  Status meet();
+  void search();
   Points positions() const;
   void take_back(const CoupledPath::Kept& kept);
 

@@ -48,19 +48,22 @@ TEST(ContactPair, OnlyAShareOfTheThicknessCountsWhereTheCallerSaysSo) {
 }
 
 // Edges of about 0.14: half an edge deep it is pushed out, five edges deep it came in through the
-// mouth. Without a seam it is pushed out from there too.
+// mouth. Without a seam it is pushed out from there too. Where walls meet up to the seam, what is
+// deeper than one and a half edges is none that they met.
 TEST(ContactPair, WhatCameInThroughTheMouthIsNotPushedOut) {
   const TriangleSurface slave = beside(0), shallow = beside(1.93), deep = beside(1.2);
   const double edge = mean_edge_length(slave);
-  const auto deepest = [&](const TriangleSurface& master, bool joined) {
+  const auto deepest = [&](const TriangleSurface& master, bool joined, bool meets = false) {
     // At rest they are apart.
-    ContactPair pair({slave, 0, {}, joined}, {beside(3), 0, {}, joined}, 1);
+    ContactPair pair({slave, 0, {}, joined, meets}, {beside(3), 0, {}, joined, meets}, 1);
     pair.refresh(slave.points, master.points, 1);
     return -smallest_gap(pair, slave.points, master.points);
   };
   EXPECT_NEAR(deepest(shallow, true), 0.07, 0.01);
   EXPECT_GT(deepest(deep, false), 4.5 * edge);
   EXPECT_LT(deepest(deep, true), 3.01 * edge);
+  EXPECT_NEAR(deepest(shallow, true, true), 0.07, 0.01);
+  EXPECT_LT(deepest(deep, true, true), 1.51 * edge);
 }
 
 // With corners left out, a triangle is left out, unless walls meet up to the seam.

@@ -56,6 +56,54 @@ TEST(FoundContacts, WithinTheSettledGapTheMultiplierStays) {
   EXPECT_EQ(contact.contacts()[0].multiplier, 0);
 }
 
+// The same, which may be in the triangle as deep as it was found there.
+class InATriangle : public FoundContacts {
+ public:
+  InATriangle() : FoundContacts(1) {}
+  void refresh(const Points& slave, const Points&, double) override {
+    begin();
+    const double height = slave(0, 2);
+    add({0,
+         {0, 1, 2},
+         Vec3::Constant(1. / 3),
+         Vec3::UnitZ(),
+         allowed_depth(0, height),
+         2,
+         10,
+         0,
+         1},
+        0);
+    end();
+  }
+  double gap_at(double height) {
+    refresh(at(height), triangle(), 1);
+    return gap(contacts()[0], at(height), triangle());
+  }
+};
+
+TEST(FoundContacts, WhatIsPartedMayStayAsDeepAsItsShareOfTheFirstDepth) {
+  InATriangle contact;
+  EXPECT_EQ(contact.gap_at(-0.8), -0.8);
+  contact.start_parting();
+  EXPECT_EQ(contact.gap_at(-0.8), 0);
+  contact.allow(0.25);
+  EXPECT_NEAR(contact.gap_at(-0.8), -0.6, 1e-15);
+  EXPECT_NEAR(contact.gap_at(-0.2), 0, 1e-15);  // the first depth counts, not the present one
+  contact.allow(0);
+  EXPECT_EQ(contact.gap_at(-0.2), -0.2);
+}
+
+TEST(FoundContacts, HeldHereItHasNotSlid) {
+  InATriangle contact;
+  contact.refresh(at(0), triangle(), 1);
+  Points slid = at(0);
+  slid.row(0) += Eigen::RowVector3d(0.3, 0.4, 0);
+  contact.hold_here(at(0), triangle());
+  EXPECT_NEAR(FoundContacts::slip(contact.contacts()[0], slid, triangle()), 0.5, 1e-15);
+  contact.hold_here(slid, triangle());
+  EXPECT_NEAR(FoundContacts::slip(contact.contacts()[0], slid, triangle()), 0, 1e-15);
+}
+
 // Along the plane it slides by 3-4-5, across it only comes nearer.
 TEST(FoundContacts, SlipIsTheMotionAlongThePlane) {
   OverATriangle contact(0);

@@ -152,6 +152,24 @@ TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {
   }
 }
 
+// One rim is a seam: where walls meet up to it, its vertices count too.
+TEST(SelfContact, TheRimOfASeamMeetsTheWallToo) {
+  const TriangleSurface rest = tube();
+  ContactSide side{rest, thickness / 2, {}, true, true, {}};
+  for (int i = 0; i < rest.points.rows(); ++i)
+    if (rest.points(i, 2) == 0) side.seam.push_back(i);
+  ASSERT_EQ(side.seam.size(), static_cast<size_t>(around));
+  SelfContact contact(std::move(side), thickness, 1);
+  const Points now = flattened(rest, 0.3);
+  contact.refresh(now, now, 1);
+  bool seam = false;
+  for (const ContactPoint& c : contact.contacts()) {
+    seam |= now(c.slave, 2) == 0;
+    EXPECT_LT(now(c.slave, 2), 12);  // the other rim is left out
+  }
+  EXPECT_TRUE(seam);
+}
+
 // Multipliers stay where the walls press on each other within the tolerance, and go where they
 // part.
 TEST(SelfContact, MultipliersFollowThePressure) {

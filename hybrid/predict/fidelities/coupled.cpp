@@ -18,8 +18,9 @@
 namespace vasorod {
 namespace {
 
-// From a closed start, walls that find their minimum take some ten updates of multipliers.
-constexpr int updates_from_closed = 12;
+// From a closed start, walls that find their minimum take some ten to thirty updates of
+// multipliers.
+constexpr int updates_from_closed = 40;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -73,17 +74,20 @@ void start_closed(Prediction& prediction, const std::vector<VesselSections>& sec
   };
 }
 
-void feel_itself(const Prediction& prediction, const SharpVein& vein, CoupledProblem& problem) {
-  const auto body = static_cast<int>(vessel_named(prediction, vein.name));
-  problem.surfaces.contacts.emplace_back(body, body);
+// The vein and the artery that it is joined to.
+void feel_themselves(const Prediction& prediction, CoupledProblem& problem) {
+  for (const OperatedVessel& joined : prediction.operation->vessels) {
+    const auto body = static_cast<int>(vessel_named(prediction, joined.name));
+    problem.surfaces.contacts.emplace_back(body, body);
+  }
 }
 
 // The vein starts at rest, where nothing passes through it, and goes to its seam.
 void start_at_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
-                   const SharpVein& vein, CoupledProblem& problem) {
+                   CoupledProblem& problem) {
   const auto way = std::make_shared<const JoiningPath>(prediction);
   problem.seam_way = SeamWay{[way](double t) { return way->offsets(t); }, way->step()};
-  feel_itself(prediction, vein, problem);
+  feel_themselves(prediction, problem);
   problem.carried = [&prediction, &sections, way](double t) {
     return carried_by_rods(prediction, sections, t, way.get());
   };
@@ -145,7 +149,8 @@ bool is_minimum(Status status) {
 struct Outcome {
   Prediction state;
   Status status = Status::iteration_limit;
-  bool crossed = false;  // a minimum whose walls pass through something
+  double depth = 0;  // in which the walls of a minimum pass through something, length
+  bool crossed() const { return depth > 0; }
 };
 
 // One solve of a prediction.
@@ -194,12 +199,12 @@ class Attempt {
     return CoupledSolver(std::move(problem), coupled).solve();
   }
 
-  // From a minimum whose walls pass through each other beside the seam: they touch right up to it,
-  // and the vein itself.
-  CoupledSolution parted(const CoupledSolution& crossed, const SharpVein& vein) {
+  // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
+  // and each itself.
+  CoupledSolution parted(const CoupledSolution& crossed) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
-    feel_itself(prediction_, vein, problem);
+    feel_themselves(prediction_, problem);
     problem.meet_up_to_seams = true;
     CoupledStart& start = problem.start.emplace();
     start.rough = false;
@@ -218,9 +223,9 @@ class Attempt {
   }
 
   // Along the way of a vein that folds.
-  CoupledSolution on_its_way(const SharpVein& vein) {
+  CoupledSolution on_its_way() {
     CoupledProblem problem = problem_of(prediction_, sections_);
-    start_at_rest(prediction_, sections_, vein, problem);
+    start_at_rest(prediction_, sections_, problem);
     CoupledOptions coupled = coupled_;
     coupled.hold_after = hold_after;
     return CoupledSolver(std::move(problem), coupled).solve();
@@ -232,10 +237,12 @@ class Attempt {
 
   // Adds the solution's work to the prediction.
   Outcome outcome(const CoupledSolution& solution) {
-    Outcome outcome{prediction_, solution.status, false};
+    Outcome outcome{prediction_, solution.status};
     keep(CoupledSolution(solution), outcome.state);
     prediction_.work += solution.surface.work;
-    outcome.crossed = is_minimum(solution.status) && !named_crossings(outcome.state).empty();
+    if (is_minimum(solution.status))
+      for (const NamedCrossing& found : named_crossings(outcome.state))
+        outcome.depth = std::max(outcome.depth, found.crossing.depth);
     return outcome;
   }
 
@@ -276,11 +283,12 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Outcome best = attempt.outcome(*first);
   const auto take_if_better = [&](const CoupledSolution& solution) {
     Outcome next = attempt.outcome(solution);
-    if (is_minimum(next.status) || !is_minimum(best.status)) best = std::move(next);
+    const bool better = is_minimum(next.status) && next.depth <= best.depth;
+    if (better || !is_minimum(best.status)) best = std::move(next);
   };
-  if (best.crossed) take_if_better(attempt.parted(*first, *vein));
-  if ((best.crossed || (folds && !is_minimum(best.status))) && !options.stop())
-    take_if_better(attempt.on_its_way(*vein));
+  if (best.crossed()) take_if_better(attempt.parted(*first));
+  if ((best.crossed() || (folds && !is_minimum(best.status))) && !options.stop())
+    take_if_better(attempt.on_its_way());
   best.state.work = prediction.work;
   prediction = std::move(best.state);
 }

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <unistd.h>
 
-#include "data/sentence.h"
+#include "predict/name_stop.h"
 #include "result/folder_replacement.h"
 
 namespace vasorod {
@@ -44,7 +44,7 @@ std::function<bool()> stop_on_signal_or_after(double seconds) {
 }
 
 std::string stopped_by_signal_or(double seconds) {
-  return signalled.load() ? "a signal" : "the time limit of " + number_text(seconds) + " s";
+  return signalled.load() ? "a signal" : time_limit_of(seconds);
 }
 
 void end_on_signal() {

@@ -23,7 +23,7 @@
 // A wall that is bent sharply is not in contact with itself: what is nearer along the surface than
 // half a turn of the wall about its own face, or a few edges, does not count. Nor do rims of open
 // ends, where the multipliers of soft sections and of contact would hinder each other, and what the
-// caller excludes.
+// caller excludes. The rim of a seam that walls meet up to does.
 #pragma once
 
 #include <array>

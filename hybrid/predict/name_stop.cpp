@@ -4,6 +4,10 @@
 
 namespace vasorod {
 
+std::string time_limit_of(double seconds) {
+  return "the time limit of " + number_text(seconds) + " s";
+}
+
 void name_stop(const std::string& by, const std::string& stage, Result& result) {
   result.certificate.notes.push_back(
       "stopped by " + by + " at " + in_quotes(stage) +

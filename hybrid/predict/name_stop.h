@@ -7,6 +7,9 @@
 
 namespace vasorod {
 
+/// "the time limit of 5 s"
+std::string time_limit_of(double seconds);
+
 /// Adds to an interrupted result's notes the sentence that says what it was stopped by
 /// (SolveOptions::stopped_by) and at which stage.
 void name_stop(const std::string& by, const std::string& stage, Result& result);

@@ -24,10 +24,6 @@ namespace {
 
 namespace py = pybind11;
 
-std::string limit_of(double seconds) {
-  return "the time limit of " + number_text(seconds) + " s";
-}
-
 // Of a solve that goes on long after its time limit, as the program does (app/commands.cpp).
 Result state_so_far(const std::shared_ptr<Job>& job, double time_limit) {
   const py::gil_scoped_release others_run;
@@ -35,7 +31,7 @@ Result state_so_far(const std::shared_ptr<Job>& job, double time_limit) {
   Job::leave(job);
   if (!make_result) stop_early(stage);
   Result result = make_result();
-  name_stop(limit_of(time_limit), stage, result);
+  name_stop(time_limit_of(time_limit), stage, result);
   return result;
 }
 
@@ -53,7 +49,7 @@ std::shared_ptr<Result> solve(const std::shared_ptr<Scene>& scene,
   const auto job = Job::start(
       [=](Job& self) mutable {
         options.stop = [&self] { return self.stop(); };
-        if (time_limit) options.stopped_by = [=] { return limit_of(*time_limit); };
+        if (time_limit) options.stopped_by = [=] { return time_limit_of(*time_limit); };
         options.progress = [&self](const std::string& stage) { self.begin(stage); };
         options.keep = [&self](Job::MakeResult state) { self.keep(std::move(state)); };
         options.solved = [&self] { self.solved(); };

@@ -27,6 +27,7 @@ TEST(Stop, ALimitCountsFromTheCall) {
   EXPECT_TRUE(stops(soon));
   EXPECT_TRUE(soon()) << "and stays so";
   EXPECT_FALSE(late());
+  EXPECT_EQ(stopped_by_signal_or(1e-3), "the time limit of 0.001 s");
 }
 
 // A flag that is up stays up: each signal in a process of its own.
@@ -38,7 +39,8 @@ TEST_P(StopSignal, OnlyRaisesAFlag) {
     const auto stop = stop_on_signal_or_after(0);
     if (stop()) std::exit(1);
     std::raise(GetParam());
-    std::exit(stop() ? 0 : 2);
+    if (!stop()) std::exit(2);
+    std::exit(stopped_by_signal_or(5) == "a signal" ? 0 : 3);
   };
   EXPECT_EXIT(raised(), ::testing::ExitedWithCode(0), "");
 }

@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds patience(1500);
 constexpr std::chrono::milliseconds between(500);
 
 // What stops a solve whose result is wanted: the page's button.
-const std::string cancel = "Cancel";
+const std::string cancel_button = "Cancel";
 
 // Thrown inside a solve that nobody wants any more, between its stages.
 struct Dropped {};
@@ -145,7 +145,7 @@ void SolveJobs::solve(Job& job) {
   options.patience = 0;
   options.threads = processors();
   options.stop = [&] { return job.asked.load(); };
-  options.stopped_by = [] { return cancel; };
+  options.stopped_by = [] { return cancel_button; };
   options.progress = [&](const std::string& stage) {
     live();
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -248,7 +248,7 @@ void SolveJobs::end_if_overdue(Job& job, std::unique_lock<std::mutex>& lock) {
   std::string error;
   try {
     Result result = kept();
-    name_stop(cancel, stage, result);
+    name_stop(cancel_button, stage, result);
     stored = store(job, *opened, std::move(result));
   } catch (...) {
     error = failure_now().sentence;

@@ -2,6 +2,7 @@
 
 #include "coupled/coupled_problem.h"
 #include "data/index.h"
+#include "geometry/triangle_surface.h"
 #include "paper/joined_skin.h"
 #include "predict/coarse_start.h"
 #include "predict/fidelities/fidelities.h"
@@ -140,6 +141,11 @@ void take(CoupledSolution&& solution, const std::vector<VesselSections>& section
   give_rods_the_walls_means(prediction, sections, solution.sections);
 }
 
+double mean_edge(const Prediction& prediction, const SharpVein& vein) {
+  return mean_edge_length(
+      prediction.vessels[vessel_named(prediction, vein.name)].prepared.vessel.surface);
+}
+
 bool is_minimum(Status status) {
   return status == Status::converged || status == Status::buckled || status == Status::not_unique ||
          status == Status::equilibrium_only;
@@ -266,7 +272,8 @@ class Attempt {
 
 // A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Walls
 // that pass through something there are parted, and where that fails, a vein goes the way from
-// rest. A minimum is better than none, whatever passes through it.
+// rest; that first where they lie in each other by more than an edge, too deep for contact to tell
+// the sides apart. A minimum is better than none, whatever passes through it.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
@@ -286,9 +293,14 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
     const bool better = is_minimum(next.status) && next.depth <= best.depth;
     if (better || !is_minimum(best.status)) best = std::move(next);
   };
-  if (best.crossed()) take_if_better(attempt.parted(*first));
+  const auto part = [&] {
+    if (best.crossed() && !options.stop()) take_if_better(attempt.parted(*first));
+  };
+  const bool deep = folds && best.depth > mean_edge(prediction, *vein);
+  if (!deep) part();
   if ((best.crossed() || (folds && !is_minimum(best.status))) && !options.stop())
     take_if_better(attempt.on_its_way());
+  if (deep) part();
   best.state.work = prediction.work;
   prediction = std::move(best.state);
 }

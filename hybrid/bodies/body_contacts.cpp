@@ -70,6 +70,21 @@ BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scale
     pair.master = a_first ? b : a;
     pairs_.push_back(std::move(pair));
   }
+  for (size_t p = 0; p < problem.contacts.size(); ++p)
+    if (is_edged(pairs_[p])) exchange(p);
+}
+
+bool BodyContacts::is_edged(const Pair& pair) const {
+  return problem_.bodies[index(pair.master)].edged;  // of an obstacle and a vessel the obstacle
+}
+
+void BodyContacts::exchange(size_t pair) {
+  Pair exchanged;
+  exchanged.entry = static_cast<int>(pair);
+  exchanged.slave = pairs_[pair].master;
+  exchanged.master = pairs_[pair].slave;
+  exchanged.exchanged = true;
+  pairs_.push_back(std::move(exchanged));
 }
 
 void BodyContacts::meet_up_to_seams() {
@@ -82,13 +97,7 @@ void BodyContacts::meet_up_to_seams() {
       pairs_[p].pressed.clear();
       pairs_[p].searched.resize(0, 3);
     }
-    if (own) continue;
-    Pair exchanged;
-    exchanged.entry = static_cast<int>(p);
-    exchanged.slave = pairs_[p].master;
-    exchanged.master = pairs_[p].slave;
-    exchanged.exchanged = true;
-    pairs_.push_back(std::move(exchanged));
+    if (!own && !is_edged(pairs_[p])) exchange(p);
   }
   allowed_ = 1;
   for (Pair& pair : pairs_)
@@ -331,6 +340,11 @@ void BodyContacts::hold() {
 bool BodyContacts::pressing() const {
   return std::any_of(pairs_.begin(), pairs_.end(),
                      [](const Pair& pair) { return !pair.pressed.empty(); });
+}
+
+bool BodyContacts::seen_from_both(int pair) const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [&](const Pair& other) { return other.exchanged && other.entry == pair; });
 }
 
 int BodyContacts::swallowed(int pair) const {

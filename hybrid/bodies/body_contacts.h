@@ -92,6 +92,9 @@ class BodyContacts {
   /// Whether any contact carried pressure at the last refresh.
   bool pressing() const;
 
+  /// Whether the vertices of both bodies of a pair are looked at.
+  bool seen_from_both(int pair) const;
+
   /// ContactPair::swallowed of a pair.
   int swallowed(int pair) const;
 
@@ -108,7 +111,7 @@ class BodyContacts {
   struct Pair {
     int entry = 0;  ///< index into BodyProblem::contacts
     int slave = 0, master = 0;
-    bool exchanged = false;  ///< see meet_up_to_seams()
+    bool exchanged = false;  ///< see meet_up_to_seams() and SurfaceBody::edged
     bool in_reach = false;   ///< at any time so far
     double held_depth = 0;
     std::unique_ptr<FoundContacts> contact;
@@ -123,6 +126,8 @@ class BodyContacts {
     ContactState state;
     double change = 0, sum = 0;
   };
+  bool is_edged(const Pair& pair) const;
+  void exchange(size_t pair);  ///< adds the same pair with the roles of slave and master exchanged
   enum class Features { anew, as_found };
   Searched search(Pair& pair, const ScaledBodies& scaled, Features features) const;
   ContactState state(const ScaledBodies& scaled, Features features);

@@ -28,6 +28,7 @@ struct SurfaceBody {
   /// surface.
   double offset = 0;
   bool obstacle = false;  ///< does not move; other bodies can touch it
+  bool edged = false;     ///< an obstacle whose edges pass between the vertices of a wall
 };
 
 /// Two vertices that a seam joins.

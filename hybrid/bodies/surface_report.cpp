@@ -39,7 +39,9 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
           contact.weight[static_cast<int>(k)] * force.transpose();
     if (slave != master)
       pair.force += (pair.a == static_cast<int>(slave) ? 1 : -1) * force * scaled.force();
-    pair.area += contact.area * scaled.length * scaled.length;
+    // Vertices of both walls stand for one area.
+    const double sides = contacts.seen_from_both(stacked.pair[c]) ? 2 : 1;
+    pair.area += contact.area * scaled.length * scaled.length / sides;
     pair.largest_pressure = std::max(pair.largest_pressure, real);
   }
   for (size_t b = 0; b < scaled.bodies.size(); ++b) {

@@ -92,7 +92,11 @@ class Whole {
   }
 
   // Whether the space just outside the wall at a vertex is inside a vessel; then the next wall.
-  Inside depth_of(int body, int vertex, double edge) const {
+  // `only`: of that body alone, as if there were no other; -1: of all.
+  Inside depth_of(int body, int vertex, double edge, int only = -1) const {
+    const auto counts = [&](const RayHit& hit) {
+      return only < 0 || bodies_of_triangles_[index(hit.triangle)] == only;
+    };
     const int v = first_point_[index(body)] + vertex;
     const Vec3 normal = normals_.row(v);
     if (!(normal.squaredNorm() > 0)) return {};  // welded away, or of no triangle
@@ -101,7 +105,7 @@ class Whole {
     const Vec3 skew(1.3e-4, -2.1e-4, 1.7e-4);
     int winding = 0;
     for (const RayHit& hit : rays_->along(point + off, (normal + skew).normalized()))
-      winding += hit.leaves ? 1 : -1;
+      if (counts(hit)) winding += hit.leaves ? 1 : -1;
     if (winding == 0) return {};
     // Straight on, back, and obliquely: where walls meet in a crease, the next one is beside it.
     Inside inside{-1, std::numeric_limits<double>::infinity()};
@@ -115,7 +119,7 @@ class Whole {
         const auto hits = rays_->along(point + from * off, direction);
         const auto wall = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
           // Neither the fans that close ends nor the wall that the ray passes through.
-          return hit.triangle < surface_.triangles.rows() &&
+          return hit.triangle < surface_.triangles.rows() && counts(hit) &&
                  (!through || (surface_.triangles.row(hit.triangle).array() != v).all());
         });
         if (wall != hits.end() && wall->distance < inside.depth)
@@ -172,7 +176,8 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
       Crossing& crossing = found[{a, b}];
       if (!(inside.depth > std::max(least, crossing.depth))) continue;
       if (!rest) rest.emplace(bodies, false).close();
-      const Inside before = rest->depth_of(body, v, edge);
+      // A wall of a third body may have been nearer at rest.
+      const Inside before = rest->depth_of(body, v, edge, inside.body);
       if (before.body == inside.body && inside.depth < before.depth + least) continue;
       crossing = {a, b, crossing_pairs->second, bodies[i].now->row(v), inside.depth};
     }

@@ -1,14 +1,22 @@
 #include "predict/get_ready.h"
 
+#include <algorithm>
+
 #include <vasorod/error.h>
 
+#include "bodies/reach.h"
 #include "data/scene_place.h"
+#include "geometry/closest_point.h"
 #include "predict/prestress.h"
 #include "surgery/end_to_end.h"
 #include "surgery/glenn.h"
 
 namespace vasorod {
 namespace {
+
+// Over the vein's radius: a vessel that reaches farther into the vein's stump at rest was drawn
+// there as in a sketch. Surfaces of scanned neighbours overlap by less.
+constexpr double drawn_through = 0.5;
 
 Stage rest_stage(const Prediction& prediction) {
   Stage rest{"rest", {}, {}};
@@ -47,6 +55,46 @@ void operate_on(Prediction& prediction, const SolveOptions& options,
   for (Stage& stage : operation.stages) prediction.stages.push_back(std::move(stage));
 }
 
+// How far a vessel's surface reaches into a closed one at rest, length.
+double reach_into(const TriangleSurface& closed, const Points& points) {
+  const ClosestPoint finder(closed);
+  const Box box = box_of(closed.points);
+  double deepest = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Vec3 point = points.row(i);
+    if (!box.contains(point)) continue;
+    const ClosestPoint::Hit hit = finder.query(point);
+    if (!hit.on_boundary) deepest = std::max(deepest, -hit.signed_distance);
+  }
+  return deepest;
+}
+
+// What is left of a Glenn's vein stays where it was, as rigid as other obstacles. Of vessels joined
+// end to end the other part is taken out or tied off, and the joined one may lie there.
+void add_stump(Prediction& prediction) {
+  const OperatedVessel& joined = prediction.operation->vessels[0];
+  if (!prediction.scene->glenn || !joined.stump) return;
+  const PreparedVessel& vein = prediction.vessels[vessel_named(prediction, joined.name)].prepared;
+  for (const PredictedVessel& vessel : prediction.vessels)
+    if (!vessel.prepared.obstacle() &&
+        reach_into(*joined.stump, vessel.prepared.vessel.surface.points) >
+            drawn_through * vein.vessel.mean_radius) {
+      prediction.left_out["stump of " + joined.name] =
+          vessel.prepared.spec.name + " lies in it at rest: it is taken as out of the way";
+      return;
+    }
+  PredictedVessel stump;
+  stump.stump = true;
+  VesselSpec& spec = stump.prepared.spec;
+  spec = vein.spec;
+  spec.name = stump_of(joined.name);
+  spec.role = Role::obstacle;
+  spec.pressure.reset();
+  spec.axial_prestretch = 1;
+  stump.prepared.vessel.surface = *joined.stump;
+  prediction.vessels.push_back(std::move(stump));
+}
+
 void solve_rods(Prediction& prediction, const SolveOptions& options) {
   RodOptions rod_options;
   rod_options.stop = options.stop;
@@ -74,7 +122,10 @@ void get_ready(Prediction& prediction, LumenOf lumen, const SolveOptions& option
                const std::function<void(const std::string&)>& begin) {
   prestress(prediction, lumen, begin);
   prediction.stages.push_back(rest_stage(prediction));
-  if (prediction.scene->joined()) operate_on(prediction, options, begin);
+  if (prediction.scene->joined()) {
+    operate_on(prediction, options, begin);
+    add_stump(prediction);
+  }
   prediction.watch.lap("surgery");
   solve_rods(prediction, options);
 }

@@ -24,6 +24,7 @@ struct PredictedVessel {
   VesselConditions conditions;  ///< supports and loads
   RodSolution rod;              ///< only the rest poses if the rod was not solved
   bool rod_solved = false;      ///< false: nothing moves or loads the vessel, it stays at rest
+  bool stump = false;           ///< an obstacle that a Glenn operation left of its vein
   Points positions;             ///< deformed surface, n x 3; empty at fidelity rod
   Eigen::VectorXd pressure;     ///< contact pressure per vertex, stress; empty: not modelled
 };
@@ -46,7 +47,7 @@ struct SolvedSurfaces {
 struct Prediction {
   const Scene* scene = nullptr;          ///< the scene that is solved
   std::string fidelity;                  ///< name of the fidelity
-  std::vector<PredictedVessel> vessels;  ///< in the scene's order
+  std::vector<PredictedVessel> vessels;  ///< in the scene's order, then the stump
   /// The vessels before a Glenn operation; empty: there is none, or the fidelity needs none.
   std::vector<PreparedVessel> whole;
   std::optional<Operation> operation;           ///< the operation; empty: none
@@ -60,6 +61,9 @@ struct Prediction {
   Stopwatch watch;                              ///< seconds of the stages so far
   Work work;  ///< of the rods at fidelity `rod`, of the surfaces at others
 };
+
+/// The name of what an operation leaves of a vessel; no vessel of a scene may have it.
+std::string stump_of(const std::string& vessel);
 
 /// Index of the vessel with that name in `vessels`.
 size_t vessel_named(const Prediction& prediction, const std::string& name);

@@ -192,6 +192,7 @@ void describe_model(const Prediction& prediction, Result& result) {
   const bool start_only = prediction.surfaces && prediction.surfaces->carry_everything;
   bool has_surfaces = false;
   for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.stump) continue;
     model.rod_nodes += vessel.prepared.vessel.rod.node_count();
     model.vertices += static_cast<int>(vessel.positions.rows());
     if (vessel.positions.rows() > 0)

@@ -129,6 +129,7 @@ void judge(const Prediction& prediction, const PredictedVessel& vessel, Result& 
 void add_vessels(const Prediction& prediction, Result& result) {
   Stage deformed{"result", {}, {}};
   for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.stump) continue;  // written with the vein
     result.vessels.push_back(written(prediction, vessel));
     if (!vessel.prepared.obstacle()) judge(prediction, vessel, result);
     if (vessel.positions.rows() == 0) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bodies/spring_coefficients.h"
+#include "data/index.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -27,6 +28,7 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
   body.thickness = prepared.thickness();
   body.offset = prepared.outer_offset();
   body.obstacle = prepared.obstacle();
+  body.edged = vessel.stump;
   if (body.obstacle) return body;
   body.k = coefficients_of(prepared);
   body.fixed.assign(static_cast<size_t>(body.rest.points.rows()), 0);
@@ -41,6 +43,20 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
         carried_rotations(prepared.vessel.rod, vessel.rod.poses, prepared.vessel.carry);
   }
   return body;
+}
+
+// A vessel that the scene lets touch the vein touches its stump as well.
+void add_stump(const Prediction& prediction, BodyProblem& problem) {
+  if (prediction.vessels.empty() || !prediction.vessels.back().stump) return;
+  const auto vein =
+      static_cast<int>(vessel_named(prediction, prediction.operation->vessels[0].name));
+  const int stump = static_cast<int>(prediction.vessels.size()) - 1;
+  const auto named = problem.contacts;
+  for (const auto& [a, b] : named) {
+    const int other = a == vein ? b : a;
+    if ((a == vein || b == vein) && !problem.bodies[index(other)].obstacle)
+      problem.contacts.emplace_back(other, stump);
+  }
 }
 
 }  // namespace
@@ -58,11 +74,13 @@ BodyProblem body_problem(const Prediction& prediction) {
     for (const auto& [a, b] : prediction.operation->pairs)
       problem.seams.push_back({first, a, second, b});
   }
-  if (prediction.scene->contact)
-    for (const auto& [a, b] : *prediction.scene->contact)
-      problem.contacts.emplace_back(body_named(a), body_named(b));
-  else
+  if (!prediction.scene->contact) {
     problem.contacts = all_contacts(problem.bodies);
+    return problem;
+  }
+  for (const auto& [a, b] : *prediction.scene->contact)
+    problem.contacts.emplace_back(body_named(a), body_named(b));
+  add_stump(prediction, problem);
   return problem;
 }
 

@@ -103,6 +103,24 @@ TEST(Crossings, WhatCrossesAtRestIsNotCounted) {
   EXPECT_TRUE(crossings({{&a, &a.points, 0}, {&b, &pushed, 0}}, {}).empty());
 }
 
+// What one body lies in at rest is measured against that body, whatever was nearer.
+TEST(Crossings, AThirdBodyThatWasNearerAtRestChangesNothing) {
+  const TriangleSurface a = tube(10, 40, 24, 48);
+  TriangleSurface b = a, c = a;
+  b.points = moved(a, about(Vec3::UnitX(), 90), {17, 20, 20});
+  c.points = moved(a, Mat3::Identity(), {-0.5, 0, 0});
+  const Points drawn_out = moved(b, Mat3::Identity(), {0.5, 0, 0}),
+               pushed_in = moved(b, Mat3::Identity(), {-1, 0, 0}),
+               taken_away = moved(c, Mat3::Identity(), {-100, 0, 0});
+  EXPECT_TRUE(
+      crossings({{&a, &a.points, 10}, {&b, &drawn_out, 10}, {&c, &taken_away, 10}}, {}).empty());
+  const auto found =
+      crossings({{&a, &a.points, 10}, {&b, &pushed_in, 10}, {&c, &taken_away, 10}}, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].b, 1);
+  EXPECT_NEAR(found[0].depth, 4, 0.4);
+}
+
 // A tube pressed flat in its middle: until the walls touch, and beyond.
 TEST(Crossings, OppositeWallsThatChangeSidesAreFound) {
   const TriangleSurface a = tube(10, 40, 32, 64);

@@ -267,7 +267,8 @@ struct Scene {
   Units units;                      ///< units of all numbers
   std::vector<VesselSpec> vessels;  ///< in the file's order
   std::vector<EndCondition> ends;   ///< in the file's order
-  /// Pairs of vessels that may touch; empty: every pair within reach.
+  /// Pairs of vessels that may touch; empty: every pair within reach. What may touch the vein of a
+  /// Glenn operation may touch its stump.
   std::optional<std::vector<std::array<std::string, 2>>> contact;
   std::optional<GlennSpec> glenn;          ///< a Glenn operation; empty: none
   std::optional<EndToEndSpec> end_to_end;  ///< an end-to-end join, instead of it; empty: none

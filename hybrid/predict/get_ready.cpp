@@ -14,8 +14,8 @@
 namespace vasorod {
 namespace {
 
-// Over the vein's radius: a vessel that reaches farther into the vein's stump at rest was drawn
-// there as in a sketch. Surfaces of scanned neighbours overlap by less.
+// Over the vein's radius: a vessel that reaches farther into the vein's stump was drawn there as in
+// a sketch. Surfaces of scanned neighbours overlap by less.
 constexpr double drawn_through = 0.5;
 
 Stage rest_stage(const Prediction& prediction) {
@@ -69,20 +69,31 @@ double reach_into(const TriangleSurface& closed, const Points& points) {
   return deepest;
 }
 
+Points axis_of(const RodPoses& poses) {
+  Points axis(static_cast<Eigen::Index>(poses.size()), 3);
+  for (Eigen::Index i = 0; i < axis.rows(); ++i)
+    axis.row(i) = poses[static_cast<size_t>(i)].position;
+  return axis;
+}
+
 // What is left of a Glenn's vein stays where it was, as rigid as other obstacles. Of vessels joined
 // end to end the other part is taken out or tied off, and the joined one may lie there.
 void add_stump(Prediction& prediction) {
   const OperatedVessel& joined = prediction.operation->vessels[0];
   if (!prediction.scene->glenn || !joined.stump) return;
   const PreparedVessel& vein = prediction.vessels[vessel_named(prediction, joined.name)].prepared;
-  for (const PredictedVessel& vessel : prediction.vessels)
-    if (!vessel.prepared.obstacle() &&
-        reach_into(*joined.stump, vessel.prepared.vessel.surface.points) >
-            drawn_through * vein.vessel.mean_radius) {
-      prediction.left_out["stump of " + joined.name] =
-          vessel.prepared.spec.name + " lies in it at rest: it is taken as out of the way";
-      return;
-    }
+  for (const PredictedVessel& vessel : prediction.vessels) {
+    if (vessel.prepared.obstacle()) continue;
+    const std::string& name = vessel.prepared.spec.name;
+    const bool cut = name == joined.name;
+    const double reach = reach_into(
+        *joined.stump, cut ? axis_of(vessel.rod.poses) : vessel.prepared.vessel.surface.points);
+    if (reach <= drawn_through * vein.vessel.mean_radius) continue;
+    prediction.left_out["stump of " + joined.name] =
+        name + (cut ? " goes through it to the incision" : " lies in it at rest") +
+        ": it is taken as out of the way";
+    return;
+  }
   PredictedVessel stump;
   stump.stump = true;
   VesselSpec& spec = stump.prepared.spec;

@@ -52,9 +52,9 @@ constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
-// A start near a minimum takes a few factorisations, and some 25 where the walls wrinkle on from
-// there; where it needs more than this, another start is better.
-constexpr int most_from_start = 35;
+// A start near a minimum takes a few factorisations; where it needs more than this, another start
+// is better.
+constexpr int most_from_start = 15;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;

@@ -1,22 +1,15 @@
 #include "predict/get_ready.h"
 
-#include <algorithm>
-
 #include <vasorod/error.h>
 
-#include "bodies/reach.h"
 #include "data/scene_place.h"
-#include "geometry/closest_point.h"
 #include "predict/prestress.h"
+#include "predict/stump.h"
 #include "surgery/end_to_end.h"
 #include "surgery/glenn.h"
 
 namespace vasorod {
 namespace {
-
-// Over the vein's radius: a vessel that reaches farther into the vein's stump was drawn there as in
-// a sketch. Surfaces of scanned neighbours overlap by less.
-constexpr double drawn_through = 0.5;
 
 Stage rest_stage(const Prediction& prediction) {
   Stage rest{"rest", {}, {}};
@@ -53,57 +46,6 @@ void operate_on(Prediction& prediction, const SolveOptions& options,
     vessel->rod_solved = true;
   }
   for (Stage& stage : operation.stages) prediction.stages.push_back(std::move(stage));
-}
-
-// How far a vessel's surface reaches into a closed one at rest, length.
-double reach_into(const TriangleSurface& closed, const Points& points) {
-  const ClosestPoint finder(closed);
-  const Box box = box_of(closed.points);
-  double deepest = 0;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Vec3 point = points.row(i);
-    if (!box.contains(point)) continue;
-    const ClosestPoint::Hit hit = finder.query(point);
-    if (!hit.on_boundary) deepest = std::max(deepest, -hit.signed_distance);
-  }
-  return deepest;
-}
-
-Points axis_of(const RodPoses& poses) {
-  Points axis(static_cast<Eigen::Index>(poses.size()), 3);
-  for (Eigen::Index i = 0; i < axis.rows(); ++i)
-    axis.row(i) = poses[static_cast<size_t>(i)].position;
-  return axis;
-}
-
-// What is left of a Glenn's vein stays where it was, as rigid as other obstacles. Of vessels joined
-// end to end the other part is taken out or tied off, and the joined one may lie there.
-void add_stump(Prediction& prediction) {
-  const OperatedVessel& joined = prediction.operation->vessels[0];
-  if (!prediction.scene->glenn || !joined.stump) return;
-  const PreparedVessel& vein = prediction.vessels[vessel_named(prediction, joined.name)].prepared;
-  for (const PredictedVessel& vessel : prediction.vessels) {
-    if (vessel.prepared.obstacle()) continue;
-    const std::string& name = vessel.prepared.spec.name;
-    const bool cut = name == joined.name;
-    const double reach = reach_into(
-        *joined.stump, cut ? axis_of(vessel.rod.poses) : vessel.prepared.vessel.surface.points);
-    if (reach <= drawn_through * vein.vessel.mean_radius) continue;
-    prediction.left_out["stump of " + joined.name] =
-        name + (cut ? " goes through it to the incision" : " lies in it at rest") +
-        ": it is taken as out of the way";
-    return;
-  }
-  PredictedVessel stump;
-  stump.stump = true;
-  VesselSpec& spec = stump.prepared.spec;
-  spec = vein.spec;
-  spec.name = stump_of(joined.name);
-  spec.role = Role::obstacle;
-  spec.pressure.reset();
-  spec.axial_prestretch = 1;
-  stump.prepared.vessel.surface = *joined.stump;
-  prediction.vessels.push_back(std::move(stump));
 }
 
 void solve_rods(Prediction& prediction, const SolveOptions& options) {

@@ -6,10 +6,6 @@
 
 namespace vasorod {
 
-std::string stump_of(const std::string& vessel) {
-  return vessel + "_stump";
-}
-
 size_t vessel_named(const Prediction& prediction, const std::string& name) {
   for (size_t v = 0; v < prediction.vessels.size(); ++v)
     if (prediction.vessels[v].prepared.spec.name == name) return v;

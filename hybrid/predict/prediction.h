@@ -62,9 +62,6 @@ struct Prediction {
   Work work;  ///< of the rods at fidelity `rod`, of the surfaces at others
 };
 
-/// The name of what an operation leaves of a vessel; no vessel of a scene may have it.
-std::string stump_of(const std::string& vessel);
-
 /// Index of the vessel with that name in `vessels`.
 size_t vessel_named(const Prediction& prediction, const std::string& name);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bodies/spring_coefficients.h"
-#include "data/index.h"
 #include "geometry/triangle_surface.h"
+#include "predict/stump.h"
 
 namespace vasorod {
 namespace {
@@ -45,20 +45,6 @@ SurfaceBody body_of(const PredictedVessel& vessel) {
   return body;
 }
 
-// A vessel that the scene lets touch the vein touches its stump as well.
-void add_stump(const Prediction& prediction, BodyProblem& problem) {
-  if (prediction.vessels.empty() || !prediction.vessels.back().stump) return;
-  const auto vein =
-      static_cast<int>(vessel_named(prediction, prediction.operation->vessels[0].name));
-  const int stump = static_cast<int>(prediction.vessels.size()) - 1;
-  const auto named = problem.contacts;
-  for (const auto& [a, b] : named) {
-    const int other = a == vein ? b : a;
-    if ((a == vein || b == vein) && !problem.bodies[index(other)].obstacle)
-      problem.contacts.emplace_back(other, stump);
-  }
-}
-
 }  // namespace
 
 BodyProblem body_problem(const Prediction& prediction) {
@@ -80,7 +66,7 @@ BodyProblem body_problem(const Prediction& prediction) {
   }
   for (const auto& [a, b] : *prediction.scene->contact)
     problem.contacts.emplace_back(body_named(a), body_named(b));
-  add_stump(prediction, problem);
+  touch_stump(prediction, problem);
   return problem;
 }
 

@@ -109,7 +109,7 @@ TEST_F(CoupledStartTest, ACrumpledOneEndsSoonWithASentence) {
   EXPECT_EQ(solution.status, Status::iteration_limit) << to_string(solution.status);
   ASSERT_FALSE(solution.notes.empty());
   EXPECT_EQ(solution.notes.front(), "no minimum was found near the given start");
-  EXPECT_LE(solution.surface.work.counts.factorisations, 35) << "its whole budget";
+  EXPECT_LE(solution.surface.work.counts.factorisations, 16);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 # What nearly every file includes is parsed once. Off where it does not pay or does not work: with a
-# compiler cache, under sanitizers, with compilers other than GCC (not measured there).
+# compiler cache, in fuzz targets, with compilers other than GCC (not measured there).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER
-    AND NOT VASOROD_SANITIZE AND NOT VASOROD_FUZZ)
+    AND NOT VASOROD_FUZZ)
   set(precompile ON)
 else()
   set(precompile OFF)

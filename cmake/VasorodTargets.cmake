@@ -23,7 +23,7 @@ if(VASOROD_FUZZ)
   # solved in the same time; the tests under VASOROD_SANITIZE check them.
   set(VASOROD_FUZZ_CHECKS -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
     -fno-sanitize-recover=all -fno-omit-frame-pointer -O2)
-  set(VASOROD_FUZZ_READERS data surface_file scene result prepare)
+  set(VASOROD_FUZZ_READERS data surface_file mask scene result)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(VASOROD_PYTHON)

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "data/index.h"
+#include "data/part_names.h"
 #include "report/report_pictures.h"
 
 namespace vasorod::planner {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "data/index.h"
+#include "data/part_names.h"
 #include "data/sentence.h"
 #include "report/report_pictures.h"
 
@@ -110,10 +111,6 @@ const std::vector<std::optional<RayHits>>& StoredResult::walls() const {
     walls_ = std::move(walls);
   });
   return walls_;
-}
-
-std::string stump_name(const std::string& vessel) {
-  return vessel + "_stump";
 }
 
 Json json_of(const StoredResult& stored) {

@@ -50,9 +50,6 @@ class StoredResult {
   mutable std::vector<std::optional<RayHits>> walls_;
 };
 
-/// What the part that was cut off a vessel is called: NAME_stump.
-std::string stump_name(const std::string& vessel);
-
 /// The answer of GET api/result/ID.
 Json json_of(const StoredResult& stored);
 

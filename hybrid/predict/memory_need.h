@@ -8,7 +8,7 @@
 
 #include <vasorod/scene.h>
 
-#include "numerics/memory.h"
+#include "data/memory.h"
 
 namespace vasorod {
 

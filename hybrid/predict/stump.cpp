@@ -4,6 +4,7 @@
 
 #include "bodies/reach.h"
 #include "data/index.h"
+#include "data/part_names.h"
 #include "geometry/closest_point.h"
 
 namespace vasorod {
@@ -53,7 +54,7 @@ void add_stump(Prediction& prediction) {
   stump.stump = true;
   VesselSpec& spec = stump.prepared.spec;
   spec = vein.spec;
-  spec.name += "_stump";  // no vessel of a scene may have this name
+  spec.name = stump_name(spec.name);  // no vessel of a scene may have this name
   spec.role = Role::obstacle;
   spec.pressure.reset();
   spec.axial_prestretch = 1;

@@ -8,6 +8,7 @@
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/part_names.h"
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 #include "propose/place_operation.h"
@@ -44,7 +45,7 @@ void check_names(const std::vector<VesselSpec>& vessels) {
                          ", which " + vessels[i].surface->string() +
                          " has too, expected files of different names, as vessels are called after "
                          "them");
-      if (one == other + "_stump" || one == other + "_centerline")
+      if (one == stump_name(other) || one == centerline_name(other))
         throw InputError(vessels[i].surface->string() + ": found the name " + in_quotes(one) +
                          ", which the result of " + other + " needs, expected another file name");
     }

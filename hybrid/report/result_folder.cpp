@@ -6,6 +6,7 @@
 #include <vasorod/error.h>
 #include <vasorod/result_folder.h>
 
+#include "data/part_names.h"
 #include "report/report.h"
 #include "result/folder_replacement.h"
 #include "result/write_vtp.h"
@@ -22,10 +23,10 @@ std::vector<File> geometry_files(const Result& result) {
     const FileStamp stamp = stamp_of(result, vessel);
     if (vessel.rest.rows() > 0) files.emplace_back(vessel.name + ".vtp", vessel_vtp(vessel, stamp));
     if (vessel.centerline)
-      files.emplace_back(vessel.name + "_centerline.vtp",
+      files.emplace_back(centerline_name(vessel.name) + ".vtp",
                          centerline_vtp(*vessel.centerline, stamp));
     if (vessel.stump)
-      files.emplace_back(vessel.name + "_stump.vtp", surface_vtp(*vessel.stump, stamp));
+      files.emplace_back(stump_name(vessel.name) + ".vtp", surface_vtp(*vessel.stump, stamp));
   }
   files.emplace_back("scene.pvd", scene_pvd(result));
   std::set<std::string> names;

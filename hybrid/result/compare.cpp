@@ -7,6 +7,7 @@
 #include <vasorod/compare.h>
 #include <vasorod/error.h>
 
+#include "data/part_names.h"
 #include "data/sentence.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
@@ -66,7 +67,7 @@ std::optional<ReadVessel> vessel_in(const fs::path& folder, const std::string& n
 }
 
 std::optional<ReadCenterline> centerline_in(const fs::path& folder, const std::string& name) {
-  const fs::path file = folder / (name + "_centerline.vtp");
+  const fs::path file = folder / (centerline_name(name) + ".vtp");
   if (!fs::exists(file)) return std::nullopt;
   return read_centerline_vtp(file);
 }

@@ -2,6 +2,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/part_names.h"
 #include "result/read_json.h"
 #include "result/read_vtp.h"
 
@@ -59,9 +60,9 @@ Result read_result_folder(const fs::path& folder) {
   for (VesselResult& vessel : result.vessels) {
     if (const fs::path file = folder / (vessel.name + ".vtp"); fs::exists(file))
       add_surface(file, vessel);
-    if (const fs::path file = folder / (vessel.name + "_centerline.vtp"); fs::exists(file))
+    if (const fs::path file = folder / (centerline_name(vessel.name) + ".vtp"); fs::exists(file))
       add_centerline(file, vessel);
-    if (const fs::path file = folder / (vessel.name + "_stump.vtp"); fs::exists(file))
+    if (const fs::path file = folder / (stump_name(vessel.name) + ".vtp"); fs::exists(file))
       vessel.stump = read_stump_vtp(file);
   }
   return result;

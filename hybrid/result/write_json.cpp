@@ -1,5 +1,6 @@
 #include <vasorod/result.h>
 
+#include "data/part_names.h"
 #include "result/json_text.h"
 #include "result/unknown_validity.h"
 
@@ -211,8 +212,8 @@ Json glenn(const GlennReport& g) {
 Json files_of(const VesselResult& v) {
   Json value = {{"name", v.name}, {"obstacle", v.obstacle}};
   if (v.rest.rows() > 0) value["surface"] = v.name + ".vtp";
-  if (v.centerline) value["centerline"] = v.name + "_centerline.vtp";
-  if (v.stump) value["stump"] = v.name + "_stump.vtp";
+  if (v.centerline) value["centerline"] = centerline_name(v.name) + ".vtp";
+  if (v.stump) value["stump"] = stump_name(v.name) + ".vtp";
   return value;
 }
 

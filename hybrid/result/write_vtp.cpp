@@ -18,6 +18,8 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "data/part_names.h"
+
 namespace vasorod {
 
 namespace {
@@ -232,8 +234,8 @@ std::string scene_pvd(const Result& result) {
   };
   for (const VesselResult& vessel : result.vessels) {
     if (vessel.rest.rows() > 0) add(vessel.name);
-    if (vessel.centerline) add(vessel.name + "_centerline");
-    if (vessel.stump) add(vessel.name + "_stump");
+    if (vessel.centerline) add(centerline_name(vessel.name));
+    if (vessel.stump) add(stump_name(vessel.name));
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }

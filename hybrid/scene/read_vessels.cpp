@@ -4,6 +4,7 @@
 
 #include <vasorod/read_scene.h>
 
+#include "data/part_names.h"
 #include "scene/read_parts.h"
 
 namespace vasorod {
@@ -143,8 +144,8 @@ VesselSpec read_vessel(const Field& field, const std::filesystem::path& folder,
 void check_names(const std::vector<Field>& fields, const std::vector<VesselSpec>& vessels) {
   std::set<std::string> taken;
   for (const VesselSpec& vessel : vessels) {
-    taken.insert(vessel.name + "_stump");
-    taken.insert(vessel.name + "_centerline");
+    taken.insert(stump_name(vessel.name));
+    taken.insert(centerline_name(vessel.name));
   }
   std::set<std::string> seen;
   for (size_t i = 0; i < vessels.size(); ++i) {

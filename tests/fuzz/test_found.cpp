@@ -11,7 +11,7 @@
 #include <vasorod/read_scene.h>
 #include <vasorod/result_folder.h>
 
-#include "prepare/mask_surface.h"
+#include "mask/mask_surface.h"
 #include "result/example_result.h"
 #include "result/read_vtp.h"
 #include "result/write_vtp.h"

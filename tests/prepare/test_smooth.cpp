@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "prepare/mask_surface.h"
+#include "mask/mask_surface.h"
 #include "prepare/repair.h"
 #include "prepare/smooth.h"
 #include "prepare/tube_shapes.h"

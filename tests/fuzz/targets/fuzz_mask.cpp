@@ -1,7 +1,7 @@
 // The input as a mask of `vasorod prepare`, in the format that its first bytes name; then the
 // surface of its first label. A header may name voxels.raw, which lies beside the input.
 #include "fuzz/targets/fuzz_input.h"
-#include "prepare/mask_surface.h"
+#include "mask/mask_surface.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <vasorod/error.h>
 
-#include "prepare/mask.h"
-#include "prepare/mask_surface.h"
+#include "mask/mask.h"
+#include "mask/mask_surface.h"
 #include "scratch_folder.h"
 
 namespace vasorod {

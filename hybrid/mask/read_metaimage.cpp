@@ -3,7 +3,7 @@
 #include <map>
 
 #include "data/sentence.h"
-#include "prepare/mask.h"
+#include "mask/mask.h"
 
 namespace vasorod {
 namespace {

@@ -1,4 +1,4 @@
-#include "prepare/mask_surface.h"
+#include "mask/mask_surface.h"
 
 #include <Eigen/LU>
 #include <cmath>

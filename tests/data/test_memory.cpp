@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "numerics/memory.h"
+#include "data/memory.h"
 
 namespace vasorod {
 namespace {

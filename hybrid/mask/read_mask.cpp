@@ -9,9 +9,9 @@
 #include <vasorod/error.h>
 
 #include "data/limits.h"
+#include "data/memory.h"
 #include "data/sentence.h"
-#include "numerics/memory.h"
-#include "prepare/mask.h"
+#include "mask/mask.h"
 
 namespace vasorod {
 namespace {

@@ -1,4 +1,4 @@
-#include "numerics/memory.h"
+#include "data/memory.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "data/sentence.h"
-#include "prepare/mask.h"
+#include "mask/mask.h"
 
 namespace vasorod {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prepare/mask.h"
+#include "mask/mask.h"
 
 namespace vasorod {
 

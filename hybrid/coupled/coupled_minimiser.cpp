@@ -265,7 +265,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   inner.tolerance = options.tolerance;
   VectorXd gradient;
   double shift = 0, factored_at = 1;
-  int stalls = 0, indefinite = 0;
+  int stalls = 0, indefinite = 0, shifted = 0;
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
   // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, it is
   // cheaper to go on with it than to factorise another.
@@ -279,16 +279,19 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     summary.add(lbfgs(evaluation, hessian, z, inner));
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
-  while (summary.factorisations < options.max_factorisations &&
+  while (summary.factorisations < options.max_factorisations && shifted < options.max_shifted &&
          summary.iterations < options.max_iterations) {
     const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
-    if (!factorise(z, shift, summary.factorisations, options.max_factorisations, breaks)) {
+    const int so_far = summary.factorisations;
+    const int most = std::min(options.max_factorisations, so_far + options.max_shifted - shifted);
+    if (!factorise(z, shift, summary.factorisations, most, breaks)) {
       summary.unfactorised = true;
       summary.residual = factored_at;
       break;
     }
     fresh = shift == 0;
+    if (!fresh) shifted += summary.factorisations - so_far;
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     if (closing && !(inner.largest_step > 0 && inner.largest_step < options.closing_step))
       inner.largest_step = options.closing_step;

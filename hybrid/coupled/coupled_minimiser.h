@@ -36,6 +36,8 @@ struct CoupledMinimiserOptions {
   bool release_step = false;
   int max_iterations = 3000;
   int max_factorisations = 60;
+  /// Of them, those that met a negative pivot or needed a shift.
+  int max_shifted = 60;
   /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
   bool use_rest = true;
   /// Begin with K0 in the present frames and what seams, ties and contacts add to it, which is

@@ -52,9 +52,10 @@ constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
 // the energy would not reverse.
 constexpr double seam_step = 0.3;
-// A start near a minimum takes a few factorisations; where it needs more than this, another start
-// is better.
-constexpr int most_from_start = 15;
+// A start near a minimum takes a few factorisations, more where it has to slide along a contact.
+// Where it needs more than this, or so many of Hessians that are not positive definite, another
+// start is better.
+constexpr int most_from_start = 35, most_shifted_from_start = 15;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;
@@ -166,13 +167,13 @@ class CoupledSolver::Data {
       solution_.reached = t;
     }
     if (solution_.status == Status::not_unique)
-      solution_.notes.push_back(
+      solution_.notes.emplace_back(
           "a direction is left that costs nothing, as when wrinkles may turn about the axis: the "
           "result is "
           "one of many");
     if (buckled) {
       solution_.status = Status::buckled;
-      solution_.notes.push_back(
+      solution_.notes.emplace_back(
           "the smooth branch from rest lost its stability on the way; the result is the minimum "
           "below it");
     }
@@ -238,8 +239,10 @@ class CoupledSolver::Data {
       inner.follow = {};
       inner.release_shift = SeamClosing::release_shift;
     }
-    if (is_near_start())
+    if (is_near_start()) {
       inner.max_factorisations = std::min(inner.max_factorisations, most_from_start);
+      inner.max_shifted = most_shifted_from_start;
+    }
     if (stepped) {
       inner.per_hessian = 3;
       inner.largest_step = path_step * stack_.ring_radius();
@@ -371,7 +374,7 @@ class CoupledSolver::Data {
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
         if (stack_.minimiser->load_is_hidden(stack_.z))
-          solution_.notes.push_back(
+          solution_.notes.emplace_back(
               "the loads are smaller than what rounding leaves of the walls' forces: the result is "
               "not "
               "theirs");

@@ -81,7 +81,14 @@ TEST_F(CoupledStartTest, ARoughStartEndsInTheSameMinimumWithFewFactorisations) {
   EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
   EXPECT_TRUE(solution.smallest_curvature_positive);
   EXPECT_LT(away(solution), 1e-4);
-  EXPECT_LE(solution.surface.work.counts.factorisations, 4);
+  // Counts differ by one between machines, as rounding does: they are compared with those of the
+  // true Hessian from the beginning and of the way from rest.
+  const auto factorisations = [](const CoupledSolution& of) {
+    return of.surface.work.counts.factorisations;
+  };
+  start.rough = false;
+  EXPECT_LT(1.5 * factorisations(solution), factorisations(from(start)));
+  EXPECT_LT(1.3 * factorisations(solution), factorisations(reference_));
 }
 
 TEST_F(CoupledStartTest, AStartThatBuckledOnItsWaySaysSo) {
@@ -97,6 +104,15 @@ TEST_F(CoupledStartTest, WhatWasNotExpectedToBeTouchedIsFound) {
   CoupledStart start = start_at(reference_);
   start.bodies[1] = {};
   for (Eigen::VectorXd& pressure : start.pressure) pressure.resize(0);
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
+  EXPECT_LT(away(solution), 1e-4);
+}
+
+// It takes more factorisations than a crumpled one may, most of them of positive Hessians.
+TEST_F(CoupledStartTest, ARougherOneGoesOnWhileItsHessiansArePositive) {
+  CoupledStart start = start_at(reference_);
+  roughen(0.12, start);
   const CoupledSolution solution = from(start);
   EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
   EXPECT_LT(away(solution), 1e-4);

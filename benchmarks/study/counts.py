@@ -1,5 +1,6 @@
-"""How much a solver did (`counts` in result.json). The numbers do not depend on the machine, so
-that they show a slower or faster solver where times do not."""
+"""How much a solver did (`counts` in result.json). With the same kernels of OpenBLAS
+(store.py) the numbers do not depend on the machine, so that they show a slower or faster solver
+where times do not."""
 
 # Per count: its tolerance as a share of the baseline's value, and at least so many. Rounding can
 # move an iteration, and with it a solve; entries of a factor follow from the mesh.

@@ -1,4 +1,4 @@
-// How much a solver did, in numbers that do not depend on the machine.
+// How much a solver did, in numbers that depend on the machine by rounding alone.
 #pragma once
 
 #include <algorithm>

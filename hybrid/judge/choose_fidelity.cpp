@@ -52,6 +52,9 @@ std::string outside_of_table(const Scene& scene, const std::vector<RodOfVessel>&
   const PreparedVessel& prepared = *rods.front().vessel;
   const Vessel& vessel = prepared.vessel;
   if (vessel.rod.branches.size() != 1) return "the table is of tubes without branches";
+  // One that is soft in shear bends otherwise beside its ends, which `section` does not know.
+  if (prepared.spec.wall && !prepared.spec.wall->material.is_isotropic())
+    return "the table is of isotropic walls";
   const AccuracyScope scope = accuracy_scope();
   const double tolerance = 0.01, thickness = prepared.thickness() / vessel.mean_radius,
                length = length_scale(vessel.rod) / vessel.mean_radius;

@@ -113,6 +113,13 @@ TEST_F(ChooseFidelity, OutsideOfTheTableTheDearestWithoutAPromise) {
   EXPECT_NE(thick.reason.find("t/R"), std::string::npos) << thick.reason;
   tube.spec.wall->thickness = 1;
 
+  Material& material = tube.spec.wall->material;
+  material.shear_axial /= 100;
+  const FidelityChoice soft = choose(0.02, 0.05, rows);
+  EXPECT_FALSE(soft.promised);
+  EXPECT_NE(soft.reason.find("isotropic"), std::string::npos) << soft.reason;
+  material.shear_axial *= 100;
+
   EXPECT_TRUE(choose(0.05, 0.05, rows, 0.02).promised);
   const FidelityChoice pressed = choose(0.05, 0.05, rows, -0.02);
   EXPECT_FALSE(pressed.promised);

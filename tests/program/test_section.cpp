@@ -176,6 +176,34 @@ void expect_refused(const std::string& scene, const std::string& sentence) {
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 
+// coupled lets it shear beside its ends, and is softer.
+TEST(Section, AWallThatIsSoftInShearIsNamed) {
+  const ScratchFolder scratch;
+  const auto solve = [&](const std::string& fidelity, const std::string& wall) {
+    std::string scene = tube_scene(fidelity, "hold: true", "move: [1.5, 0, 0], section: rigid");
+    const std::string isotropic = "{thickness: 0.6, young: 0.5, poisson: 0.45}";
+    scene.replace(scene.find(isotropic), isotropic.size(), wall);
+    std::ofstream(scratch / "scene.yaml") << scene;
+    const auto run = run_program(vasorod("solve '" + (scratch / "scene.yaml").string() + "' -o '" +
+                                         (scratch / "result").string() + "' --quiet --no-report"));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(contents_of(scratch / "result" / "result.json"));
+  };
+  const auto is_named = [](const json& result) {
+    return result.at("certificate").at("notes").dump().find("is soft in shear") !=
+           std::string::npos;
+  };
+  const auto force = [](const json& result) { return norm(result.at("ends")[1].at("force")); };
+  const std::string soft =
+      "{thickness: 0.6, young: 0.5, shear: 0.002, transverse: {young: 0.5, poisson: 0.45, "
+      "coupling: 0}}";
+  const json section = solve("section", soft), coupled = solve("coupled", soft);
+  EXPECT_TRUE(is_named(section));
+  EXPECT_FALSE(is_named(coupled));
+  EXPECT_GT(force(section), 1.01 * force(coupled));
+  EXPECT_FALSE(is_named(solve("section", "{thickness: 0.6, young: 0.5, poisson: 0.45}")));
+}
+
 TEST(Section, RefusesWhatItDoesNotModel) {
   expect_refused(small_glenn("section"),
                  "found an operation at fidelity section, whose vessels are whole, expected "

@@ -48,10 +48,6 @@ def solve_seconds(folder, record):
     return record["processor_seconds"] * min(1.0, solving / record["wall_seconds"])
 
 
-def one_thread():
-    return {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-
-
 def same_kernels():
     """OpenBLAS chooses its kernels by the processor. Those for AVX-512 round otherwise than those
     for AVX2: counts of the worst conditioned rows then differ tenfold, and a wall that crumples
@@ -129,7 +125,8 @@ class Store:
             (folder / name).write_text(text)
         words = [str(self.programs[run.program]), *run.arguments]
         started = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
-        environment = {**os.environ, **one_thread(), **same_kernels()}
+        environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+        environment |= same_kernels()
         with open(folder / "output.txt", "wb") as output:
             begin = time.perf_counter()
             child = subprocess.Popen(

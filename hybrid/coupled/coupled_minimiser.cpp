@@ -284,7 +284,8 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
     const int so_far = summary.factorisations;
-    const int most = std::min(options.max_factorisations, so_far + options.max_shifted - shifted);
+    const int most =
+        so_far + std::min(options.max_factorisations - so_far, options.max_shifted - shifted);
     if (!factorise(z, shift, summary.factorisations, most, breaks)) {
       summary.unfactorised = true;
       summary.residual = factored_at;

@@ -11,6 +11,7 @@
 // definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy never rises.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "coupled/coupled_system.h"
@@ -37,7 +38,7 @@ struct CoupledMinimiserOptions {
   int max_iterations = 3000;
   int max_factorisations = 60;
   /// Of them, those that met a negative pivot or needed a shift.
-  int max_shifted = 60;
+  int max_shifted = std::numeric_limits<int>::max();
   /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
   bool use_rest = true;
   /// Begin with K0 in the present frames and what seams, ties and contacts add to it, which is

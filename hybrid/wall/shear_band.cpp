@@ -18,15 +18,19 @@ namespace {
 // Width of the band over the layer's length.
 constexpr double band_lengths = 3;
 
+// From moduli: across the rim, along it, and of the shear across the wall. `bow`: the curvature.
+ShearLayer layer_of(double across, double hoop, double shear, double t, double bow) {
+  return shear_layer(across * t * t * t / 12, hoop * t * bow * bow, shear_factor * shear * t);
+}
+
 // The glued edges of a rim and the means of its wall.
 struct Rim {
   std::vector<Edge> edges;
   double length = 0, thickness = 0, curvature = 0, bending = 0, hoop = 0, shear = 0, left = 0;
 
   ShearLayer layer() const {
-    const double t = thickness / length, bow = curvature / length;
-    return shear_layer(bending / length * t * t * t / 12, hoop / length * t * bow * bow,
-                       shear_factor * shear / length * t);
+    return layer_of(bending / length, hoop / length, shear / length, thickness / length,
+                    curvature / length);
   }
 };
 
@@ -228,6 +232,12 @@ ShearLayer shear_layer(double bending, double hoop, double shear) {
                                  : std::sqrt(wave / (share + std::sqrt(share * share - 1)));
   layer.length = 1 / decay;
   return layer;
+}
+
+ShearLayer shear_layer(const Material& material, double thickness, double radius) {
+  const Mat3 plane = plane_stress(material);
+  return layer_of(plane(0, 0), 1 / plane.inverse()(1, 1), transverse_shear(material)[0], thickness,
+                  1 / radius);
 }
 
 Points shear_band(const WallInput& wall) {

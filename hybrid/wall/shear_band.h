@@ -27,6 +27,9 @@ struct ShearLayer {
 /// `bending`: D, force length; `hoop`: k, force / length^3; `shear`: S, force / length.
 ShearLayer shear_layer(double bending, double hoop, double shear);
 
+/// Of a tube beside its rigid rims, the fibre along its axis.
+ShearLayer shear_layer(const Material& material, double thickness, double radius);
+
 /// WallInput::lean of a wall: the direction across the nearest glued rim in the band beside each
 /// rim where the share that the triangles leave is at least `least_shear_share`, zero elsewhere;
 /// empty if there is no such rim.

@@ -190,7 +190,7 @@ TEST(Section, AWallThatIsSoftInShearIsNamed) {
     return json::parse(contents_of(scratch / "result" / "result.json"));
   };
   const auto is_named = [](const json& result) {
-    return result.at("certificate").at("notes").dump().find("is soft in shear") !=
+    return result.at("certificate").at("notes").dump().find("is thick or soft in shear") !=
            std::string::npos;
   };
   const auto force = [](const json& result) { return norm(result.at("ends")[1].at("force")); };

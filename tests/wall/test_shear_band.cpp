@@ -25,6 +25,22 @@ TEST(ShearBand, LayerAgainstItsPolynomial) {
   }
 }
 
+// Winkler's foundation k = E_T t / R^2 and the plate's D beside each other; the fibre along the
+// tube.
+TEST(ShearBand, LayerOfATube) {
+  Material material = Material::isotropic(2, 0.3);
+  const double t = 0.3, radius = 3, d = 2 * t * t * t / 12 / 0.91;
+  const auto share = [&](double shear) {
+    return std::sqrt(2 * t / (radius * radius) * d) / (2 * 5.0 / 6 * shear * t);
+  };
+  const ShearLayer layer = shear_layer(material, t, radius);
+  EXPECT_NEAR(layer.share, share(2 / 2.6), 1e-12);
+  EXPECT_NEAR(layer.length, shear_layer(d, 2 * t / (radius * radius), 5.0 / 6 * 2 / 2.6 * t).length,
+              1e-12);
+  material.shear_axial = 0.05;
+  EXPECT_NEAR(shear_layer(material, t, radius).share, share(0.05), 1e-12);
+}
+
 // Whole rows beside both rims of a thick tube lean along it; walls as thick as vessels, coarse
 // meshes and free rims have no lean.
 TEST(ShearBand, OnlyWhereItMatters) {

@@ -70,8 +70,9 @@ BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scale
     pair.master = a_first ? b : a;
     pairs_.push_back(std::move(pair));
   }
+  // The stump of a vein begins at the vein's mouth: its vertices would seem to be deep in the wall.
   for (size_t p = 0; p < problem.contacts.size(); ++p)
-    if (is_edged(pairs_[p])) exchange(p);
+    if (is_edged(pairs_[p]) && !problem.bodies[index(pairs_[p].slave)].open_mouth) exchange(p);
 }
 
 bool BodyContacts::is_edged(const Pair& pair) const {
@@ -97,7 +98,7 @@ void BodyContacts::meet_up_to_seams() {
       pairs_[p].pressed.clear();
       pairs_[p].searched.resize(0, 3);
     }
-    if (!own && !is_edged(pairs_[p])) exchange(p);
+    if (!own && !seen_from_both(static_cast<int>(p))) exchange(p);
   }
   allowed_ = 1;
   for (Pair& pair : pairs_)

@@ -87,6 +87,8 @@ void feel_themselves(const Prediction& prediction, CoupledProblem& problem) {
 void start_at_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
                    CoupledProblem& problem) {
   const auto way = std::make_shared<const JoiningPath>(prediction);
+  const auto vein = vessel_named(prediction, prediction.operation->vessels[0].name);
+  problem.surfaces.bodies[vein].open_mouth = true;
   problem.seam_way = SeamWay{[way](double t) { return way->offsets(t); }, way->step()};
   feel_themselves(prediction, problem);
   problem.carried = [&prediction, &sections, way](double t) {

@@ -1,0 +1,92 @@
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "bodies/body_contacts.h"
+#include "paper/paper_tubes.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+constexpr double radius = 6;
+constexpr int around = 24;
+
+// What a cut leaves below z = 0: the wall of a tube, and on it a cap of rings of vertices.
+TriangleSurface stump() {
+  constexpr int n = around, rows = 6, rings = 4;
+  TriangleSurface s;
+  s.points.resize(n * (rows + rings) + 1, 3);
+  const auto ring = [&](int first, double r, double z) {
+    for (int i = 0; i < n; ++i)
+      s.points.row(first + i) << r * std::cos(2 * M_PI * i / n), r * std::sin(2 * M_PI * i / n), z;
+  };
+  for (int k = 0; k < rows; ++k) ring(k * n, radius, 1.5 * (k + 1 - rows));
+  for (int k = 0; k < rings; ++k) ring((rows + k) * n, radius * (rings - k) / (rings + 1), 0);
+  const int middle = n * (rows + rings);
+  s.points.row(middle).setZero();
+  std::vector<std::array<int, 3>> t;
+  for (int k = 0; k + 1 < rows + rings; ++k)
+    for (int i = 0; i < n; ++i) {
+      const int a = k * n + i, b = k * n + (i + 1) % n;
+      t.push_back({a, b, b + n});
+      t.push_back({a, b + n, a + n});
+    }
+  for (int i = 0; i < n; ++i) t.push_back({middle - n + i, middle - n + (i + 1) % n, middle});
+  s.triangles.resize(static_cast<Eigen::Index>(t.size()), 3);
+  for (size_t i = 0; i < t.size(); ++i)
+    s.triangles.row(static_cast<Eigen::Index>(i)) << t[i][0], t[i][1], t[i][2];
+  return s;
+}
+
+// A vein with its mouth on its stump. `open`: the mouth is on its way.
+BodyProblem cut_vein(bool open) {
+  BodyProblem problem;
+  SurfaceBody& vein = problem.bodies.emplace_back();
+  vein.name = "vein";
+  vein.rest = tube(radius, 24, around, 16);
+  vein.thickness = 0.6;
+  vein.k = {1, 0.1, 0.4};
+  vein.open_mouth = open;
+  SurfaceBody& below = problem.bodies.emplace_back();
+  below.name = "stump";
+  below.rest = stump();
+  below.obstacle = below.edged = true;
+  problem.contacts.emplace_back(0, 1);
+  return problem;
+}
+
+// Deepest penetration once the mouth is tilted by 3 degrees about its middle, length.
+double tilted(bool open, bool met) {
+  const BodyProblem problem = cut_vein(open);
+  ScaledBodies scaled = scale_bodies(problem);
+  ScaledBody& vein = scaled.bodies[0];
+  vein.modelled = true;
+  BodyContacts contacts(problem, scaled, 10);
+  contacts.refresh(scaled);
+  if (met) {
+    contacts.meet_up_to_seams();
+    contacts.allow(0);
+  }
+  const Vec3 mouth = -scaled.origin / scaled.length;
+  const Mat3 turn = Eigen::AngleAxisd(3 * M_PI / 180, Vec3::UnitX()).toRotationMatrix();
+  vein.now =
+      ((vein.now.rowwise() - mouth.transpose()) * turn.transpose()).rowwise() + mouth.transpose();
+  return contacts.refresh(scaled).penetration * scaled.length;
+}
+
+// Vertices of the cap are then behind the plane of the mouth, as far from the wall as a radius.
+// None has passed through the wall, whose own vertices are no deeper in the stump than a hundredth
+// of it.
+TEST(BodyContacts, WhatIsInAnOpenMouthDoesNotTouchTheWall) {
+  EXPECT_LT(tilted(true, false), 0.01 * radius);
+}
+
+// Once a mouth is sewn, nothing is in it that has not passed through a wall.
+TEST(BodyContacts, WhatIsInASewnMouthHasPassedThroughTheWall) {
+  EXPECT_GT(tilted(false, false), 0.15 * radius);
+  EXPECT_GT(tilted(true, true), 0.15 * radius);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -20,6 +20,8 @@ constexpr double bent_edges_when_joined = 2.5;
 // A vessel that is joined comes to itself in small steps: what seems deeper than this many mean
 // edges is a wall whose side is mistaken, beside a mouth that is no plane.
 constexpr double deepest_when_joined = 1;
+// The same of the seam's own vertices that seem to be through a wall.
+constexpr double deepest_on_seam = 0.5;
 // A gap in mean edges at which walls that press on each other count as closed.
 constexpr double settled = 5e-4;
 
@@ -43,6 +45,8 @@ SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
       side_.rest, std::max((side_.joined ? bent_edges_when_joined : bent_edges) * edge_,
                            std::numbers::pi * std::max(offset_[0], offset_[1])));
   settled_ = settled * edge_;
+  on_seam_.resize(index(side_.rest.points.rows()), 0);
+  for (const int v : side_.seam) on_seam_[index(v)] = 1;
   side_.share.resize(index(side_.rest.points.rows()), 1);
   for (const std::vector<int>& loop : boundary_loops(side_.rest.triangles)) {
     if (std::find(side_.seam.begin(), side_.seam.end(), loop.front()) != side_.seam.end()) continue;
@@ -72,7 +76,8 @@ bool SelfContact::own(int vertex, const std::array<int, 3>& corner) const {
 }
 
 // Takes what a vertex faces as a contact if it is within reach.
-void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double reach) {
+void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double reach,
+                       double deepest) {
   if (wall.triangle < 0) return;
   if (!side_.met_up_to_seam && std::any_of(wall.corner.begin(), wall.corner.end(),
                                            [this](int v) { return side_.left_out(v); }))
@@ -84,7 +89,7 @@ void SelfContact::meet(int vertex, bool outside, const FacingWall& wall, double 
   double slack = 2 * offset_[outside ? 1 : 0] + allowance(wall, vertex, outside);
   const Vec3 apart = Vec3(now_.row(vertex)) - wall.at;
   double gap = normal.dot(apart) - slack;
-  if (gap > reach || gap < -deepest_) return;
+  if (gap > reach || gap < -deepest) return;
   const auto slot = static_cast<Eigen::Index>(slot_of(vertex, outside));
   const double allowed = allowed_depth(slot, gap);
   slack += allowed;
@@ -114,12 +119,13 @@ void SelfContact::search(int vertex, double nearer, double reach) {
   if (wall[0].triangle < 0 && wall[1].triangle < 0) return;
   const int winding = walls_->winding_outside(vertex);
   if (winding == 0) {
-    meet(vertex, false, wall[0], reach);
-    meet(vertex, true, wall[1], reach);
+    meet(vertex, false, wall[0], reach, deepest_);
+    meet(vertex, true, wall[1], reach, deepest_);
   } else {
     // They are through each other: the wall of the lumen is met outwards, that of a fold inwards.
     const bool fold = winding > 0;
-    meet(vertex, fold, wall[fold ? 0 : 1], reach);
+    meet(vertex, fold, wall[fold ? 0 : 1], reach,
+         on_seam_[index(vertex)] ? deepest_on_seam * edge_ : deepest_);
   }
 }
 

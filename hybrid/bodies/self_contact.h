@@ -23,7 +23,9 @@
 // A wall that is bent sharply is not in contact with itself: what is nearer along the surface than
 // half a turn of the wall about its own face, or a few edges, does not count. Nor do rims of open
 // ends, where the multipliers of soft sections and of contact would hinder each other, and what the
-// caller excludes. The rim of a seam that walls meet up to does.
+// caller excludes. The rim of a seam that walls meet up to does, but not from deep inside a wall:
+// the lid that closes the mouth of a fold for the winding number may lie on either side of its own
+// rim.
 #pragma once
 
 #include <array>
@@ -51,7 +53,8 @@ class SelfContact : public FoundContacts {
 
  private:
   void search(int vertex, double nearer, double reach);
-  void meet(int vertex, bool outside, const FacingWall& wall, double reach);
+  // `deepest`: overlap beyond which they are not in contact, length.
+  void meet(int vertex, bool outside, const FacingWall& wall, double reach, double deepest);
   bool own(int vertex, const std::array<int, 3>& corner) const;
   double allowance(const FacingWall& wall, int vertex, bool outside) const;
 
@@ -59,8 +62,9 @@ class SelfContact : public FoundContacts {
   std::array<double, 2> offset_;  // from the surface to the inner, outer face
   double stiffness_;
   Eigen::VectorXd area_;
-  double edge_;     // mean
-  double deepest_;  // overlap beyond which walls are not in contact, length
+  double edge_;                // mean
+  std::vector<char> on_seam_;  // per vertex
+  double deepest_;             // overlap beyond which walls are not in contact, length
   std::unique_ptr<NearOnSurface> near_;
   std::unique_ptr<FacingWalls> walls_;  // made by the first search
   Points now_;                          // of the present search

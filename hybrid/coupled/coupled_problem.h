@@ -82,8 +82,12 @@ struct CoupledOptions : SurfaceOptions {
   double tie_stiffness = 100;
   /// Multiplier updates after which walls that press on each other stick between searches
   /// (contact_pair.h): where walls crumple, contacts are found differently each time without end.
-  /// After twice as many, they are searched at every tenth update only. 0: never.
+  /// After twice as many, they are searched at a tenth of the updates only, later at fewer.
+  /// 0: never.
   int hold_after = 0;
+  /// Of a whole solve: after so many it ends without a minimum, at its next multiplier update.
+  /// 0: no limit.
+  int most_factorisations = 0;
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};

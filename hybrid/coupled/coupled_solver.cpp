@@ -26,9 +26,11 @@ constexpr double finest_tolerance = 1e-13;
 // tolerance, with a note.
 constexpr int patience_with_contact = 40;
 constexpr double slack_contact = 10;
-// From there on of walls that crumple, contacts are searched after so many updates only: the set of
-// those that press changes with each search, without end.
+// From there on of walls that crumple, contacts are searched after so many updates only, each time
+// after longer: the set of those that press changes with each search, without end, and where walls
+// lie on each other over a large part their forces settle slowly.
 constexpr int updates_per_search = 10;
+constexpr double longer = 1.5;
 // Such a state is accepted if a last search finds walls in each other by no more mean edges.
 constexpr double late_overlap = 0.05;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
@@ -215,6 +217,10 @@ class CoupledSolver::Data {
     return solution_.status == Status::converged;
   }
 
+  bool spent() const {
+    const int most = stack_.options.most_factorisations;
+    return most > 0 && stack_.work.counts.factorisations >= most;
+  }
   // Walls that fold, or are brought apart, at a seam.
   bool crumples() const { return stack_.problem.seam_way || stack_.problem.meet_up_to_seams; }
   // A given start should be near a minimum, where it is not to be brought apart first.
@@ -288,6 +294,7 @@ class CoupledSolver::Data {
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
     const int patience = options.hold_after > 0 ? 2 * options.hold_after : patience_with_contact;
+    int next_search = patience, updates_between = updates_per_search;
     Kept best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
@@ -323,8 +330,11 @@ class CoupledSolver::Data {
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       if (outer == options.hold_after) stack_.contacts->hold();
       const bool settles_late = outer > patience;
-      const bool search =
-          !settles_late || options.hold_after == 0 || outer % updates_per_search == 0;
+      const bool search = !settles_late || options.hold_after == 0 || outer >= next_search;
+      if (settles_late && search) {
+        next_search = outer + updates_between;
+        updates_between = static_cast<int>(longer * updates_between);
+      }
       const ContactState contact =
           search ? stack_.contacts->refresh(stack_.scaled) : stack_.contacts->update(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
@@ -370,7 +380,7 @@ class CoupledSolver::Data {
               late_note);
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
-      if (outer >= options.max_outer || failures > most_failures ||
+      if (outer >= options.max_outer || failures > most_failures || spent() ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
         if (stack_.minimiser->load_is_hidden(stack_.z))
@@ -450,6 +460,7 @@ std::optional<std::string> CoupledOptions::is_invalid() const {
       {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
       {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
       {hold_after >= 0, "hold_after: expected 0 or more"},
+      {most_factorisations >= 0, "most_factorisations: expected 0 or more"},
       {rising, "times: expected rising numbers above 0, the last of them 1"},
   });
 }

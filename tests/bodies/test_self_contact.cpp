@@ -152,14 +152,19 @@ TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {
   }
 }
 
-// One rim is a seam: where walls meet up to it, its vertices count too.
-TEST(SelfContact, TheRimOfASeamMeetsTheWallToo) {
-  const TriangleSurface rest = tube();
+// One rim is a seam, up to which walls meet.
+SelfContact contact_up_to_seam(const TriangleSurface& rest) {
   ContactSide side{rest, thickness / 2, {}, true, true, {}};
   for (int i = 0; i < rest.points.rows(); ++i)
     if (rest.points(i, 2) == 0) side.seam.push_back(i);
-  ASSERT_EQ(side.seam.size(), static_cast<size_t>(around));
-  SelfContact contact(std::move(side), thickness, 1);
+  EXPECT_EQ(side.seam.size(), static_cast<size_t>(around));
+  return {std::move(side), thickness, 1};
+}
+
+// Its vertices count too.
+TEST(SelfContact, TheRimOfASeamMeetsTheWallToo) {
+  const TriangleSurface rest = tube();
+  SelfContact contact = contact_up_to_seam(rest);
   const Points now = flattened(rest, 0.3);
   contact.refresh(now, now, 1);
   bool seam = false;
@@ -168,6 +173,27 @@ TEST(SelfContact, TheRimOfASeamMeetsTheWallToo) {
     EXPECT_LT(now(c.slave, 2), 12);  // the other rim is left out
   }
   EXPECT_TRUE(seam);
+}
+
+// Not from deep inside: what closes the mouth of a fold may lie on either side of its own rim.
+TEST(SelfContact, TheRimOfASeamIsNotPushedOutFromDeepInside) {
+  const TriangleSurface rest = tube();
+  for (const double height : {0.05, 0.3}) {
+    SelfContact contact = contact_up_to_seam(rest);
+    Points now = flattened(rest, height);
+    now.col(1) *= -1;
+    contact.refresh(now, now, 1);
+    double seam = 0, beside = 0;
+    for (const ContactPoint& c : contact.contacts()) {
+      double& deepest = now(c.slave, 2) == 0 ? seam : beside;
+      deepest = std::min(deepest, FoundContacts::gap(c, now, now));
+    }
+    EXPECT_NEAR(beside, -height - thickness, 0.03);
+    if (height < 0.1)
+      EXPECT_NEAR(seam, beside, 0.03);
+    else
+      EXPECT_GT(seam, -0.5 * mean_edge_length(rest));
+  }
 }
 
 // Multipliers stay where the walls press on each other within the tolerance, and go where they

@@ -12,7 +12,8 @@ using namespace testing;
 
 // Two tubes with a gap between their rims, held at their far ends. `way`: the step of the time on
 // which the seam is brought together; 0: its start is closed.
-CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1) {
+CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1,
+                                const CoupledOptions& options = {}) {
   const HeldTube half(30 * unit, 6 * unit, 0.6 * unit, 24, 18);
   CoupledProblem problem;
   add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
@@ -26,7 +27,7 @@ CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1) 
                                  return std::vector<Vec3>(n, (1 - t) * unit * apart);
                                },
                                way};
-  CoupledSolver solver(std::move(problem));
+  CoupledSolver solver(std::move(problem), options);
   return solver.solve();
 }
 
@@ -76,6 +77,19 @@ TEST(SeamClosing, TheCertificateSaysInHowManySteps) {
             "the seam was brought together along a way of 4 steps, as the vessel "
             "folds");
   EXPECT_EQ(way.reached, 1);
+}
+
+TEST(SeamClosing, ASolveWhoseFactorisationsAreSpentEndsAtItsNextUpdate) {
+  const CoupledSolution whole = pulled_together({1.5, -1, 2}, 0);
+  ASSERT_EQ(whole.status, Status::converged);
+  ASSERT_GT(whole.surface.outer_iterations, 1);
+  CoupledOptions options;
+  options.most_factorisations = 1;
+  const CoupledSolution spent = pulled_together({1.5, -1, 2}, 0, 1, options);
+  EXPECT_EQ(spent.status, Status::iteration_limit);
+  EXPECT_EQ(spent.surface.outer_iterations, 1);
+  options.most_factorisations = static_cast<int>(whole.surface.work.counts.factorisations) + 1;
+  EXPECT_EQ(pulled_together({1.5, -1, 2}, 0, 1, options).status, Status::converged);
 }
 
 // A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis

@@ -22,6 +22,9 @@ namespace {
 // From a closed start, walls that find their minimum take some ten to thirty updates of
 // multipliers.
 constexpr int updates_from_closed = 40;
+// Walls that can be parted are so within half as many factorisations; others go on without end, and
+// the vein's way from rest is cheaper.
+constexpr int most_to_part = 150;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -227,6 +230,7 @@ class Attempt {
         start.bodies[v].sections.push_back({section.rotation, section.center});
     CoupledOptions coupled = coupled_;
     coupled.hold_after = hold_after;
+    coupled.most_factorisations = most_to_part;
     return CoupledSolver(std::move(problem), coupled).solve();
   }
 

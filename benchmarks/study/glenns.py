@@ -65,10 +65,8 @@ def folded_run(pressure, cut, incision, rotation):
 
 
 def folded():
-    """(pressure, *pick): without pressure at the rotation of least twist alone."""
-    return [(0, *pick) for pick in picks() if pick[2] == "auto"] + [
-        (PRESSURE, *pick) for pick in picks()
-    ]
+    """(pressure, *pick)"""
+    return [(pressure, *pick) for pressure in (0, PRESSURE) for pick in picks()]
 
 
 def picks():

@@ -65,7 +65,7 @@ def folded_run(pressure, cut, incision, rotation):
 
 
 def folded():
-    """(pressure, *pick)"""
+    """(pressure in mmHg, 0: without; *pick) of every run."""
     return [(pressure, *pick) for pressure in (0, PRESSURE) for pick in picks()]
 
 

@@ -29,7 +29,8 @@ struct SurfaceBody {
   double offset = 0;
   bool obstacle = false;  ///< does not move; other bodies can touch it
   bool edged = false;     ///< an obstacle whose edges pass between the vertices of a wall
-  /// Its rim is brought to its seam: an obstacle that reaches through it does not touch the wall.
+  /// Its rim is on its way to its seam: vertices of an obstacle with `edged` that are behind it do
+  /// not touch the wall.
   bool open_mouth = false;
 };
 

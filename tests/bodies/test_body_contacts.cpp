@@ -1,8 +1,11 @@
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "bodies/body_contacts.h"
+#include "geometry/triangle_surface.h"
 #include "paper/paper_tubes.h"
+#include "surgery/cap.h"
 
 namespace vasorod {
 namespace {
@@ -12,31 +15,13 @@ using namespace testing;
 constexpr double radius = 6;
 constexpr int around = 24;
 
-// What a cut leaves below z = 0: the wall of a tube, and on it a cap of rings of vertices.
+// What a cut leaves below z = 0.
 TriangleSurface stump() {
-  constexpr int n = around, rows = 6, rings = 4;
-  TriangleSurface s;
-  s.points.resize(n * (rows + rings) + 1, 3);
-  const auto ring = [&](int first, double r, double z) {
-    for (int i = 0; i < n; ++i)
-      s.points.row(first + i) << r * std::cos(2 * M_PI * i / n), r * std::sin(2 * M_PI * i / n), z;
-  };
-  for (int k = 0; k < rows; ++k) ring(k * n, radius, 1.5 * (k + 1 - rows));
-  for (int k = 0; k < rings; ++k) ring((rows + k) * n, radius * (rings - k) / (rings + 1), 0);
-  const int middle = n * (rows + rings);
-  s.points.row(middle).setZero();
-  std::vector<std::array<int, 3>> t;
-  for (int k = 0; k + 1 < rows + rings; ++k)
-    for (int i = 0; i < n; ++i) {
-      const int a = k * n + i, b = k * n + (i + 1) % n;
-      t.push_back({a, b, b + n});
-      t.push_back({a, b + n, a + n});
-    }
-  for (int i = 0; i < n; ++i) t.push_back({middle - n + i, middle - n + (i + 1) % n, middle});
-  s.triangles.resize(static_cast<Eigen::Index>(t.size()), 3);
-  for (size_t i = 0; i < t.size(); ++i)
-    s.triangles.row(static_cast<Eigen::Index>(i)) << t[i][0], t[i][1], t[i][2];
-  return s;
+  TriangleSurface closed = tube(radius, 6, around, 4);
+  closed.points.col(2).array() -= 6;
+  for (const std::vector<int>& loop : boundary_loops(closed.triangles))
+    closed = close_planar_hole(closed, loop).surface;
+  return closed;
 }
 
 // A vein with its mouth on its stump. `open`: the mouth is on its way.

@@ -22,8 +22,8 @@ namespace {
 // From a closed start, walls that find their minimum take some ten to thirty updates of
 // multipliers.
 constexpr int updates_from_closed = 40;
-// Walls that can be parted are so within half as many factorisations; others go on without end, and
-// the vein's way from rest is cheaper.
+// Walls of the study's shunts that can be parted are so in fewer factorisations; others go on
+// without end, and the vein's way from rest is cheaper.
 constexpr int most_to_part = 150;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.

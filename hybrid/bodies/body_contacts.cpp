@@ -111,6 +111,12 @@ void BodyContacts::allow(double share) {
     if (pair.contact) pair.contact->allow(share);
 }
 
+void BodyContacts::lie_apart() {
+  apart_ = true;
+  for (Pair& pair : pairs_)
+    if (pair.contact) pair.contact->lie_apart();
+}
+
 void BodyContacts::forget() {
   for (Pair& pair : pairs_) {
     pair.contact.reset();
@@ -209,6 +215,7 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
     if (pair.contact && !pair.own() && !pair.exchanged && !expected_.empty())
       pair.contact->expect(expected_[index(pair.slave)]);
     if (pair.contact && hold_) pair.contact->hold();
+    if (pair.contact && apart_) pair.contact->lie_apart();
     if (pair.contact && allowed_ > 0) {
       pair.contact->start_parting();
       pair.contact->allow(allowed_);

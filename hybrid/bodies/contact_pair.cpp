@@ -23,6 +23,8 @@ constexpr double through_the_mouth = 3;
 // The same where walls meet right up to their seam, to which they come in small steps: what seems
 // deeper is a wall whose side is mistaken.
 constexpr double through_the_seam = 1.5;
+// The same once they have been parted (lie_apart()).
+constexpr double through_parted_walls = 0.6;
 
 struct Feature {
   bool valid = false;
@@ -79,6 +81,10 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       master_then_(master_.rest.points),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
+
+void ContactPair::lie_apart() {
+  if (slave_.joined && slave_.met_up_to_seam) deepest_ = through_parted_walls * edge_;
+}
 
 bool ContactPair::is_clear(int vertex, const Vec3& place, double margin) const {
   const Clear& last = clear_[index(vertex)];

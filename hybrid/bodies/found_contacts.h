@@ -34,6 +34,10 @@ class FoundContacts {
   /// From the next search on, walls that press on each other stick until the one after.
   virtual void hold() {}
 
+  /// From the next search on, nothing lies deep in the wall that it is sewn to: what seems so is a
+  /// wall whose side is mistaken.
+  virtual void lie_apart() {}
+
   /// What the next search finds in each other may stay so; then allow() says how far. Walls are so
   /// brought apart in steps.
   void start_parting();

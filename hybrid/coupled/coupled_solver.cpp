@@ -133,6 +133,7 @@ class CoupledSolver::Data {
   void follow_path() {
     if (!stack_.system) stack_.build();
     path_.restart();
+    stack_.set_inflation(1);
     bool buckled = false;
     const bool on_a_way = stack_.problem.seam_way.has_value();
     if (on_a_way && !close_seam(buckled)) return;
@@ -147,6 +148,7 @@ class CoupledSolver::Data {
       if (stack_.problem.start) {
         path_.start_at_given();
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
+        if (stack_.problem.let_out && !let_out()) return;
         stack_.contacts->refresh(stack_.scaled);
         stack_.stack_contacts();
         buckled = stack_.problem.start->buckled;
@@ -200,6 +202,18 @@ class CoupledSolver::Data {
     return solution_.status == Status::converged;
   }
 
+  // Lets inflated walls out. False: it ended before.
+  bool let_out() {
+    solution_.status = seam_closing().let_out();
+    if (solution_.status == Status::iteration_limit)
+      solution_.notes.emplace_back(
+          "walls that were joined inflated could not be let out, and no equilibrium was found");
+    else if (solution_.status == Status::converged)
+      solution_.notes.emplace_back(
+          "the vessels were joined inflated, as the vein folds, and then let out");
+    return solution_.status == Status::converged;
+  }
+
   // Brings the seam together along its way, up to a rough state at time 1. False: it ended before.
   bool close_seam(bool& buckled) {
     SeamClosing closing = seam_closing();
@@ -217,10 +231,6 @@ class CoupledSolver::Data {
     return solution_.status == Status::converged;
   }
 
-  bool spent() const {
-    const int most = stack_.options.most_factorisations;
-    return most > 0 && stack_.work.counts.factorisations >= most;
-  }
   // Walls that fold, or are brought apart, at a seam.
   bool crumples() const { return stack_.problem.seam_way || stack_.problem.meet_up_to_seams; }
   // A given start should be near a minimum, where it is not to be brought apart first.
@@ -380,7 +390,7 @@ class CoupledSolver::Data {
               late_note);
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
-      if (outer >= options.max_outer || failures > most_failures || spent() ||
+      if (outer >= options.max_outer || failures > most_failures || stack_.spent() ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
         if (stack_.minimiser->load_is_hidden(stack_.z))

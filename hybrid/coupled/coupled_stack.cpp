@@ -44,6 +44,7 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
     if (!problem.vessels[b]) continue;
     // Stress as it was seen is part of the result even where nothing moves.
     body.modelled |= problem.vessels[b]->pressure || problem.vessels[b]->wall.axial_prestretch != 1;
+    body.modelled |= problem.vessels[b]->inflation > 0;
     for (const HeldSection& section : problem.vessels[b]->sections) body.modelled |= acts(section);
   }
   for (const SeamPair& seam : problem.surfaces.seams)
@@ -110,10 +111,12 @@ WallLumen CoupledStack::lumen_of(size_t b) const {
     if (pair.body_a == static_cast<int>(b)) seam.push_back(pair.vertex_a);
     if (pair.body_b == static_cast<int>(b)) seam.push_back(pair.vertex_b);
   }
-  LumenPressure pressure = *problem.vessels[b]->pressure;
+  LumenPressure pressure = problem.vessels[b]->pressure.value_or(LumenPressure{});
   pressure.scan /= scaled.pressure();
   pressure.after /= scaled.pressure();
-  return wall_lumen(scaled_wall(b), problem.vessels[b]->sections, seam, pressure);
+  WallLumen lumen = wall_lumen(scaled_wall(b), problem.vessels[b]->sections, seam, pressure);
+  lumen.inflation = problem.vessels[b]->inflation / scaled.pressure();
+  return lumen;
 }
 
 void CoupledStack::build() {
@@ -126,8 +129,10 @@ void CoupledStack::build() {
     first[b] = system->vertex_count();
     first_wall[b] = system->add_wall(energy_of(b), body.rest.points, scaled_sections(b),
                                      options.tie_stiffness * body.k.stretching);
-    if (problem.vessels[b]->pressure) system->set_lumen(first_wall[b], lumen_of(b));
+    if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
+      system->set_lumen(first_wall[b], lumen_of(b));
   }
+  system->set_inflation(inflation_);
   system->finish();
   const std::vector<SeamPair>& seams = problem.surfaces.seams;
   system->k_j = joining_stiffness(seams, scaled, options.seam_stiffness);
@@ -159,6 +164,16 @@ void CoupledStack::unstack(const Eigen::VectorXd& at) {
   for (size_t b = 0; b < scaled.bodies.size(); ++b)
     if (first[b] >= 0)
       scaled.bodies[b].now = positions.middleRows(first[b], scaled.bodies[b].now.rows());
+}
+
+void CoupledStack::set_inflation(double share) {
+  inflation_ = share;
+  system->set_inflation(share);
+}
+
+bool CoupledStack::spent() const {
+  return options.most_factorisations > 0 &&
+         work.counts.factorisations >= options.most_factorisations;
 }
 
 void CoupledStack::set_seam_offsets(double time) {

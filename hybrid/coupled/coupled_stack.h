@@ -34,12 +34,16 @@ class CoupledStack {
   /// itself, scaled length; infinite where none are within reach.
   double follow(const Eigen::VectorXd& at);
   bool may_touch_itself() const;
+  /// Sets the share (0 to 1) of CoupledVessel::inflation; 1 at first.
+  void set_inflation(double share);
   /// Sets the offsets of the seam to those of a time of its way.
   void set_seam_offsets(double time);
   /// Updates the multipliers of the seam after a minimisation.
   void update_seams();
 
   bool any_modelled() const;
+  /// Whether CoupledOptions::most_factorisations are used up.
+  bool spent() const;
   /// Scaled length.
   double largest_seam_gap() const;
   /// Smallest RMS radius of the rings of all sections, scaled length.
@@ -73,6 +77,7 @@ class CoupledStack {
 
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<Vec3> seam_multipliers_, seam_offsets_;
+  double inflation_ = 1;
 };
 
 }  // namespace vasorod

@@ -76,11 +76,22 @@ void CoupledSystem::set_lumen(int w, WallLumen lumen) {
 }
 
 void CoupledSystem::set_time(double t) {
-  for (CoupledWall& wall : walls_) {
+  for (CoupledWall& wall : walls_)
     for (SectionPose& pose : wall.sections) pose.set_time(t);
+  time_ = t;
+  set_pressures();
+}
+
+void CoupledSystem::set_inflation(double share) {
+  inflation_ = share;
+  set_pressures();
+}
+
+void CoupledSystem::set_pressures() {
+  for (CoupledWall& wall : walls_) {
     if (!wall.lumen) continue;
     WallLumen& lumen = *wall.lumen;
-    lumen.now = lumen.scan + t * (lumen.after - lumen.scan);
+    lumen.now = lumen.scan + time_ * (lumen.after - lumen.scan) + inflation_ * lumen.inflation;
   }
 }
 

@@ -33,6 +33,7 @@ struct WallLumen {
   Lumen volume;
   std::vector<int> behind_fan;  ///< per fan of `volume`
   double scan = 0, after = 0;   ///< pressure at times 0 and 1
+  double inflation = 0;         ///< pressure that is added while the walls are inflated
   double now = 0;               ///< at the present time
 };
 
@@ -110,6 +111,8 @@ class CoupledSystem {
 
   /// Sets motions and loads to time t.
   void set_time(double t);
+  /// Sets the share (0 to 1) of WallLumen::inflation that is in the lumens.
+  void set_inflation(double share);
   /// Sets the pose of a section with six fixed freedoms (rotation from rest), until the next
   /// set_time().
   void set_target(int wall, int section, const Pose& pose);
@@ -174,6 +177,7 @@ class CoupledSystem {
   void add_pose_curvature(const CoupledState& s, const CoupledForces& f, Entries& extra) const;
   void add_ties(const CoupledState& s, Entries& extra) const;
   // Adds -p V''; `at_rest`: with the pressure of time 0.
+  void set_pressures();
   void add_lumens(const CoupledState& s, bool at_rest, Entries& extra) const;
   void add_stacked(const Entries& stacked, const CoupledState& s, Entries& extra) const;
   void add_meetings(const CoupledState& s, Entries& extra) const;
@@ -181,6 +185,7 @@ class CoupledSystem {
   std::vector<CoupledWall> walls_;
   std::vector<int> wall_of_;  // per stacked vertex
   int unknowns_ = 0, vertices_ = 0;
+  double time_ = 0, inflation_ = 0;
   std::vector<int> groups_;
   // The walls' Hessian between free entries: its fixed pattern, and per wall the position of each
   // of its own entries.

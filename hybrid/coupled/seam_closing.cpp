@@ -17,7 +17,7 @@ constexpr int most_factorisations = 40, most_iterations = 200, per_hessian = 6;
 // In mean edges: the longest step of a minimisation, and the penetration that is left to the next
 // step.
 constexpr double largest_step = 0.3, passable_penetration = 0.1;
-constexpr int most_updates = 4;
+constexpr int updates_per_step = 4;
 // Over the radius of the narrowest end: a wall that moves farther from where its last step leads to
 // has snapped.
 constexpr double snap = 0.2;
@@ -27,6 +27,11 @@ constexpr double smallest_step = 0.04, growth = 1.4;
 constexpr double last_step = 1.5;
 // Over the depth in which walls lie in each other beside a closed seam.
 constexpr double parting_step = 0.25, smallest_parting_step = 0.05;
+// Over the inflation: how walls are let out. They may collapse by many edges, so that contacts are
+// searched after so many iterations, up to so many times; what is deeper in each other than this
+// many mean edges after three of them has crossed.
+constexpr double letting_step = 0.25, smallest_letting_step = 0.03, crossed = 0.5;
+constexpr int iterations_per_search = 15, most_searches = 20;
 
 }  // namespace
 
@@ -59,7 +64,7 @@ Status SeamClosing::run() {
     path_.advance(time);
     path_.hold_back();
     stack_.set_seam_offsets(time);
-    const Status status = settle();
+    const Status status = settle(updates_per_step);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
       const Points found = positions();
@@ -94,7 +99,7 @@ Status SeamClosing::part() {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
     search();
-    const Status status = settle();
+    const Status status = settle(updates_per_step);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
       share = next;
@@ -102,11 +107,34 @@ Status SeamClosing::part() {
       continue;
     }
     step /= 2;
-    if (step < smallest_parting_step) {
+    if (step < smallest_parting_step || stack_.spent()) {
       stack_.contacts->allow(0);
       return status;
     }
     path_.restore(kept);
+  }
+  return Status::converged;
+}
+
+Status SeamClosing::let_out() {
+  minimising_.max_iterations = iterations_per_search;
+  stack_.contacts->lie_apart();
+  CoupledPath::Kept kept = path_.keep();
+  for (double share = 1, step = letting_step; share > 0;) {
+    const double next = share - step < smallest_letting_step ? 0 : share - step;
+    stack_.set_inflation(next);
+    const Status status = settle(most_searches, crossed);
+    if (status == Status::interrupted) return status;
+    if (status == Status::converged && penetration_ < passable_penetration) {
+      share = next;
+      kept = path_.keep();
+      step = std::min(growth * step, letting_step);
+      continue;
+    }
+    step = (share - next) / 2;
+    if (step < smallest_letting_step || stack_.spent()) return Status::iteration_limit;
+    stack_.set_inflation(share);
+    take_back(kept);
   }
   return Status::converged;
 }
@@ -122,8 +150,7 @@ void SeamClosing::take_back(const CoupledPath::Kept& kept) {
   search();
 }
 
-// A rough minimum at the present offsets.
-Status SeamClosing::settle() {
+Status SeamClosing::settle(int most_updates, double deepest) {
   for (int update = 1; update <= most_updates; ++update) {
     minimising_.reuse_hessian = update > 1;
     const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
@@ -132,12 +159,15 @@ Status SeamClosing::settle() {
     if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
     const bool stuck = summary.unfactorised && summary.iterations == 0;
     if (stuck || !(summary.residual < torn)) return Status::iteration_limit;
+    if (stack_.spent()) return Status::iteration_limit;
     const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+    penetration_ = contact.penetration;
     stack_.update_seams();
     stack_.system->update_ties(stack_.z);
     if (contact.touched.empty()) {
       stack_.stack_contacts();
       if (contact.penetration < passable_penetration) break;
+      if (update > 2 && contact.penetration > deepest) return Status::iteration_limit;
       continue;
     }
     for (const int b : contact.touched) stack_.scaled.bodies[index(b)].modelled = true;

@@ -9,15 +9,20 @@
 //
 // Once the seam is closed, joined walls meet right up to it. What lies in each other there is
 // brought apart in steps too (BodyContacts::allow): pushed out at once, the walls would be torn.
+//
+// Walls that are joined inflated (CoupledVessel::inflation) are let out in steps after that. On
+// each they collapse as far as they can: contacts are searched often on the way, and a step that
+// ends with walls in each other is taken back and halved.
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "coupled/coupled_path.h"
 
 namespace vasorod {
 
-/// One way of the seam of a CoupledStack, or only its end.
+/// One way of the seam of a CoupledStack, or only what comes after it.
 class SeamClosing {
  public:
   /// CoupledMinimiserOptions::release_shift: walls that fold have indefinite Hessians.
@@ -35,12 +40,17 @@ class SeamClosing {
   /// Of a closed seam: brings apart what lies in each other up to the seam. Returns as run() does.
   Status part();
 
+  /// Of inflated walls: lets them out. Returns as run() does.
+  Status let_out();
+
   double reached() const { return reached_; }  ///< the time of the last state that was found
   int steps() const { return steps_; }         ///< that were taken, without those taken back
   bool snapped() const { return snapped_; }    ///< a fold snapped on the way
 
  private:
-  Status settle();
+  // A rough minimum at the present offsets and pressures, after at most so many updates; none
+  // where walls are deeper in each other than so many mean edges after the third.
+  Status settle(int most_updates, double deepest = std::numeric_limits<double>::infinity());
   void search();
   Points positions() const;
   void take_back(const CoupledPath::Kept& kept);
@@ -49,7 +59,7 @@ class SeamClosing {
   CoupledPath& path_;
   CoupledMinimiserOptions minimising_;
   std::function<void(const CoupledMinimiserSummary&)> count_;
-  double reached_ = 0;
+  double reached_ = 0, penetration_ = 0;
   int steps_ = 0;
   bool snapped_ = false;
 };

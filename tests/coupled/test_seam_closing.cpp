@@ -10,10 +10,8 @@ namespace {
 
 using namespace testing;
 
-// Two tubes with a gap between their rims, held at their far ends. `way`: the step of the time on
-// which the seam is brought together; 0: its start is closed.
-CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1,
-                                const CoupledOptions& options = {}) {
+// Two tubes with a gap between their rims, held at their far ends.
+CoupledProblem two_tubes(const Vec3& apart, double unit = 1) {
   const HeldTube half(30 * unit, 6 * unit, 0.6 * unit, 24, 18);
   CoupledProblem problem;
   add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
@@ -22,6 +20,13 @@ CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1,
   for (SurfaceBody& body : problem.surfaces.bodies)
     body.k = {unit, 0.1 * unit, body.k.stretching};  // force / length, as is E t
   carry_by_sections(problem);
+  return problem;
+}
+
+// `way`: the step of the time on which the seam is brought together; 0: its start is closed.
+CoupledSolution pulled_together(const Vec3& apart, double way, double unit = 1,
+                                const CoupledOptions& options = {}) {
+  CoupledProblem problem = two_tubes(apart, unit);
   if (way > 0)
     problem.seam_way = SeamWay{[apart, unit, n = problem.surfaces.seams.size()](double t) {
                                  return std::vector<Vec3>(n, (1 - t) * unit * apart);
@@ -90,6 +95,63 @@ TEST(SeamClosing, ASolveWhoseFactorisationsAreSpentEndsAtItsNextUpdate) {
   EXPECT_EQ(spent.surface.outer_iterations, 1);
   options.most_factorisations = static_cast<int>(whole.surface.work.counts.factorisations) + 1;
   EXPECT_EQ(pulled_together({1.5, -1, 2}, 0, 1, options).status, Status::converged);
+}
+
+// As far as the hoop strain p R / (E t) = 0.05 of the pressure says.
+constexpr double inflation = 0.05 * 0.6 / 6;
+
+CoupledSolution inflated(double pressure, std::optional<LumenPressure> lumen = {}) {
+  CoupledProblem problem = two_tubes({1.5, -1, 2});
+  for (const auto& vessel : problem.vessels) {
+    vessel->inflation = pressure;
+    vessel->pressure = lumen;
+  }
+  return CoupledSolver(std::move(problem)).solve();
+}
+
+TEST(SeamClosing, InflationIsPressureInTheLumen) {
+  const CoupledSolution mine = inflated(inflation),
+                        pressed = inflated(0, LumenPressure{0, inflation}),
+                        both = inflated(inflation / 2, LumenPressure{0, inflation / 2});
+  ASSERT_EQ(mine.status, Status::converged);
+  ASSERT_EQ(pressed.status, Status::converged);
+  EXPECT_LT(largest_difference(mine, pressed), 1e-7 * 6);
+  EXPECT_LT(largest_difference(both, pressed), 1e-7 * 6);
+  EXPECT_GT(largest_difference(mine, inflated(0)), 0.02 * 6);
+}
+
+CoupledSolution let_out_from(const CoupledSolution& round, const CoupledOptions& options = {}) {
+  CoupledProblem problem = two_tubes({1.5, -1, 2});
+  CoupledStart& start = problem.start.emplace();
+  for (size_t b = 0; b < 2; ++b) {
+    problem.vessels[b]->inflation = inflation;
+    start.bodies.emplace_back().points = round.surface.bodies[b].positions;
+    start.pressure.push_back(round.surface.bodies[b].pressure);
+    for (const SectionSolution& section : round.sections[b])
+      start.bodies[b].sections.push_back({section.rotation, section.center});
+  }
+  problem.meet_up_to_seams = problem.let_out = true;
+  return CoupledSolver(std::move(problem), options).solve();
+}
+
+// Nothing folds, so that there is one minimum.
+TEST(SeamClosing, WhatIsLetOutEndsInTheMinimumThatWasNeverInflated) {
+  const CoupledSolution let_out = let_out_from(inflated(inflation)), closed = inflated(0);
+  ASSERT_EQ(let_out.status, Status::converged);
+  EXPECT_TRUE(let_out.smallest_curvature_positive);
+  EXPECT_LT(largest_difference(let_out, closed), 1e-5 * 6);
+  EXPECT_NEAR(let_out.membrane_energy, closed.membrane_energy, 1e-6 * closed.membrane_energy);
+  ASSERT_EQ(let_out.notes.size(), 1u);
+  EXPECT_EQ(let_out.notes[0],
+            "the vessels were joined inflated, as the vein folds, and then let out");
+}
+
+TEST(SeamClosing, WhatIsNotLetOutInItsFactorisationsIsNoMinimum) {
+  CoupledOptions options;
+  options.most_factorisations = 1;
+  const CoupledSolution spent = let_out_from(inflated(inflation), options);
+  EXPECT_EQ(spent.status, Status::iteration_limit);
+  ASSERT_FALSE(spent.notes.empty());
 }
 
 // A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis

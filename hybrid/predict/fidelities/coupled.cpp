@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "coupled/coupled_problem.h"
 #include "data/index.h"
@@ -25,6 +26,11 @@ constexpr int updates_from_closed = 40;
 // Walls of the study's shunts that can be parted are so in fewer factorisations; others go on
 // without end, and the vein's way from rest is cheaper.
 constexpr int most_to_part = 150;
+// Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated, the second where
+// the first leads nowhere; and after how many factorisations the inflated minimum and the walls
+// that are let out are given up.
+constexpr double inflations[] = {0.02, 0.05};
+constexpr int most_inflated = 150, most_to_let_out = 200;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -84,6 +90,24 @@ void feel_themselves(const Prediction& prediction, CoupledProblem& problem) {
     const auto body = static_cast<int>(vessel_named(prediction, joined.name));
     problem.surfaces.contacts.emplace_back(body, body);
   }
+}
+
+// The pressure in both vessels by which the hoop strain of the one that yields more becomes
+// `strain`, stress.
+double pressure_for(const Prediction& prediction, double strain) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const OperatedVessel& joined : prediction.operation->vessels) {
+    const PreparedVessel& vessel =
+        prediction.vessels[vessel_named(prediction, joined.name)].prepared;
+    least = std::min(least, strain * vessel.spec.wall->material.young_transverse *
+                                vessel.thickness() / vessel.vessel.mean_radius);
+  }
+  return least;
+}
+
+void inflate(const Prediction& prediction, double pressure, CoupledProblem& problem) {
+  for (const OperatedVessel& joined : prediction.operation->vessels)
+    problem.vessels[vessel_named(prediction, joined.name)]->inflation = pressure;
 }
 
 // The vein starts at rest, where nothing passes through it, and goes to its seam.
@@ -213,25 +237,24 @@ class Attempt {
   // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
   // and each itself.
   CoupledSolution parted(const CoupledSolution& crossed) {
+    return parted(crossed, 0, most_to_part);
+  }
+
+  // Inflated vessels stay round, so that little of a vein that folds lies in other walls; then they
+  // are let out. Empty: the inflated ones found no minimum.
+  std::optional<CoupledSolution> inflated(double strain) {
+    const double pressure = pressure_for(prediction_, strain);
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
-    feel_themselves(prediction_, problem);
-    problem.meet_up_to_seams = true;
-    CoupledStart& start = problem.start.emplace();
-    start.rough = false;
-    start.buckled = crossed.status == Status::buckled;
-    for (const BodySolution& body : crossed.surface.bodies) {
-      start.bodies.emplace_back();
-      start.pressure.push_back(body.pressure);
-      if (body.modelled) start.bodies.back().points = body.positions;
-    }
-    for (size_t v = 0; v < start.bodies.size(); ++v)
-      for (const SectionSolution& section : crossed.sections[v])
-        start.bodies[v].sections.push_back({section.rotation, section.center});
+    inflate(prediction_, pressure, problem);
     CoupledOptions coupled = coupled_;
+    coupled.max_outer = updates_from_closed;
     coupled.hold_after = hold_after;
-    coupled.most_factorisations = most_to_part;
-    return CoupledSolver(std::move(problem), coupled).solve();
+    coupled.most_factorisations = most_inflated;
+    const CoupledSolution round = CoupledSolver(std::move(problem), coupled).solve();
+    prediction_.work += round.surface.work;
+    if (!is_minimum(round.status)) return std::nullopt;
+    return parted(round, pressure, most_to_let_out);
   }
 
   // Along the way of a vein that folds.
@@ -259,6 +282,31 @@ class Attempt {
   }
 
  private:
+  // `inflation`: pressure in which the crossed walls found their minimum, to be let out.
+  CoupledSolution parted(const CoupledSolution& crossed, double inflation, int factorisations) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem);
+    feel_themselves(prediction_, problem);
+    problem.meet_up_to_seams = true;
+    inflate(prediction_, inflation, problem);
+    problem.let_out = inflation > 0;
+    CoupledStart& start = problem.start.emplace();
+    start.rough = false;
+    start.buckled = crossed.status == Status::buckled;
+    for (const BodySolution& body : crossed.surface.bodies) {
+      start.bodies.emplace_back();
+      start.pressure.push_back(body.pressure);
+      if (body.modelled) start.bodies.back().points = body.positions;
+    }
+    for (size_t v = 0; v < start.bodies.size(); ++v)
+      for (const SectionSolution& section : crossed.sections[v])
+        start.bodies[v].sections.push_back({section.rotation, section.center});
+    CoupledOptions coupled = coupled_;
+    coupled.hold_after = hold_after;
+    coupled.most_factorisations = factorisations;
+    return CoupledSolver(std::move(problem), coupled).solve();
+  }
+
   // A start needs few digits.
   void only_for_a_start() {
     coupled_.convex_first = true;
@@ -277,9 +325,10 @@ class Attempt {
 }  // namespace
 
 // A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Walls
-// that pass through something there are parted, and where that fails, a vein goes the way from
-// rest; that first where they lie in each other by more than an edge, too deep for contact to tell
-// the sides apart. A minimum is better than none, whatever passes through it.
+// that pass through something there are parted; where that fails, and first where they lie in each
+// other by more than an edge, too deep for contact to tell the sides apart, a vein that folds is
+// joined inflated, and at last one goes the way from rest. A minimum is better than none, whatever
+// passes through it.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
@@ -303,9 +352,14 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
     if (best.crossed() && !options.stop()) take_if_better(attempt.parted(*first));
   };
   const bool deep = folds && best.depth > mean_edge(prediction, *vein);
+  const auto goes_on = [&] {
+    return (best.crossed() || (folds && !is_minimum(best.status))) && !options.stop();
+  };
   if (!deep) part();
-  if ((best.crossed() || (folds && !is_minimum(best.status))) && !options.stop())
-    take_if_better(attempt.on_its_way());
+  for (const double strain : inflations)
+    if (folds && goes_on())
+      if (const auto let_out = attempt.inflated(strain)) take_if_better(*let_out);
+  if (goes_on()) take_if_better(attempt.on_its_way());
   if (deep) part();
   best.state.work = prediction.work;
   prediction = std::move(best.state);

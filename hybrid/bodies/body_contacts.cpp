@@ -111,10 +111,10 @@ void BodyContacts::allow(double share) {
     if (pair.contact) pair.contact->allow(share);
 }
 
-void BodyContacts::lie_apart() {
-  apart_ = true;
+void BodyContacts::walls_are_parted() {
+  parted_ = true;
   for (Pair& pair : pairs_)
-    if (pair.contact) pair.contact->lie_apart();
+    if (pair.contact) pair.contact->walls_are_parted();
 }
 
 void BodyContacts::forget() {
@@ -215,7 +215,7 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
     if (pair.contact && !pair.own() && !pair.exchanged && !expected_.empty())
       pair.contact->expect(expected_[index(pair.slave)]);
     if (pair.contact && hold_) pair.contact->hold();
-    if (pair.contact && apart_) pair.contact->lie_apart();
+    if (pair.contact && parted_) pair.contact->walls_are_parted();
     if (pair.contact && allowed_ > 0) {
       pair.contact->start_parting();
       pair.contact->allow(allowed_);

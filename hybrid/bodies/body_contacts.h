@@ -70,8 +70,8 @@ class BodyContacts {
   void meet_up_to_seams();
   /// FoundContacts::allow() of all pairs.
   void allow(double share);
-  /// FoundContacts::lie_apart() of all pairs.
-  void lie_apart();
+  /// FoundContacts::walls_are_parted() of all pairs.
+  void walls_are_parted();
   /// Forgets all contacts with their multipliers.
   void forget();
 
@@ -144,7 +144,7 @@ class BodyContacts {
   const BodyProblem& problem_;
   double stiffness_;
   std::vector<Eigen::VectorXd> expected_;
-  bool hold_ = false, up_to_seams_ = false, apart_ = false;
+  bool hold_ = false, up_to_seams_ = false, parted_ = false;
   double allowed_ = 0;
   /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
   /// exchanged.

@@ -23,7 +23,7 @@ constexpr double through_the_mouth = 3;
 // The same where walls meet right up to their seam, to which they come in small steps: what seems
 // deeper is a wall whose side is mistaken.
 constexpr double through_the_seam = 1.5;
-// The same once they have been parted (lie_apart()).
+// The same once they have been parted (walls_are_parted()).
 constexpr double through_parted_walls = 0.6;
 
 struct Feature {
@@ -82,7 +82,7 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
 
-void ContactPair::lie_apart() {
+void ContactPair::walls_are_parted() {
   if (slave_.joined && slave_.met_up_to_seam) deepest_ = through_parted_walls * edge_;
 }
 

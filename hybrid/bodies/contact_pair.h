@@ -40,7 +40,7 @@ class ContactPair : public FoundContacts {
 
   void refresh(const Points& slave, const Points& master, double reach) override;
   void hold() override { held_ = true; }
-  void lie_apart() override;
+  void walls_are_parted() override;
 
  private:
   // A vertex outside the master when it was last looked at.

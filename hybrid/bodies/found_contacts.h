@@ -13,7 +13,7 @@ struct ContactSide {
   TriangleSurface rest;
   double offset = 0;          ///< from the surface to the wall's outer face, length
   std::vector<double> share;  ///< per vertex: of `offset` that counts; 0: left out; empty: all 1
-  bool joined = false;        ///< to the other side's vessel, by a seam
+  bool joined = false;        ///< to the other side's vessel, by a seam; or roles are exchanged
   /// Vertices left out themselves are corners of triangles that are not; else those are, too.
   bool met_up_to_seam = false;
   std::vector<int> seam;  ///< where walls meet up to it: its vertices on this side
@@ -34,9 +34,9 @@ class FoundContacts {
   /// From the next search on, walls that press on each other stick until the one after.
   virtual void hold() {}
 
-  /// From the next search on, nothing lies deep in the wall that it is sewn to: what seems so is a
-  /// wall whose side is mistaken.
-  virtual void lie_apart() {}
+  /// From the next search on, nothing lies deep in a wall that it meets up to the seam: what seems
+  /// so is a wall whose side is mistaken.
+  virtual void walls_are_parted() {}
 
   /// What the next search finds in each other may stay so; then allow() says how far. Walls are so
   /// brought apart in steps.

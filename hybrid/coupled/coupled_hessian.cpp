@@ -186,7 +186,8 @@ void CoupledSystem::add_lumens(const CoupledState& s, bool at_rest, Entries& ext
   for (const CoupledWall& wall : walls_) {
     if (!wall.lumen) continue;
     const double pressure = at_rest ? wall.lumen->scan : wall.lumen->now;
-    if (pressure == 0) continue;
+    // Where the one at rest has entries, this one has them too, as the minimiser adds them up.
+    if (pressure == 0 && wall.lumen->scan == 0) continue;
     const int vertices = wall.energy->vertices();
     const Points x = at_rest ? wall.rest : s.positions.middleRows(wall.first_vertex, vertices);
     wall.lumen->volume.add_hessian(x, -pressure, 3 * wall.first_vertex, stacked);

@@ -23,7 +23,7 @@ struct CoupledVessel {
   /// At rest `scan`, which the prestress of `wall` should balance; at the end of the path `after`.
   std::optional<LumenPressure> pressure;
   /// Added to it, so that walls that would fold stay round; 0 or more, stress. It stays there to
-  /// the end unless CoupledProblem::let_out.
+  /// the end unless CoupledProblem::lets_out.
   double inflation = 0;
 };
 
@@ -65,9 +65,9 @@ struct CoupledProblem {
   /// Joined walls touch right up to their seam from the beginning; what lies in each other in the
   /// start is brought apart (seam_closing.h).
   bool meet_up_to_seams = false;
-  /// Walls whose start is inflated are let out in steps before the last minimum
-  /// (seam_closing.h).
-  bool let_out = false;
+  /// Walls whose start is inflated are let out in steps before the last minimum (seam_closing.h).
+  /// Needs `start`.
+  bool lets_out = false;
   /// Empty: the walls start where the rods carry them.
   std::optional<CoupledStart> start;
 };

@@ -94,6 +94,8 @@ class CoupledSolver::Data {
   static CoupledProblem checked(CoupledProblem problem, const CoupledOptions& options) {
     if (const auto fault = options.is_invalid()) throw InputError("options of coupled: " + *fault);
     check_contacts(problem.surfaces);
+    if (problem.lets_out && !problem.start)
+      throw InputError("walls to be let out: found no start, expected that of inflated walls");
     return problem;
   }
 
@@ -148,7 +150,7 @@ class CoupledSolver::Data {
       if (stack_.problem.start) {
         path_.start_at_given();
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
-        if (stack_.problem.let_out && !let_out()) return;
+        if (stack_.problem.lets_out && !let_out()) return;
         stack_.contacts->refresh(stack_.scaled);
         stack_.stack_contacts();
         buckled = stack_.problem.start->buckled;

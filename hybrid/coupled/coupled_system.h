@@ -176,8 +176,8 @@ class CoupledSystem {
   void add_wall_hessians(const CoupledState& s, Entries& extra);
   void add_pose_curvature(const CoupledState& s, const CoupledForces& f, Entries& extra) const;
   void add_ties(const CoupledState& s, Entries& extra) const;
-  // Adds -p V''; `at_rest`: with the pressure of time 0.
   void set_pressures();
+  // Adds -p V''; `at_rest`: with the pressure of time 0.
   void add_lumens(const CoupledState& s, bool at_rest, Entries& extra) const;
   void add_stacked(const Entries& stacked, const CoupledState& s, Entries& extra) const;
   void add_meetings(const CoupledState& s, Entries& extra) const;

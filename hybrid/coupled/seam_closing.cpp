@@ -118,7 +118,7 @@ Status SeamClosing::part() {
 
 Status SeamClosing::let_out() {
   minimising_.max_iterations = iterations_per_search;
-  stack_.contacts->lie_apart();
+  stack_.contacts->walls_are_parted();
   CoupledPath::Kept kept = path_.keep();
   for (double share = 1, step = letting_step; share > 0;) {
     const double next = share - step < smallest_letting_step ? 0 : share - step;
@@ -150,7 +150,7 @@ void SeamClosing::take_back(const CoupledPath::Kept& kept) {
   search();
 }
 
-Status SeamClosing::settle(int most_updates, double deepest) {
+Status SeamClosing::settle(int most_updates, double crossed_from) {
   for (int update = 1; update <= most_updates; ++update) {
     minimising_.reuse_hessian = update > 1;
     const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
@@ -167,7 +167,7 @@ Status SeamClosing::settle(int most_updates, double deepest) {
     if (contact.touched.empty()) {
       stack_.stack_contacts();
       if (contact.penetration < passable_penetration) break;
-      if (update > 2 && contact.penetration > deepest) return Status::iteration_limit;
+      if (update > 2 && contact.penetration > crossed_from) return Status::iteration_limit;
       continue;
     }
     for (const int b : contact.touched) stack_.scaled.bodies[index(b)].modelled = true;

@@ -10,9 +10,10 @@
 // Once the seam is closed, joined walls meet right up to it. What lies in each other there is
 // brought apart in steps too (BodyContacts::allow): pushed out at once, the walls would be torn.
 //
-// Walls that are joined inflated (CoupledVessel::inflation) are let out in steps after that. On
-// each they collapse as far as they can: contacts are searched often on the way, and a step that
-// ends with walls in each other is taken back and halved.
+// Walls that are joined inflated (CoupledVessel::inflation) are let out in steps after that. They
+// collapse on the way, so that contacts are searched often: a step ends with the first search that
+// finds no walls in each other, and one that ends with walls in each other is taken back and
+// halved.
 #pragma once
 
 #include <functional>
@@ -50,7 +51,7 @@ class SeamClosing {
  private:
   // A rough minimum at the present offsets and pressures, after at most so many updates; none
   // where walls are deeper in each other than so many mean edges after the third.
-  Status settle(int most_updates, double deepest = std::numeric_limits<double>::infinity());
+  Status settle(int most_updates, double crossed_from = std::numeric_limits<double>::infinity());
   void search();
   Points positions() const;
   void take_back(const CoupledPath::Kept& kept);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -98,6 +99,30 @@ TEST(CoupledSystem, DerivativesMatchDifferencesBetweenRigidSections) {
   Everything rigid({false, false, true, false, true, false}, {true, true, true, true, true, true},
                    true);
   expect_derivatives(rigid);
+}
+
+// The minimiser adds entries of the one at rest to the other.
+TEST(CoupledSystem, TheHessianHasAnEntryWhereTheOneAtRestHas) {
+  for (const auto& [scan, after] : {std::pair{0.01, 0.0}, {0.0, 0.01}, {0.0, 0.0}, {0.01, 0.02}}) {
+    const HeldTube tube(4, 1.5, 0.4, 6, 3);
+    WallEnergy energy(tube.wall);
+    CoupledSystem system;
+    system.add_wall(energy, tube.surface.points, {}, 3);
+    system.set_lumen(0, wall_lumen(tube.wall, {}, {}, {scan, after}));
+    system.finish();
+    system.set_time(1);
+    VectorXd z = VectorXd::Zero(system.unknowns());
+    system.put(0, tube.surface.points, false, z);
+    const Eigen::SparseMatrix<double> rest = system.rest_hessian(), now = system.hessian(z);
+    int missing = 0;
+    for (int column = 0; column < rest.cols(); ++column) {
+      const int* const begin = now.innerIndexPtr() + now.outerIndexPtr()[column];
+      const int* const end = now.innerIndexPtr() + now.outerIndexPtr()[column + 1];
+      for (Eigen::SparseMatrix<double>::InnerIterator it(rest, column); it; ++it)
+        missing += std::find(begin, end, it.row()) == end;
+    }
+    EXPECT_EQ(missing, 0) << scan << " as scanned, " << after << " after";
+  }
 }
 
 TEST(CoupledSystem, TurnedRestHessianIsTheHessianOfTheTurnedWall) {

@@ -2,6 +2,8 @@
 #include <limits>
 #include <numbers>
 
+#include <vasorod/error.h>
+
 #include "coupled/coupled_contacts.h"
 #include "geometry/closest_point.h"
 
@@ -97,7 +99,7 @@ TEST(SeamClosing, ASolveWhoseFactorisationsAreSpentEndsAtItsNextUpdate) {
   EXPECT_EQ(pulled_together({1.5, -1, 2}, 0, 1, options).status, Status::converged);
 }
 
-// As far as the hoop strain p R / (E t) = 0.05 of the pressure says.
+// Pressure at which the hoop strain p R / (E t) is 0.05; E is 1.
 constexpr double inflation = 0.05 * 0.6 / 6;
 
 CoupledSolution inflated(double pressure, std::optional<LumenPressure> lumen = {}) {
@@ -120,7 +122,7 @@ TEST(SeamClosing, InflationIsPressureInTheLumen) {
   EXPECT_GT(largest_difference(mine, inflated(0)), 0.02 * 6);
 }
 
-CoupledSolution let_out_from(const CoupledSolution& round, const CoupledOptions& options = {}) {
+CoupledProblem inflated_start(const CoupledSolution& round) {
   CoupledProblem problem = two_tubes({1.5, -1, 2});
   CoupledStart& start = problem.start.emplace();
   for (size_t b = 0; b < 2; ++b) {
@@ -130,13 +132,15 @@ CoupledSolution let_out_from(const CoupledSolution& round, const CoupledOptions&
     for (const SectionSolution& section : round.sections[b])
       start.bodies[b].sections.push_back({section.rotation, section.center});
   }
-  problem.meet_up_to_seams = problem.let_out = true;
-  return CoupledSolver(std::move(problem), options).solve();
+  problem.lets_out = true;
+  return problem;
 }
 
 // Nothing folds, so that there is one minimum.
 TEST(SeamClosing, WhatIsLetOutEndsInTheMinimumThatWasNeverInflated) {
-  const CoupledSolution let_out = let_out_from(inflated(inflation)), closed = inflated(0);
+  CoupledProblem problem = inflated_start(inflated(inflation));
+  problem.meet_up_to_seams = true;
+  const CoupledSolution let_out = CoupledSolver(std::move(problem)).solve(), closed = inflated(0);
   ASSERT_EQ(let_out.status, Status::converged);
   EXPECT_TRUE(let_out.smallest_curvature_positive);
   EXPECT_LT(largest_difference(let_out, closed), 1e-5 * 6);
@@ -149,9 +153,23 @@ TEST(SeamClosing, WhatIsLetOutEndsInTheMinimumThatWasNeverInflated) {
 TEST(SeamClosing, WhatIsNotLetOutInItsFactorisationsIsNoMinimum) {
   CoupledOptions options;
   options.most_factorisations = 1;
-  const CoupledSolution spent = let_out_from(inflated(inflation), options);
+  const CoupledSolution spent = CoupledSolver(inflated_start(inflated(inflation)), options).solve();
   EXPECT_EQ(spent.status, Status::iteration_limit);
-  ASSERT_FALSE(spent.notes.empty());
+  ASSERT_EQ(spent.notes.size(), 1u);
+  EXPECT_EQ(spent.notes[0],
+            "walls that were joined inflated could not be let out, and no equilibrium was found");
+}
+
+TEST(SeamClosing, OnlyAnInflatedStartCanBeLetOut) {
+  CoupledProblem problem = two_tubes({1.5, -1, 2});
+  problem.lets_out = true;
+  try {
+    CoupledSolver(std::move(problem)).solve();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "walls to be let out: found no start, expected that of inflated walls");
+  }
 }
 
 // A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis

@@ -24,13 +24,13 @@ namespace {
 // multipliers.
 constexpr int updates_from_closed = 40;
 // Walls of the study's shunts that can be parted are so in fewer factorisations; others go on
-// without end, and the vein's way from rest is cheaper.
+// without end, and to join them inflated is cheaper.
 constexpr int most_to_part = 150;
 // Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated, the second where
 // the first leads nowhere; and after how many factorisations the inflated minimum and the walls
 // that are let out are given up.
 constexpr double inflations[] = {0.02, 0.05};
-constexpr int most_inflated = 150, most_to_let_out = 200;
+constexpr int most_inflated = 150, most_from_inflated = 200;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -241,7 +241,7 @@ class Attempt {
   }
 
   // Inflated vessels stay round, so that little of a vein that folds lies in other walls; then they
-  // are let out. Empty: the inflated ones found no minimum.
+  // are parted and let out. Empty: the inflated ones found no minimum.
   std::optional<CoupledSolution> inflated(double strain) {
     const double pressure = pressure_for(prediction_, strain);
     CoupledProblem problem = problem_of(prediction_, sections_);
@@ -251,10 +251,12 @@ class Attempt {
     coupled.max_outer = updates_from_closed;
     coupled.hold_after = hold_after;
     coupled.most_factorisations = most_inflated;
+    coupled.keep = {};  // a state of other pressures than the scene's is none of it
     const CoupledSolution round = CoupledSolver(std::move(problem), coupled).solve();
+    if (round.status == Status::interrupted) return round;
     prediction_.work += round.surface.work;
     if (!is_minimum(round.status)) return std::nullopt;
-    return parted(round, pressure, most_to_let_out);
+    return parted(round, pressure, most_from_inflated);
   }
 
   // Along the way of a vein that folds.
@@ -289,7 +291,7 @@ class Attempt {
     feel_themselves(prediction_, problem);
     problem.meet_up_to_seams = true;
     inflate(prediction_, inflation, problem);
-    problem.let_out = inflation > 0;
+    problem.lets_out = inflation > 0;
     CoupledStart& start = problem.start.emplace();
     start.rough = false;
     start.buckled = crossed.status == Status::buckled;
@@ -358,7 +360,7 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   if (!deep) part();
   for (const double strain : inflations)
     if (folds && goes_on())
-      if (const auto let_out = attempt.inflated(strain)) take_if_better(*let_out);
+      if (const auto found = attempt.inflated(strain)) take_if_better(*found);
   if (goes_on()) take_if_better(attempt.on_its_way());
   if (deep) part();
   best.state.work = prediction.work;

@@ -217,8 +217,8 @@ TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
   EXPECT_GT(crossings[0].at("depth").get<double>(), 1);
 }
 
-// With blood in it, the short vein is brought to its seam in steps and ends in a certified minimum
-// whose walls pass through nothing; its mouth is open.
+// With blood in it, the short vein feels itself and ends in a certified minimum whose walls pass
+// through nothing; its mouth is open.
 TEST(Glenn, RealAnatomyUnderPressureFoldsAndPassesThroughNothing) {
   const auto result = solve_case("adult_physiological.yaml", "--no-report");
   EXPECT_TRUE(result.at("status") == "converged" || result.at("status") == "buckled")

@@ -162,9 +162,9 @@ def glenns_answer(rows):
 def folded_answer(rows):
     text = [
         paragraph(
-            "At `coupled` such a vein feels itself and is brought to its seam in steps. On edges",
-            "of 2 mm it ended in a certified minimum whose walls pass through nothing",
-            "(`converged` or `buckled`):",
+            "At `coupled` such a vein feels itself and is joined inflated and let out, or brought",
+            "to its seam in steps. On edges of 2 mm it ended in a certified minimum whose walls",
+            "pass through nothing (`converged` or `buckled`):",
             link("every run", "folding-veins-on-the-adult-anatomy") + ".",
         )
     ]

@@ -87,6 +87,7 @@ class CoupledSolver::Data {
                    stack_.first_wall, stack_.z, stack_.stacked, *stack_.contacts, solution_);
     solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     solution_.surface.work = work_so_far();
+    note_inflation(solution_);
     return std::move(solution_);
   }
 
@@ -124,10 +125,17 @@ class CoupledSolver::Data {
                    stack_.first_wall, z, stack_.stacked, *stack_.contacts, state, false);
     state.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     state.surface.work = work_so_far();
+    note_inflation(state);
     stack_.options.keep(std::move(state));
     const double ended = stop_->seconds();
     keep_next_ = ended + std::max(between_kept, (ended - began) / share_of_keeping);
     return false;
+  }
+
+  void note_inflation(CoupledSolution& state) const {
+    if (stack_.is_inflated())
+      state.notes.emplace_back(
+          "the vessels are still inflated, by a pressure that is not the scene's");
   }
 
   Points positions() const { return stack_.system->state(stack_.z).positions; }
@@ -175,8 +183,7 @@ class CoupledSolver::Data {
     if (solution_.status == Status::not_unique)
       solution_.notes.emplace_back(
           "a direction is left that costs nothing, as when wrinkles may turn about the axis: the "
-          "result is "
-          "one of many");
+          "result is one of many");
     if (buckled) {
       solution_.status = Status::buckled;
       solution_.notes.emplace_back(
@@ -193,44 +200,32 @@ class CoupledSolver::Data {
                        });
   }
 
-  // Brings apart what lies in each other at the given start. False: it was torn or interrupted.
+  // Ends a stage of the seam. False: the solve ends with it.
+  bool goes_on(const SeamClosing& closing, Status status) {
+    solution_.status = status;
+    if (!closing.note().empty()) solution_.notes.push_back(closing.note());
+    return status == Status::converged;
+  }
+
+  // Brings apart what lies in each other at the given start.
   bool part_walls() {
     stack_.unstack();
-    solution_.status = seam_closing().part();
-    if (solution_.status == Status::iteration_limit)
-      solution_.notes.emplace_back(
-          "walls that lay in each other beside the seam could not be brought apart, and no "
-          "equilibrium was found");
-    return solution_.status == Status::converged;
+    SeamClosing closing = seam_closing();
+    return goes_on(closing, closing.part());
   }
 
-  // Lets inflated walls out. False: it ended before.
   bool let_out() {
-    solution_.status = seam_closing().let_out();
-    if (solution_.status == Status::iteration_limit)
-      solution_.notes.emplace_back(
-          "walls that were joined inflated could not be let out, and no equilibrium was found");
-    else if (solution_.status == Status::converged)
-      solution_.notes.emplace_back(
-          "the vessels were joined inflated, as the vein folds, and then let out");
-    return solution_.status == Status::converged;
+    SeamClosing closing = seam_closing();
+    return goes_on(closing, closing.let_out());
   }
 
-  // Brings the seam together along its way, up to a rough state at time 1. False: it ended before.
+  // Brings the seam together along its way, up to a rough state at time 1.
   bool close_seam(bool& buckled) {
     SeamClosing closing = seam_closing();
-    solution_.status = closing.run();
+    const Status status = closing.run();
     solution_.reached = closing.reached();
     buckled |= closing.snapped();
-    if (solution_.status == Status::iteration_limit)
-      solution_.notes.push_back("the seam was brought together in " +
-                                std::to_string(closing.steps()) + " steps up to " +
-                                number_text(100 * closing.reached(), 3) +
-                                " % of its way, from where no shorter step found an equilibrium");
-    else if (solution_.status == Status::converged)
-      solution_.notes.push_back("the seam was brought together along a way of " +
-                                std::to_string(closing.steps()) + " steps, as the vessel folds");
-    return solution_.status == Status::converged;
+    return goes_on(closing, status);
   }
 
   // Walls that fold, or are brought apart, at a seam.
@@ -398,8 +393,7 @@ class CoupledSolver::Data {
         if (stack_.minimiser->load_is_hidden(stack_.z))
           solution_.notes.emplace_back(
               "the loads are smaller than what rounding leaves of the walls' forces: the result is "
-              "not "
-              "theirs");
+              "not theirs");
         UnmetCriteria unmet;
         unmet.require("residual", summary.residual, options.tolerance);
         if (!seam_closed)

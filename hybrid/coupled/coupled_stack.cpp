@@ -171,6 +171,12 @@ void CoupledStack::set_inflation(double share) {
   system->set_inflation(share);
 }
 
+bool CoupledStack::is_inflated() const {
+  return inflation_ > 0 &&
+         std::any_of(problem.vessels.begin(), problem.vessels.end(),
+                     [](const auto& vessel) { return vessel && vessel->inflation > 0; });
+}
+
 bool CoupledStack::spent() const {
   return options.most_factorisations > 0 &&
          work.counts.factorisations >= options.most_factorisations;

@@ -36,6 +36,8 @@ class CoupledStack {
   bool may_touch_itself() const;
   /// Sets the share (0 to 1) of CoupledVessel::inflation; 1 at first.
   void set_inflation(double share);
+  /// Whether any of it is in a lumen.
+  bool is_inflated() const;
   /// Sets the offsets of the seam to those of a time of its way.
   void set_seam_offsets(double time);
   /// Updates the multipliers of the seam after a minimisation.

@@ -5,6 +5,7 @@
 
 #include "coupled/free_motions.h"
 #include "data/index.h"
+#include "data/sentence.h"
 
 namespace vasorod {
 namespace {
@@ -53,6 +54,39 @@ SeamClosing::SeamClosing(CoupledStack& stack, CoupledPath& path,
 }
 
 Status SeamClosing::run() {
+  const Status status = follow_way();
+  note_.clear();
+  if (status == Status::iteration_limit)
+    note_ = "the seam was brought together in " + std::to_string(steps_) + " steps up to " +
+            number_text(100 * reached_, 3) +
+            " % of its way, from where no shorter step found an equilibrium";
+  else if (status == Status::converged)
+    note_ = "the seam was brought together along a way of " + std::to_string(steps_) +
+            " steps, as the vessel folds";
+  return status;
+}
+
+Status SeamClosing::part() {
+  const Status status = bring_apart();
+  note_.clear();
+  if (status == Status::iteration_limit)
+    note_ =
+        "walls that lay in each other beside the seam could not be brought apart, and no "
+        "equilibrium was found";
+  return status;
+}
+
+Status SeamClosing::let_out() {
+  const Status status = release();
+  note_.clear();
+  if (status == Status::iteration_limit)
+    note_ = "walls that were joined inflated could not be let out, and no equilibrium was found";
+  else if (status == Status::converged)
+    note_ = "the vessels were joined inflated, as the vein folds, and then let out";
+  return status;
+}
+
+Status SeamClosing::follow_way() {
   const double longest = stack_.problem.seam_way->step;
   double step = longest;
   path_.advance(0);
@@ -76,7 +110,7 @@ Status SeamClosing::run() {
       before = std::exchange(last, found);
       before_last = std::exchange(reached_, time);
       ++steps_;
-      if (time == 1) return part();
+      if (time == 1) return bring_apart();
       kept = path_.keep();
       step = std::min(growth * step, longest);
       continue;
@@ -91,7 +125,7 @@ Points SeamClosing::positions() const {
   return stack_.system->state(stack_.z).positions;
 }
 
-Status SeamClosing::part() {
+Status SeamClosing::bring_apart() {
   stack_.contacts->meet_up_to_seams();
   search();
   CoupledPath::Kept kept = path_.keep();
@@ -116,7 +150,7 @@ Status SeamClosing::part() {
   return Status::converged;
 }
 
-Status SeamClosing::let_out() {
+Status SeamClosing::release() {
   minimising_.max_iterations = iterations_per_search;
   stack_.contacts->walls_are_parted();
   CoupledPath::Kept kept = path_.keep();

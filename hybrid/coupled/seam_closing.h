@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "coupled/coupled_path.h"
 
@@ -44,6 +45,8 @@ class SeamClosing {
   /// Of inflated walls: lets them out. Returns as run() does.
   Status let_out();
 
+  /// A sentence for the certificate about the last of these; empty: none.
+  const std::string& note() const { return note_; }
   double reached() const { return reached_; }  ///< the time of the last state that was found
   int steps() const { return steps_; }         ///< that were taken, without those taken back
   bool snapped() const { return snapped_; }    ///< a fold snapped on the way
@@ -52,6 +55,9 @@ class SeamClosing {
   // A rough minimum at the present offsets and pressures, after at most so many updates; none
   // where walls are deeper in each other than so many mean edges after the third.
   Status settle(int most_updates, double crossed_from = std::numeric_limits<double>::infinity());
+  Status follow_way();
+  Status bring_apart();
+  Status release();
   void search();
   Points positions() const;
   void take_back(const CoupledPath::Kept& kept);
@@ -63,6 +69,7 @@ class SeamClosing {
   double reached_ = 0, penetration_ = 0;
   int steps_ = 0;
   bool snapped_ = false;
+  std::string note_;
 };
 
 }  // namespace vasorod

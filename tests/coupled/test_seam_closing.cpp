@@ -101,6 +101,8 @@ TEST(SeamClosing, ASolveWhoseFactorisationsAreSpentEndsAtItsNextUpdate) {
 
 // Pressure at which the hoop strain p R / (E t) is 0.05; E is 1.
 constexpr double inflation = 0.05 * 0.6 / 6;
+const char* const still_inflated =
+    "the vessels are still inflated, by a pressure that is not the scene's";
 
 CoupledSolution inflated(double pressure, std::optional<LumenPressure> lumen = {}) {
   CoupledProblem problem = two_tubes({1.5, -1, 2});
@@ -117,6 +119,9 @@ TEST(SeamClosing, InflationIsPressureInTheLumen) {
                         both = inflated(inflation / 2, LumenPressure{0, inflation / 2});
   ASSERT_EQ(mine.status, Status::converged);
   ASSERT_EQ(pressed.status, Status::converged);
+  ASSERT_EQ(mine.notes.size(), 1u);
+  EXPECT_EQ(mine.notes[0], still_inflated);
+  EXPECT_TRUE(pressed.notes.empty());
   EXPECT_LT(largest_difference(mine, pressed), 1e-7 * 6);
   EXPECT_LT(largest_difference(both, pressed), 1e-7 * 6);
   EXPECT_GT(largest_difference(mine, inflated(0)), 0.02 * 6);
@@ -155,9 +160,10 @@ TEST(SeamClosing, WhatIsNotLetOutInItsFactorisationsIsNoMinimum) {
   options.most_factorisations = 1;
   const CoupledSolution spent = CoupledSolver(inflated_start(inflated(inflation)), options).solve();
   EXPECT_EQ(spent.status, Status::iteration_limit);
-  ASSERT_EQ(spent.notes.size(), 1u);
+  ASSERT_EQ(spent.notes.size(), 2u);
   EXPECT_EQ(spent.notes[0],
             "walls that were joined inflated could not be let out, and no equilibrium was found");
+  EXPECT_EQ(spent.notes[1], still_inflated);
 }
 
 TEST(SeamClosing, OnlyAnInflatedStartCanBeLetOut) {

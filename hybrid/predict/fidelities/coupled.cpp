@@ -247,10 +247,8 @@ class Attempt {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
     inflate(prediction_, pressure, problem);
-    CoupledOptions coupled = coupled_;
+    CoupledOptions coupled = of_folding(most_inflated);
     coupled.max_outer = updates_from_closed;
-    coupled.hold_after = hold_after;
-    coupled.most_factorisations = most_inflated;
     coupled.keep = {};  // a state of other pressures than the scene's is none of it
     const CoupledSolution round = CoupledSolver(std::move(problem), coupled).solve();
     if (round.status == Status::interrupted) return round;
@@ -263,9 +261,7 @@ class Attempt {
   CoupledSolution on_its_way() {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_at_rest(prediction_, sections_, problem);
-    CoupledOptions coupled = coupled_;
-    coupled.hold_after = hold_after;
-    return CoupledSolver(std::move(problem), coupled).solve();
+    return CoupledSolver(std::move(problem), of_folding()).solve();
   }
 
   void keep(CoupledSolution&& solution, Prediction& in) const {
@@ -303,10 +299,15 @@ class Attempt {
     for (size_t v = 0; v < start.bodies.size(); ++v)
       for (const SectionSolution& section : crossed.sections[v])
         start.bodies[v].sections.push_back({section.rotation, section.center});
+    return CoupledSolver(std::move(problem), of_folding(factorisations)).solve();
+  }
+
+  // Of walls that crumple; 0: as many factorisations as they need.
+  CoupledOptions of_folding(int most_factorisations = 0) const {
     CoupledOptions coupled = coupled_;
     coupled.hold_after = hold_after;
-    coupled.most_factorisations = factorisations;
-    return CoupledSolver(std::move(problem), coupled).solve();
+    coupled.most_factorisations = most_factorisations;
+    return coupled;
   }
 
   // A start needs few digits.

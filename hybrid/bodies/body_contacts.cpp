@@ -118,6 +118,7 @@ void BodyContacts::walls_are_parted() {
 }
 
 void BodyContacts::forget() {
+  expected_.clear();
   for (Pair& pair : pairs_) {
     pair.contact.reset();
     pair.pressed.clear();

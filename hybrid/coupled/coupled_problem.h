@@ -91,9 +91,10 @@ struct CoupledOptions : SurfaceOptions {
   /// After twice as many, they are searched at a tenth of the updates only, later at fewer.
   /// 0: never.
   int hold_after = 0;
-  /// Of a whole solve: after so many it ends without a minimum, at its next multiplier update.
-  /// 0: no limit.
-  int most_factorisations = 0;
+  /// After so many factorisations the solve ends without a minimum, at its next multiplier update;
+  /// of walls that are let out each stage may take as many: to part them, to let them out, and to
+  /// find the minimum. 0: no limit.
+  int most_per_stage = 0;
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};

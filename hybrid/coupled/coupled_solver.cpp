@@ -204,6 +204,7 @@ class CoupledSolver::Data {
   bool goes_on(const SeamClosing& closing, Status status) {
     solution_.status = status;
     if (!closing.note().empty()) solution_.notes.push_back(closing.note());
+    if (stack_.problem.lets_out) stack_.begin_stage();
     return status == Status::converged;
   }
 
@@ -466,7 +467,7 @@ std::optional<std::string> CoupledOptions::is_invalid() const {
       {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
       {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
       {hold_after >= 0, "hold_after: expected 0 or more"},
-      {most_factorisations >= 0, "most_factorisations: expected 0 or more"},
+      {most_per_stage >= 0, "most_per_stage: expected 0 or more"},
       {rising, "times: expected rising numbers above 0, the last of them 1"},
   });
 }

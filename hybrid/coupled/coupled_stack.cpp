@@ -178,8 +178,8 @@ bool CoupledStack::is_inflated() const {
 }
 
 bool CoupledStack::spent() const {
-  return options.most_factorisations > 0 &&
-         work.counts.factorisations >= options.most_factorisations;
+  return options.most_per_stage > 0 &&
+         work.counts.factorisations - before_stage_ >= options.most_per_stage;
 }
 
 void CoupledStack::set_seam_offsets(double time) {

@@ -44,7 +44,9 @@ class CoupledStack {
   void update_seams();
 
   bool any_modelled() const;
-  /// Whether CoupledOptions::most_factorisations are used up.
+  /// From here on CoupledOptions::most_per_stage are counted anew.
+  void begin_stage() { before_stage_ = work.counts.factorisations; }
+  /// Whether they are used up.
   bool spent() const;
   /// Scaled length.
   double largest_seam_gap() const;
@@ -80,6 +82,7 @@ class CoupledStack {
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<Vec3> seam_multipliers_, seam_offsets_;
   double inflation_ = 1;
+  long before_stage_ = 0;  // factorisations
 };
 
 }  // namespace vasorod

@@ -32,7 +32,7 @@ constexpr double parting_step = 0.25, smallest_parting_step = 0.05;
 // searched after so many iterations, up to so many times; what is deeper in each other than this
 // many mean edges after three of them has crossed.
 constexpr double letting_step = 0.25, smallest_letting_step = 0.03, crossed = 0.5;
-constexpr int iterations_per_search = 15, most_searches = 20;
+constexpr int iterations_per_search = 15, most_searches = 10;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ Status SeamClosing::follow_way() {
     path_.advance(time);
     path_.hold_back();
     stack_.set_seam_offsets(time);
-    const Status status = settle(updates_per_step);
+    const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
       const Points found = positions();
@@ -133,7 +133,7 @@ Status SeamClosing::bring_apart() {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
     search();
-    const Status status = settle(updates_per_step);
+    const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
       share = next;
@@ -157,9 +157,9 @@ Status SeamClosing::release() {
   for (double share = 1, step = letting_step; share > 0;) {
     const double next = share - step < smallest_letting_step ? 0 : share - step;
     stack_.set_inflation(next);
-    const Status status = settle(most_searches, crossed);
+    const Status status = settle(most_searches, Walls::collapse);
     if (status == Status::interrupted) return status;
-    if (status == Status::converged && penetration_ < passable_penetration) {
+    if (status == Status::converged) {
       share = next;
       kept = path_.keep();
       step = std::min(growth * step, letting_step);
@@ -184,7 +184,8 @@ void SeamClosing::take_back(const CoupledPath::Kept& kept) {
   search();
 }
 
-Status SeamClosing::settle(int most_updates, double crossed_from) {
+Status SeamClosing::settle(int most_updates, Walls walls) {
+  double penetration = 0;
   for (int update = 1; update <= most_updates; ++update) {
     minimising_.reuse_hessian = update > 1;
     const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
@@ -195,20 +196,24 @@ Status SeamClosing::settle(int most_updates, double crossed_from) {
     if (stuck || !(summary.residual < torn)) return Status::iteration_limit;
     if (stack_.spent()) return Status::iteration_limit;
     const ContactState contact = stack_.contacts->refresh(stack_.scaled);
-    penetration_ = contact.penetration;
+    penetration = contact.penetration;
     stack_.update_seams();
     stack_.system->update_ties(stack_.z);
     if (contact.touched.empty()) {
       stack_.stack_contacts();
-      if (contact.penetration < passable_penetration) break;
-      if (update > 2 && contact.penetration > crossed_from) return Status::iteration_limit;
+      const bool came_to_rest = summary.status != LbfgsStatus::iteration_limit;
+      if (penetration < passable_penetration && (came_to_rest || walls == Walls::follow))
+        return Status::converged;
+      if (walls == Walls::collapse && update > 2 && penetration > crossed)
+        return Status::iteration_limit;
       continue;
     }
     for (const int b : contact.touched) stack_.scaled.bodies[index(b)].modelled = true;
     check_free_motions(stack_.problem, stack_.scaled);
     path_.rebuild();
   }
-  return Status::converged;
+  const bool passable = walls == Walls::follow || penetration < passable_penetration;
+  return passable ? Status::converged : Status::iteration_limit;
 }
 
 }  // namespace vasorod

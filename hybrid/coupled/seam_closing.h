@@ -17,7 +17,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "coupled/coupled_path.h"
@@ -52,9 +51,11 @@ class SeamClosing {
   bool snapped() const { return snapped_; }    ///< a fold snapped on the way
 
  private:
-  // A rough minimum at the present offsets and pressures, after at most so many updates; none
-  // where walls are deeper in each other than so many mean edges after the third.
-  Status settle(int most_updates, double crossed_from = std::numeric_limits<double>::infinity());
+  // How walls move between two searches of contacts: by less than an edge, or by many.
+  enum class Walls { follow, collapse };
+  // A rough minimum at the present offsets and pressures, in at most so many updates. Walls that
+  // collapse come to rest in it or use the updates up, and must not cross.
+  Status settle(int most_updates, Walls walls);
   Status follow_way();
   Status bring_apart();
   Status release();
@@ -66,7 +67,7 @@ class SeamClosing {
   CoupledPath& path_;
   CoupledMinimiserOptions minimising_;
   std::function<void(const CoupledMinimiserSummary&)> count_;
-  double reached_ = 0, penetration_ = 0;
+  double reached_ = 0;
   int steps_ = 0;
   bool snapped_ = false;
   std::string note_;

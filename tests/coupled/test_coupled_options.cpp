@@ -17,7 +17,7 @@ TEST(CoupledOptions, AFieldOutOfItsRangeIsNamed) {
   expect_positive<O>("contact_stiffness", &O::contact_stiffness);
   expect_named<O>("max_factorisations", &O::max_factorisations, {-1});
   expect_named<O>("hold_after", &O::hold_after, {-1});
-  expect_named<O>("most_factorisations", &O::most_factorisations, {-1});
+  expect_named<O>("most_per_stage", &O::most_per_stage, {-1});
 }
 
 TEST(CoupledOptions, TimesRiseToOne) {

@@ -91,11 +91,11 @@ TEST(SeamClosing, ASolveWhoseFactorisationsAreSpentEndsAtItsNextUpdate) {
   ASSERT_EQ(whole.status, Status::converged);
   ASSERT_GT(whole.surface.outer_iterations, 1);
   CoupledOptions options;
-  options.most_factorisations = 1;
+  options.most_per_stage = 1;
   const CoupledSolution spent = pulled_together({1.5, -1, 2}, 0, 1, options);
   EXPECT_EQ(spent.status, Status::iteration_limit);
   EXPECT_EQ(spent.surface.outer_iterations, 1);
-  options.most_factorisations = static_cast<int>(whole.surface.work.counts.factorisations) + 1;
+  options.most_per_stage = static_cast<int>(whole.surface.work.counts.factorisations) + 1;
   EXPECT_EQ(pulled_together({1.5, -1, 2}, 0, 1, options).status, Status::converged);
 }
 
@@ -155,9 +155,22 @@ TEST(SeamClosing, WhatIsLetOutEndsInTheMinimumThatWasNeverInflated) {
             "the vessels were joined inflated, as the vein folds, and then let out");
 }
 
+TEST(SeamClosing, EachStageOfWallsThatAreLetOutHasItsOwnFactorisations) {
+  const auto solved = [round = inflated(inflation)](int most) {
+    CoupledProblem problem = inflated_start(round);
+    problem.meet_up_to_seams = true;
+    CoupledOptions options;
+    options.most_per_stage = most;
+    return CoupledSolver(std::move(problem), options).solve();
+  };
+  const auto whole = static_cast<int>(solved(0).surface.work.counts.factorisations);
+  ASSERT_GT(whole, 2);
+  EXPECT_EQ(solved(whole - 1).status, Status::converged);
+}
+
 TEST(SeamClosing, WhatIsNotLetOutInItsFactorisationsIsNoMinimum) {
   CoupledOptions options;
-  options.most_factorisations = 1;
+  options.most_per_stage = 1;
   const CoupledSolution spent = CoupledSolver(inflated_start(inflated(inflation)), options).solve();
   EXPECT_EQ(spent.status, Status::iteration_limit);
   ASSERT_EQ(spent.notes.size(), 2u);

@@ -23,14 +23,12 @@ namespace {
 // From a closed start, walls that find their minimum take some ten to thirty updates of
 // multipliers.
 constexpr int updates_from_closed = 40;
-// Walls of the study's shunts that can be parted are so in fewer factorisations; others go on
-// without end, and to join them inflated is cheaper.
-constexpr int most_to_part = 150;
+// Factorisations. Walls of the study's shunts that can be parted, joined inflated or let out are so
+// in fewer; others go on without end, and to try something else is cheaper.
+constexpr int most_per_stage = 150;
 // Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated, the second where
-// the first leads nowhere; and after how many factorisations the inflated minimum and the walls
-// that are let out are given up.
+// the first leads nowhere.
 constexpr double inflations[] = {0.02, 0.05};
-constexpr int most_inflated = 150, most_from_inflated = 200;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -236,9 +234,7 @@ class Attempt {
 
   // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
   // and each itself.
-  CoupledSolution parted(const CoupledSolution& crossed) {
-    return parted(crossed, 0, most_to_part);
-  }
+  CoupledSolution parted(const CoupledSolution& crossed) { return parted(crossed, 0); }
 
   // Inflated vessels stay round, so that little of a vein that folds lies in other walls; then they
   // are parted and let out. Empty: the inflated ones found no minimum.
@@ -247,14 +243,14 @@ class Attempt {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
     inflate(prediction_, pressure, problem);
-    CoupledOptions coupled = of_folding(most_inflated);
+    CoupledOptions coupled = of_folding(most_per_stage);
     coupled.max_outer = updates_from_closed;
     coupled.keep = {};  // a state of other pressures than the scene's is none of it
     const CoupledSolution round = CoupledSolver(std::move(problem), coupled).solve();
     if (round.status == Status::interrupted) return round;
     prediction_.work += round.surface.work;
     if (!is_minimum(round.status)) return std::nullopt;
-    return parted(round, pressure, most_from_inflated);
+    return parted(round, pressure);
   }
 
   // Along the way of a vein that folds.
@@ -281,7 +277,7 @@ class Attempt {
 
  private:
   // `inflation`: pressure in which the crossed walls found their minimum, to be let out.
-  CoupledSolution parted(const CoupledSolution& crossed, double inflation, int factorisations) {
+  CoupledSolution parted(const CoupledSolution& crossed, double inflation) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
     feel_themselves(prediction_, problem);
@@ -299,14 +295,14 @@ class Attempt {
     for (size_t v = 0; v < start.bodies.size(); ++v)
       for (const SectionSolution& section : crossed.sections[v])
         start.bodies[v].sections.push_back({section.rotation, section.center});
-    return CoupledSolver(std::move(problem), of_folding(factorisations)).solve();
+    return CoupledSolver(std::move(problem), of_folding(most_per_stage)).solve();
   }
 
   // Of walls that crumple; 0: as many factorisations as they need.
-  CoupledOptions of_folding(int most_factorisations = 0) const {
+  CoupledOptions of_folding(int factorisations = 0) const {
     CoupledOptions coupled = coupled_;
     coupled.hold_after = hold_after;
-    coupled.most_factorisations = most_factorisations;
+    coupled.most_per_stage = factorisations;
     return coupled;
   }
 

@@ -42,7 +42,7 @@ struct Group {
         most_iterations = s.summary.iterations;
         slowest = what;
       }
-      if (s.summary.status == Status::converged)
+      if (s.summary.status == Status::converged || s.summary.status == Status::buckled)
         ++certified;
       else
         ++other[to_string(s.summary.status) + " (" + what + ": " + s.summary.message + ")"];

@@ -32,7 +32,9 @@ void add_rod(const std::string& name, const RodSummary& summary, bool certificat
   result.status = worse(result.status, summary.status);
   result.certificate.relative_residual =
       worst_of(result.certificate.relative_residual, summary.residual);
-  if (certificate && (summary.status == Status::converged || summary.status == Status::unstable))
+  const bool judged = summary.status == Status::converged || summary.status == Status::buckled ||
+                      summary.status == Status::unstable;
+  if (certificate && judged)
     result.certificate.smallest_curvature_positive =
         result.certificate.smallest_curvature_positive.value_or(true) &&
         summary.negative_directions == 0;

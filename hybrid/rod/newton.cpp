@@ -33,6 +33,7 @@ class Solver {
   void begin_at(const RodPoses* start);
   bool follow_path(int steps);
   RodCertificate leave_saddle(RodCertificate at);
+  void note_twist(const RodState& before);
   void judge();
   std::string sharpest_turn() const;
 
@@ -40,7 +41,15 @@ class Solver {
   const RodOptions& options_;
   RodSummary summary_;
   RodIteration iteration_;
+  std::string left_;  // a sentence on twist that was lost with a saddle; empty: none
 };
+
+// Sum of the elements' turns about their axes, radians.
+double total_twist(const RodState& state) {
+  double twist = 0;
+  for (const Vec6& strain : state.strain) twist += std::abs(strain[5]);
+  return twist;
+}
 
 void Solver::turn_along(const std::vector<Vec3>& turn) {
   RodState& state = iteration_.state;
@@ -120,6 +129,7 @@ bool Solver::follow_path(int steps) {
 /// Descends along the lowest mode in both directions and keeps the lower end state. Repeats as long
 /// as that state is a saddle again.
 RodCertificate Solver::leave_saddle(RodCertificate at) {
+  const RodState first = iteration_.state;
   for (int round = 0; round < 8 && at.negative > 0; ++round) {
     const RodState saddle = iteration_.state;
     const RodStep mode = lowest_mode(problem_, saddle);
@@ -139,9 +149,21 @@ RodCertificate Solver::leave_saddle(RodCertificate at) {
     }
     iteration_.state = best.poses.empty() ? saddle : best;
     at = certify(problem_, iteration_.state);
-    if (best.poses.empty()) return at;
+    if (best.poses.empty()) break;
   }
+  note_twist(first);
   return at;
+}
+
+/// A rod feels no contact with itself: where it leaves its branch it may pass through itself and
+/// lose two turns of twist at a time, or take them up in coils.
+void Solver::note_twist(const RodState& before) {
+  const double from = total_twist(before), to = total_twist(iteration_.state);
+  if (std::abs(from - to) < std::numbers::pi) return;
+  const auto degrees = [](double angle) { return number_text(angle * 180 / std::numbers::pi, 4); };
+  left_ = "the twisted branch from rest lost its stability, and the twist went from " +
+          degrees(from) + " to " + degrees(to) +
+          " degrees: turns are lost or taken up by coils, as a rod may pass through itself";
 }
 
 /// A sentence on the largest turn of an element. If no minimum is found, the mesh is often too
@@ -172,10 +194,12 @@ void Solver::judge() {
     summary_.status = Status::equilibrium_only;
     summary_.message = "a direction costs nothing, so the minimum is not a strict one";
   } else {
-    summary_.status = Status::converged;
+    summary_.status = left_.empty() ? Status::converged : Status::buckled;
+    summary_.message = left_;
     if (at.neutral > 0)
-      summary_.message =
-          "the minimum is one of a family, because " + at.symmetry + " costs nothing";
+      summary_.message +=
+          (left_.empty() ? "" : "; ") +
+          ("the minimum is one of a family, because " + at.symmetry + " costs nothing");
   }
 }
 

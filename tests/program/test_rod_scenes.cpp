@@ -174,6 +174,7 @@ const std::vector<Digits> table = {
      {{1.02622702645379, 1.77320208517866, 1.01612132157609}},
      1e-10,
      100},
+    {"lost-turns", "buckled", 1.6 * pi* pi, 1e-10, "rod", "end", {{1, 0, 0}}, 1e-10, 50},
     {"turns", "converged", 200 * pi* pi, 1e-10, "rod", "end", {{1, 0, 0}}, 1e-10, 8},
 };
 

@@ -149,6 +149,17 @@ TEST(RodScenes, TenTurnsAreMeant) {
   EXPECT_NEAR(end_of(r, "rod", "end").moment.x(), 20 * pi, 1e-9);
 }
 
+// The straight rod with three turns is a saddle, and no contact keeps its turns: two are lost.
+TEST(RodScenes, TurnsThatAreLostAreNamed) {
+  const Result r = solve("lost-turns");
+  EXPECT_EQ(r.status, Status::buckled);
+  EXPECT_EQ(r.certificate.smallest_curvature_positive, true);
+  EXPECT_NEAR(r.energy.rod, 0.8 * 2 * pi * pi, 1e-9);  // GJ (2 pi)^2 / (2 L)
+  ASSERT_EQ(r.certificate.notes.size(), 1u);
+  EXPECT_NE(r.certificate.notes[0].find("went from 1080 to 360 degrees"), std::string::npos)
+      << r.certificate.notes[0];
+}
+
 TEST(RodScenes, SupportsInside) {
   const Result r = solve("inside");
   EXPECT_EQ(r.status, Status::converged);

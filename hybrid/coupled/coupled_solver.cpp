@@ -170,7 +170,6 @@ class CoupledSolver::Data {
       const bool passable = t < 1 && solution_.status == Status::iteration_limit &&
                             !stack_.contacts->pressing() &&
                             solution_.surface.residual <= passable_residual;
-      if (passable) solution_.notes.resize(notes);
       buckled |= left_saddle_;
       if (stepped && predicted.rows() == stack_.system->vertex_count())
         buckled |=
@@ -178,6 +177,7 @@ class CoupledSolver::Data {
       if (!passable && solution_.status != Status::converged &&
           solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique)
         return;
+      if (t < 1) solution_.notes.resize(notes);  // of a state on the way
       solution_.reached = t;
     }
     if (solution_.status == Status::not_unique)

@@ -213,5 +213,32 @@ TEST(Section, RefusesWhatItDoesNotModel) {
                  "nothing stops its wall's rigid motion, a rotation about the axis");
 }
 
+// The ends of a tube that is turned once are where they were, so that a wall that feels no contact
+// with itself can end untwisted.
+TEST(Section, TurnsThatAreLostAreNamed) {
+  const auto solved = [](const std::string& degrees, int exit_code) {
+    return solved_scene(
+        "scene: tube\nunits: {length: mm, stress: MPa}\nvessels:\n  - name: tube\n"
+        "    tube: {length: 100, radius: 10, around: 24, along: 44}\n"
+        "    wall: {thickness: 3, young: 1, poisson: 0.3}\nends:\n"
+        "  - {vessel: tube, end: start, hold: true}\n"
+        "  - {vessel: tube, end: end, rotate_deg: [0, 0, " +
+            degrees + "]}\nfidelity: section\n",
+        exit_code);
+  };
+  const json lost = solved("1080", 1);
+  EXPECT_EQ(lost.at("status"), "buckled");
+  EXPECT_LT(lost.at("energy").at("total"), 1e-9);
+  const std::string notes = lost.at("certificate").at("notes").dump();
+  EXPECT_NE(notes.find("rod of tube: the twisted branch from rest lost its stability, and the "
+                       "twist went from 1080 to 360 degrees"),
+            std::string::npos)
+      << notes;
+  EXPECT_NE(notes.find("vessel tube is twisted by 0 degrees and not by 360 as its rod"),
+            std::string::npos)
+      << notes;
+  EXPECT_EQ(solved("20", 0).at("certificate").at("notes").dump().find("lost"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace vasorod::testing

@@ -185,9 +185,6 @@ void solve_section(Prediction& prediction, const SolveOptions& options) {
         ends.back()[k] = *found.ends[first ? 0 : 1];
       }
       take(std::move(found), surfaces);
-      // A rod that left its straight branch began the wall beside it.
-      if (vessel.rod_solved && vessel.rod.summary.status == Status::buckled)
-        surfaces.solution.status = worse(surfaces.solution.status, Status::buckled);
     }
     for (const SectionSolution& end : ends.back()) {
       load += end.load;

@@ -76,6 +76,7 @@ class CoupledSolver::Data {
     keep_next_ = 0;
     solution_ = {};
     stack_.work = {};
+    stack_.begin_stage();
     if (stack_.any_modelled()) {
       follow_path();
     } else {

@@ -171,8 +171,11 @@ TEST(SeamClosing, EachStageOfWallsThatAreLetOutHasItsOwnFactorisations) {
 TEST(SeamClosing, WhatIsNotLetOutInItsFactorisationsIsNoMinimum) {
   CoupledOptions options;
   options.most_per_stage = 1;
-  const CoupledSolution spent = CoupledSolver(inflated_start(inflated(inflation)), options).solve();
+  CoupledSolver solver(inflated_start(inflated(inflation)), options);
+  const CoupledSolution spent = solver.solve();
   EXPECT_EQ(spent.status, Status::iteration_limit);
+  EXPECT_EQ(solver.solve().surface.work.counts.factorisations,
+            spent.surface.work.counts.factorisations);
   ASSERT_EQ(spent.notes.size(), 2u);
   EXPECT_EQ(spent.notes[0],
             "walls that were joined inflated could not be let out, and no equilibrium was found");

@@ -58,6 +58,10 @@ class BodyContacts {
   /// time press, scaled stress; an empty one: none. Pairs with exchanged roles begin without.
   void expect(std::vector<Eigen::VectorXd> pressure) { expected_ = std::move(pressure); }
 
+  /// A body and itself keep so far apart, scaled length: the faces that meet lie half as far
+  /// outside the wall's. For bodies that are found from here on.
+  void keep_from_itself(double apart) { apart_ = apart; }
+
   /// Walls that press on each other stick between searches from here on (contact_pair.h): where
   /// the set of those that press does not settle.
   void hold();
@@ -142,7 +146,7 @@ class BodyContacts {
   std::vector<int> seam_of(int body) const;
 
   const BodyProblem& problem_;
-  double stiffness_;
+  double stiffness_, apart_ = 0;
   std::vector<Eigen::VectorXd> expected_;
   bool hold_ = false, up_to_seams_ = false, parted_ = false;
   double allowed_ = 0;

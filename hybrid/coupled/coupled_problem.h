@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/body_problem.h"
+#include "bodies/seam_way.h"
 #include "bodies/surface_options.h"
 #include "bodies/surface_solution.h"
 #include "coupled/held_section.h"
@@ -25,22 +26,6 @@ struct CoupledVessel {
   /// Added to it, so that walls that would fold stay round; 0 or more, stress. It stays there to
   /// the end unless CoupledProblem::lets_out.
   double inflation = 0;
-};
-
-/// Positions of a body given by its rod at one time of the path.
-struct CarriedBody {
-  Points points;                ///< p'; empty: at rest
-  std::vector<Mat3> rotations;  ///< per vertex, from rest; empty: identity
-  /// Per section: rotation from rest, position of its point; empty: at rest.
-  std::vector<Pose> sections;
-};
-
-/// The way of a seam's first vertices to its second ones, for a vessel that has to fold: a closed
-/// start of it would lie through itself, where contact cannot part walls.
-struct SeamWay {
-  /// Offset of each pair of the seam at time t (joining_energy.h), length; at time 1 zero.
-  std::function<std::vector<Vec3>(double t)> offsets;
-  double step = 1;  ///< longest step of the time
 };
 
 /// Where walls are expected at the end of the path, as coarser ones or an earlier solve found them.

@@ -148,6 +148,11 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       direction *= options.largest_step / longest;
       slope *= options.largest_step / longest;
     }
+    if (options.longest_share) {
+      const double share = options.longest_share(x, direction);
+      direction *= share;
+      slope *= share;
+    }
     double step = 1, new_energy = 0, new_residual = 0;
     bool accepted = false;
     for (int k = 0; k < most_backtracks && !accepted; ++k) {

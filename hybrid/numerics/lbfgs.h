@@ -25,6 +25,8 @@ struct LbfgsOptions {
   /// Bound on the change of any unknown in one iteration; 0: no bound. A bound keeps the iteration
   /// near the closest minimum.
   double largest_step = 0;
+  /// The longest share, in (0, 1], of a step along `direction` from x. May be empty: 1.
+  std::function<double(const Eigen::VectorXd& x, const Eigen::VectorXd& direction)> longest_share;
   /// Called once per iteration; returning true interrupts. May be empty.
   std::function<bool(int iteration, double energy, double residual)> stop;
 };

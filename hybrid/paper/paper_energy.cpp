@@ -1,5 +1,8 @@
 #include "paper/paper_energy.h"
 
+#include <algorithm>
+
+#include "data/index.h"
 #include "paper/binding_energy.h"
 
 namespace vasorod {
@@ -43,22 +46,34 @@ int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& 
                 const std::vector<char>& fixed) {
   const int first = system.vertex_count(), count = static_cast<int>(rest.points.rows());
   const std::vector<Edge> edges = edges_of(rest.triangles);
-  PaperBlock block{first, count, k, Umbrella(edges, count), {}};
+  PaperBlock block{first, count, k, Umbrella(edges, count), {}, nullptr};
   block.springs.reserve(edges.size());
   for (const Edge& e : edges)
     block.springs.push_back({e.a, e.b, (rest.points.row(e.b) - rest.points.row(e.a)).norm()});
   system.carried.conservativeResize(first + count, 3);
-  system.carried.bottomRows(count) = carried;
   system.carried_laplacian.conservativeResize(first + count, 3);
-  system.carried_laplacian.bottomRows(count) =
-      carried_laplacian(block.umbrella, rest.points, rotations);
   system.carried_misfit.conservativeResize(first + count, 3);
-  system.carried_misfit.bottomRows(count) =
-      system.carried_laplacian.bottomRows(count) - block.umbrella.apply(carried);
   system.fixed.insert(system.fixed.end(), fixed.begin(), fixed.end());
   system.fixed.resize(static_cast<size_t>(first + count), 0);
   system.blocks.push_back(std::move(block));
-  return static_cast<int>(system.blocks.size()) - 1;
+  const int added = static_cast<int>(system.blocks.size()) - 1;
+  carry_block(system, added, rest.points, carried, rotations);
+  return added;
+}
+
+void carry_block(PaperSystem& system, int block, const Points& rest, const Points& carried,
+                 const std::vector<Mat3>& rotations) {
+  const PaperBlock& mine = system.blocks[index(block)];
+  system.carried.middleRows(mine.first, mine.count) = carried;
+  auto laplacian = system.carried_laplacian.middleRows(mine.first, mine.count);
+  laplacian = carried_laplacian(mine.umbrella, rest, rotations);
+  system.carried_misfit.middleRows(mine.first, mine.count) =
+      laplacian - mine.umbrella.apply(carried);
+}
+
+bool PaperSystem::guarded() const {
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [](const PaperBlock& block) { return block.guard != nullptr; });
 }
 
 double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p) {
@@ -70,6 +85,7 @@ double paper_energy(const PaperSystem& system, const Eigen::Ref<const Points>& p
         bending_energy(block.k.bending, block.umbrella, mine,
                        system.carried_laplacian.middleRows(block.first, block.count)) +
         stretching_energy(block.k.stretching, block.springs, mine);
+    if (block.guard) sum += block.guard->energy(mine);
   }
   return sum;
 }
@@ -97,10 +113,14 @@ PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<
         block.k.stretching, block.springs, system.carried.middleRows(block.first, block.count),
         mine, gradient.stretching.middleRows(block.first, block.count));
   }
-  if (system.joins.empty() && system.contacts.empty()) return terms;
+  if (system.joins.empty() && system.contacts.empty() && !system.guarded()) return terms;
   const Points p = system.carried + u;
   terms.joining = joining_energy_gradient(system.k_j, system.joins, p, gradient.joining);
   terms.contact = contact_energy_gradient(system.contacts, p, gradient.contact);
+  for (const PaperBlock& block : system.blocks)
+    if (block.guard)
+      terms.contact += block.guard->gradient(p.middleRows(block.first, block.count),
+                                             gradient.contact.middleRows(block.first, block.count));
   return terms;
 }
 
@@ -108,6 +128,15 @@ Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Poin
                           double spring_share) {
   Matrix bound = constant_terms(system, spring_share);
   if (!system.contacts.empty()) bound += contact_energy_bound(system.contacts, p);
+  std::vector<Eigen::Triplet<double>> guarded;
+  for (const PaperBlock& block : system.blocks)
+    if (block.guard)
+      block.guard->bound(p.middleRows(block.first, block.count), block.first, guarded);
+  if (!guarded.empty()) {
+    Matrix barriers(bound.rows(), bound.cols());
+    barriers.setFromTriplets(guarded.begin(), guarded.end());
+    bound += barriers;
+  }
   const auto is_fixed = [&](Eigen::Index i) { return system.fixed[static_cast<size_t>(i)] != 0; };
   bound.prune([&](Eigen::Index row, Eigen::Index column, double) {
     return row == column || !(is_fixed(row) || is_fixed(column));
@@ -146,6 +175,9 @@ Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Po
     }
   std::vector<Eigen::Triplet<double>> pressed;
   contact_energy_hessian(system.contacts, p, pressed);
+  for (const PaperBlock& block : system.blocks)
+    if (block.guard)
+      block.guard->hessian(p.middleRows(block.first, block.count), blend, block.first, pressed);
   for (const auto& t : pressed) {
     if (t.row() >= t.col() && !is_fixed(t.row() / 3) && !is_fixed(t.col() / 3))
       entries.push_back(t);

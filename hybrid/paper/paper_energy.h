@@ -3,9 +3,11 @@
 // marked `fixed` do not move.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "bodies/contact_energy.h"
+#include "bodies/crossing_guard.h"
 #include "bodies/joining_energy.h"
 #include "bodies/spring_coefficients.h"
 #include "paper/bending_energy.h"
@@ -19,6 +21,8 @@ struct PaperBlock {
   Coefficients k;
   Umbrella umbrella;
   std::vector<Spring> springs;  ///< vertex numbers within the body
+  /// Null: it may pass through itself.
+  std::shared_ptr<CrossingGuard> guard;
 };
 
 /// All data of the energy except the positions.
@@ -32,15 +36,20 @@ struct PaperSystem {
   std::vector<Join> joins;
   std::vector<ContactPoint> contacts;
   int vertex_count() const { return static_cast<int>(carried.rows()); }
+  bool guarded() const;  ///< whether a body must not pass through itself
 };
 
 /// Appends a body to the stack and returns the index of its block.
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
                 const std::vector<Mat3>& rotations, const Coefficients& k,
                 const std::vector<char>& fixed);
+/// Moves p' and the rotations R of a block's body.
+void carry_block(PaperSystem& system, int block, const Points& rest, const Points& carried,
+                 const std::vector<Mat3>& rotations);
 
 /// Energy term by term, force * length.
 struct PaperTerms {
+  /// `contact` has the guards' barriers too.
   double binding = 0, bending = 0, stretching = 0, joining = 0, contact = 0;
   double total() const { return binding + bending + stretching + joining + contact; }
 };
@@ -75,8 +84,8 @@ Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system,
                                                double spring_share = 1);
 
 /// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep only a positive diagonal.
-/// blend = 1 replaces the Hessian of the springs by its positive bound; values between 0 and 1
-/// interpolate.
+/// blend = 1 replaces the Hessian of the springs by its positive bound, that of the guards by its
+/// convex part; values between 0 and 1 interpolate.
 Eigen::SparseMatrix<double> paper_energy_hessian(const PaperSystem& system,
                                                  const Eigen::Ref<const Points>& p,
                                                  double blend = 0);

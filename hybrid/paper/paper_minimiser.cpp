@@ -40,6 +40,17 @@ void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
     throw std::runtime_error("the surface's constant matrix is not positive definite");
 }
 
+// Of a step on which no guarded surface passes through itself.
+double PaperMinimiser::longest_share(const VectorXd& x, const VectorXd& direction) const {
+  double share = 1;
+  const Points from = system_.carried + points_of(x), to = from + points_of(direction);
+  for (const PaperBlock& block : system_.blocks)
+    if (block.guard)
+      share = std::min(share, block.guard->longest_step(from.middleRows(block.first, block.count),
+                                                        to.middleRows(block.first, block.count)));
+  return share;
+}
+
 double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& residual) {
   const double energy = paper_energy_gradient_at(system_, points_of(x), terms_).total();
   auto g = points_of(gradient);
@@ -58,7 +69,7 @@ double PaperMinimiser::evaluate(const VectorXd& x, VectorXd& gradient, double& r
     g += terms_.joining;
     all += terms_.joining.norm();
   }
-  if (!system_.contacts.empty()) {
+  if (!system_.contacts.empty() || system_.guarded()) {
     g += terms_.contact;
     all += terms_.contact.norm();
   }
@@ -109,6 +120,10 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   LbfgsOptions inner;
   inner.tolerance = options.tolerance;
   inner.stop = summary.counting(options.stop);
+  if (system_.guarded())
+    inner.longest_share = [this](const VectorXd& at, const VectorXd& direction) {
+      return longest_share(at, direction);
+    };
   const auto take = [&](const LbfgsSummary& stage) {
     summary.add(stage);
     p = system_.carried + points_of(x);

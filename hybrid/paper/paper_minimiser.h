@@ -64,6 +64,7 @@ class PaperMinimiser {
   bool stable(const Points& p, const StopInside& stop = {});
 
  private:
+  double longest_share(const Eigen::VectorXd& x, const Eigen::VectorXd& direction) const;
   Eigen::VectorXd displacements(const Points& p) const;
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);
   double counted(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -68,6 +69,27 @@ TEST(Lbfgs, BacksOutOfWhereTheEnergyIsNotANumber) {
       x);
   EXPECT_EQ(summary.status, LbfgsStatus::converged);
   EXPECT_NEAR(x[0], 1, 1e-7);
+}
+
+// x + 1 / x has its minimum at 1; a step beyond 0 would leave its domain.
+TEST(Lbfgs, AStepIsNoLongerThanItMayBe) {
+  VectorXd x = VectorXd::Constant(1, 4);
+  double smallest = x[0];
+  const auto energy = [&](const VectorXd& at, VectorXd& g, double& residual) {
+    smallest = std::min(smallest, at[0]);
+    g[0] = 1 - 1 / (at[0] * at[0]);
+    residual = std::abs(g[0]);
+    return at[0] + 1 / at[0];
+  };
+  LbfgsOptions options;
+  options.longest_share = [](const VectorXd& at, const VectorXd& direction) {
+    return std::min(1.0, 0.9 * at[0] / std::abs(direction[0]));
+  };
+  const auto far = [](const VectorXd& g, VectorXd& d) { d = 50 * g; };
+  const LbfgsSummary summary = lbfgs(energy, far, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::converged);
+  EXPECT_NEAR(x[0], 1, 1e-7);
+  EXPECT_GT(smallest, 0);
 }
 
 TEST(Lbfgs, NamesEveryOtherEnd) {

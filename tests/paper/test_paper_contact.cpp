@@ -148,7 +148,7 @@ TEST(PaperContact, TwoDeformableVesselsShareTheForceAndBothCarryPressure) {
 TEST(PaperContact, WallsThatStickBetweenSearchesCarryTheSameForce) {
   const BodyProblem problem = crossing(2);
   PaperOptions held;
-  held.hold_after = 1;
+  held.hold_after = 4;
   const SurfaceSolution free = solve_paper(problem), stuck = solve_paper(problem, held);
   ASSERT_EQ(stuck.status, Status::converged);
   EXPECT_TRUE(free.notes.empty());

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "data/index.h"
+#include "predict/carried_bodies.h"
 #include "predict/joining_path.h"
 #include "predict/t_glenn.h"
 #include "predict/vessel_wall.h"
@@ -55,6 +56,29 @@ TEST_F(JoiningPathTest, ItLeadsFromRestToTheSeam) {
     EXPECT_LT(last[i].norm(), 1e-12);
   }
   EXPECT_LT((carried(way.vein(1)) - carried(vein().rod.poses)).rowwise().norm().maxCoeff(), 1e-9);
+}
+
+// The vein goes its way while all others go by a share of their strain; here none of them moves.
+TEST_F(JoiningPathTest, TheBodiesAreCarriedOnIt) {
+  const JoiningPath way(prediction_);
+  const std::vector<VesselSections> none(2);
+  const Points rest = vein().prepared.vessel.surface.points;
+  const std::vector<CarriedBody> first = carried_by_rods(prediction_, none, 0, &way),
+                                 last = carried_by_rods(prediction_, none, 1, &way),
+                                 straight = carried_by_rods(prediction_, none, 1, nullptr);
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_LT((first[0].points - rest).rowwise().norm().maxCoeff(), 1e-9);
+  EXPECT_LT((last[0].points - carried(vein().rod.poses)).rowwise().norm().maxCoeff(), 1e-9);
+  EXPECT_LT((straight[0].points - last[0].points).rowwise().norm().maxCoeff(), 1e-9);
+  EXPECT_EQ(first[0].rotations.size(), static_cast<size_t>(rest.rows()));
+  EXPECT_TRUE(first[1].points.rows() == 0);  // its rod is not solved: at rest
+  BodyProblem problem;
+  problem.bodies.resize(2);
+  const SeamWay seam =
+      start_at_rest(prediction_, std::make_shared<JoiningPath>(prediction_), problem);
+  EXPECT_EQ(seam.step, way.step());
+  EXPECT_TRUE(problem.bodies[0].open_mouth);
+  EXPECT_EQ(problem.contacts, (std::vector<std::pair<int, int>>{{0, 0}, {1, 1}}));
 }
 
 // While it approaches, the rim keeps its section's shape: the offsets are where the rod carries it.

@@ -48,12 +48,18 @@ nlohmann::json solve_case(const std::string& file, const std::string& options) {
 }
 
 nlohmann::json solve_turned(const std::string& file, double rotation_deg,
-                            const std::string& options) {
+                            const std::string& options, Left left) {
   const ScratchFolder scratch;
   YAML::Node yaml = YAML::LoadFile((cases / file).string());
   for (YAML::Node vessel : yaml["vessels"])
     vessel["surface"] = (cases / vessel["surface"].as<std::string>()).string();
   yaml["surgery"]["glenn"]["rotation_deg"] = rotation_deg;
+  if (left == Left::out_contact) yaml["contact"] = YAML::Node(YAML::NodeType::Sequence);
+  if (left == Left::out_pressure) {
+    yaml["units"].remove("pressure");
+    for (YAML::Node vessel : yaml["vessels"])
+      for (const char* key : {"pressure", "law"}) vessel.remove(key);
+  }
   std::ofstream(scratch / "scene.yaml") << YAML::Dump(yaml);
   return run_scene(scratch / "scene.yaml", options);
 }

@@ -27,9 +27,10 @@ inline GlennScene infant() {
 /// the test.
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
-/// The same with another `rotation_deg`.
+enum class Left { all, out_contact, out_pressure };
+/// The same with another `rotation_deg`, and perhaps without contact or without pressure.
 nlohmann::json solve_turned(const std::string& file, double rotation_deg,
-                            const std::string& options);
+                            const std::string& options, Left left = Left::all);
 
 /// Writes the changed scene with its surfaces and runs it.
 nlohmann::json solve_glenn(const GlennScene& scene, const std::string& options);

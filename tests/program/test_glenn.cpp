@@ -205,9 +205,9 @@ TEST(Glenn, RealAnatomyIsPressedBesideItsSeamAtPaper) {
   EXPECT_GT(pressure_between(result, "svc", "pulmonary_artery"), 0);
 }
 
-// Turned by 45 degrees, it folds through itself, which `paper` does not feel.
+// Turned by 45 degrees, it folds through itself where nothing is to touch anything.
 TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
-  const auto result = solve_turned("adult.yaml", 45, "--fidelity paper");
+  const auto result = solve_turned("adult.yaml", 45, "--fidelity paper", Left::out_contact);
   EXPECT_EQ(result.at("status"), "self_intersecting");
   EXPECT_EQ(result.at("validity").at("in_range"), false);
   const auto& crossings = result.at("self_intersections");
@@ -215,6 +215,17 @@ TEST(Glenn, RealAnatomyThatEntersItselfAtPaperDoesNotSayConverged) {
   EXPECT_EQ(crossings[0].at("a"), "svc");
   EXPECT_EQ(crossings[0].at("b"), "svc");
   EXPECT_GT(crossings[0].at("depth").get<double>(), 1);
+}
+
+// At `paper` such a vein goes its way from rest, and feels itself on it.
+TEST(Glenn, RealAnatomyThatFoldsAtPaperPassesThroughNothing) {
+  const auto result = solve_turned("adult_physiological.yaml", -60, "--fidelity paper --no-report",
+                                   Left::out_pressure);
+  EXPECT_EQ(result.at("status"), "converged") << result.at("certificate");
+  EXPECT_TRUE(result.at("self_intersections").empty()) << result.at("self_intersections");
+  EXPECT_GT(pressure_between(result, "svc", "svc"), 0);
+  EXPECT_NE(result.at("certificate").at("notes").dump().find("along a way of"), std::string::npos)
+      << result.at("certificate");
 }
 
 // With blood in it, the short vein feels itself and ends in a certified minimum whose walls pass

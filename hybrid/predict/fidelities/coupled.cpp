@@ -5,6 +5,7 @@
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
 #include "paper/joined_skin.h"
+#include "predict/carried_bodies.h"
 #include "predict/coarse_start.h"
 #include "predict/fidelities/fidelities.h"
 #include "predict/joining_path.h"
@@ -15,7 +16,6 @@
 #include "predict/surface_bodies.h"
 #include "predict/vessel_wall.h"
 #include "predict/walls_means.h"
-#include "rod/binding.h"
 
 namespace vasorod {
 namespace {
@@ -36,38 +36,6 @@ constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0
 // Of a vein that folds: contacts that are still found differently after this many updates stick.
 constexpr int hold_after = 6;
 
-CarriedBody carried_by(const PredictedVessel& vessel, const RodPoses& poses,
-                       const VesselSections& sections) {
-  const Vessel& v = vessel.prepared.vessel;
-  CarriedBody body;
-  body.points = carried_points(v.rod, poses, v.carry);
-  body.rotations = carried_rotations(v.rod, poses, v.carry);
-  for (const int node : sections.nodes)
-    body.sections.push_back(
-        {poses[index(node)].rotation * v.rod.rest[index(node)].rotation.transpose(),
-         poses[index(node)].position});
-  return body;
-}
-
-// The bodies at time t as their rods carry them. `vein`: the rod of the vessel whose seam is on its
-// way; else a share of each rod's strain.
-std::vector<CarriedBody> carried_by_rods(const Prediction& prediction,
-                                         const std::vector<VesselSections>& sections, double t,
-                                         const JoiningPath* way) {
-  std::vector<CarriedBody> bodies;
-  for (size_t v = 0; v < prediction.vessels.size(); ++v) {
-    const PredictedVessel& vessel = prediction.vessels[v];
-    bodies.emplace_back();
-    if (!vessel.rod_solved) continue;
-    const RodPoses poses = way && way->is_vein(v) ? way->vein(t)
-                           : t == 1
-                               ? vessel.rod.poses
-                               : share_of_strain(vessel.prepared.vessel.rod, vessel.rod.poses, t);
-    bodies.back() = carried_by(vessel, poses, sections[v]);
-  }
-  return bodies;
-}
-
 // A seam's start is closed: a linear solve of the paper's quadratic energies deforms the carried
 // sections as little as possible.
 void start_closed(Prediction& prediction, const std::vector<VesselSections>& sections,
@@ -80,14 +48,6 @@ void start_closed(Prediction& prediction, const std::vector<VesselSections>& sec
       if (!prediction.vessels[v].prepared.obstacle()) bodies[v].points = joined[v];
     return bodies;
   };
-}
-
-// The vein and the artery that it is joined to.
-void feel_themselves(const Prediction& prediction, CoupledProblem& problem) {
-  for (const OperatedVessel& joined : prediction.operation->vessels) {
-    const auto body = static_cast<int>(vessel_named(prediction, joined.name));
-    problem.surfaces.contacts.emplace_back(body, body);
-  }
 }
 
 // The pressure in both vessels by which the hoop strain of the one that yields more becomes
@@ -109,13 +69,10 @@ void inflate(const Prediction& prediction, double pressure, CoupledProblem& prob
 }
 
 // The vein starts at rest, where nothing passes through it, and goes to its seam.
-void start_at_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
-                   CoupledProblem& problem) {
+void go_from_rest(const Prediction& prediction, const std::vector<VesselSections>& sections,
+                  CoupledProblem& problem) {
   const auto way = std::make_shared<const JoiningPath>(prediction);
-  const auto vein = vessel_named(prediction, prediction.operation->vessels[0].name);
-  problem.surfaces.bodies[vein].open_mouth = true;
-  problem.seam_way = SeamWay{[way](double t) { return way->offsets(t); }, way->step()};
-  feel_themselves(prediction, problem);
+  problem.seam_way = start_at_rest(prediction, way, problem.surfaces);
   problem.carried = [&prediction, &sections, way](double t) {
     return carried_by_rods(prediction, sections, t, way.get());
   };
@@ -256,7 +213,7 @@ class Attempt {
   // Along the way of a vein that folds.
   CoupledSolution on_its_way() {
     CoupledProblem problem = problem_of(prediction_, sections_);
-    start_at_rest(prediction_, sections_, problem);
+    go_from_rest(prediction_, sections_, problem);
     return CoupledSolver(std::move(problem), of_folding()).solve();
   }
 
@@ -280,7 +237,7 @@ class Attempt {
   CoupledSolution parted(const CoupledSolution& crossed, double inflation) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
-    feel_themselves(prediction_, problem);
+    feel_themselves(prediction_, problem.surfaces);
     problem.meet_up_to_seams = true;
     inflate(prediction_, inflation, problem);
     problem.lets_out = inflation > 0;

@@ -1,0 +1,237 @@
+#include "bodies/crossing_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geometry/box_tree.h"
+#include "geometry/triangle_surface.h"
+
+namespace vasorod {
+namespace {
+
+// Of the distance at the beginning of a step: what is left at its end.
+constexpr double left_of_distance = 0.1;
+// Of the time in which a distance could fall to that: how far one round of collision detection
+// goes. Below so much of what is left a further round gains nothing.
+constexpr double per_round = 0.95, no_further = 0.05;
+constexpr int most_rounds = 100;
+// Over r: what is so near at rest cannot be kept apart.
+constexpr double near_at_rest = 1.5;
+// Mean edges by which the surface may move before near features are searched again, twice.
+constexpr double margin_in_edges = 0.75;
+
+using Places = Eigen::Ref<const Points>;
+
+FeatureCorners corners(const Places& p, const std::array<int, 4>& at) {
+  return {p.row(at[0]), p.row(at[1]), p.row(at[2]), p.row(at[3])};
+}
+
+struct Barrier {
+  double value = 0, first = 0, second = 0;  // and the derivatives by d
+};
+
+Barrier barrier(double d, double r) {
+  const double gap = d - r, log = std::log(d / r);
+  return {-gap * gap * log, -2 * gap * log - gap * gap / d,
+          -2 * log - 4 * gap / d + gap * gap / (d * d)};
+}
+
+template <std::size_t N>
+Box box_around(const Places& p, const std::array<int, N>& at, double margin) {
+  Box box;
+  for (const int v : at) {
+    const Vec3 x = p.row(v);
+    box.add({x, x});
+  }
+  box.low.array() -= margin;
+  box.high.array() += margin;
+  return box;
+}
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const TriangleSurface& rest, double reach, double stiffness)
+    : triangles_(rest.triangles),
+      reach_(reach),
+      stiffness_(stiffness),
+      margin_(std::max(reach, margin_in_edges * mean_edge_length(rest))) {
+  for (const Edge& edge : edges_of(triangles_)) edges_.push_back({edge.a, edge.b});
+  for (const Stencil& stencil : near(rest.points, near_at_rest * reach_))
+    near_at_rest_.push_back(stencil.at);
+  std::sort(near_at_rest_.begin(), near_at_rest_.end());
+}
+
+bool CrossingGuard::left_out(const Stencil& stencil) const {
+  const std::array<int, 4>& at = stencil.at;
+  const auto second = at.begin() + (stencil.features == Features::two_edges ? 2 : 1);
+  return std::find_first_of(at.begin(), second, second, at.end()) != second ||
+         std::binary_search(near_at_rest_.begin(), near_at_rest_.end(), at);
+}
+
+std::vector<CrossingGuard::Stencil> CrossingGuard::near(const Places& p, double reach) const {
+  std::vector<Stencil> found;
+  const auto take = [&](Stencil stencil) {
+    if (left_out(stencil)) return;
+    stencil.distance = feature_distance(corners(p, stencil.at), stencil.features).distance;
+    if (stencil.distance < reach) found.push_back(stencil);
+  };
+  std::vector<Box> boxes;
+  for (Eigen::Index t = 0; t < triangles_.rows(); ++t)
+    boxes.push_back(
+        box_around<3>(p, {triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)}, reach / 2));
+  const BoxTree triangles(boxes);
+  for (int v = 0; v < p.rows(); ++v) {
+    const Box own = box_around<1>(p, {v}, reach / 2);
+    triangles.visit([&](const Box& box) { return box.meets(own); },
+                    [&](int t) {
+                      take({{v, triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)},
+                            Features::vertex_and_triangle,
+                            0});
+                    });
+  }
+  boxes.clear();
+  for (const std::array<int, 2>& edge : edges_) boxes.push_back(box_around(p, edge, reach / 2));
+  const BoxTree tree(boxes);
+  tree.meeting_pairs(std::vector<char>(edges_.size(), 1), [&](int i, int j) {
+    const auto &a = edges_[static_cast<size_t>(std::min(i, j))],
+               &b = edges_[static_cast<size_t>(std::max(i, j))];
+    take({{a[0], a[1], b[0], b[1]}, Features::two_edges, 0});
+    return true;
+  });
+  std::sort(found.begin(), found.end(), [](const Stencil& a, const Stencil& b) {
+    return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
+  });
+  return found;
+}
+
+double CrossingGuard::moved(const Places& p) const {
+  if (found_at_.rows() != p.rows()) return std::numeric_limits<double>::infinity();
+  return std::sqrt((p - found_at_).rowwise().squaredNorm().maxCoeff());
+}
+
+void CrossingGuard::search(const Places& p) {
+  found_at_ = p;
+  found_ = near(p, reach_ + margin_);
+}
+
+template <class Take>
+void CrossingGuard::within_reach(const Places& p, Take&& take) {
+  double nearer = 2 * moved(p);  // two features come together by at most this
+  if (nearer > margin_) {
+    search(p);
+    nearer = 0;
+  }
+  for (const Stencil& stencil : found_) {
+    if (stencil.distance > reach_ + nearer) break;
+    const FeatureCorners x = corners(p, stencil.at);
+    const FeatureDistance found = feature_distance(x, stencil.features);
+    if (found.distance < reach_) take(stencil, x, found);
+  }
+}
+
+double CrossingGuard::energy(const Places& p) {
+  double energy = 0;
+  within_reach(p, [&](const Stencil&, const FeatureCorners&, const FeatureDistance& found) {
+    energy += found.distance > 0 ? stiffness_ * barrier(found.distance, reach_).value
+                                 : std::numeric_limits<double>::infinity();
+  });
+  return energy;
+}
+
+double CrossingGuard::gradient(const Places& p, Eigen::Ref<Points> gradient) {
+  double energy = 0;
+  within_reach(p, [&](const Stencil& stencil, const FeatureCorners&, const FeatureDistance& found) {
+    if (!(found.distance > 0)) {
+      energy = std::numeric_limits<double>::infinity();
+      return;
+    }
+    const Barrier b = barrier(found.distance, reach_);
+    energy += stiffness_ * b.value;
+    const Vec3 force = stiffness_ * b.first / found.distance * found.apart;
+    for (size_t k = 0; k < 4; ++k)
+      gradient.row(stencil.at[k]) += found.weight[k] * force.transpose();
+  });
+  return energy;
+}
+
+void CrossingGuard::hessian(const Places& p, double blend, int first,
+                            std::vector<Eigen::Triplet<double>>& entries) {
+  within_reach(
+      p, [&](const Stencil& stencil, const FeatureCorners& x, const FeatureDistance& found) {
+        if (!(found.distance > 0)) return;
+        const double d = found.distance;
+        const Barrier b = barrier(d, reach_);
+        Eigen::Matrix<double, 12, 1> slope;  // of d
+        for (int k = 0; k < 4; ++k)
+          slope.segment<3>(3 * k) = found.weight[static_cast<size_t>(k)] / d * found.apart;
+        Eigen::Matrix<double, 12, 12> block = b.second * slope * slope.transpose();
+        if (blend < 1)
+          block += (1 - blend) * b.first / d *
+                   (half_square_hessian(x, found, stencil.features) - slope * slope.transpose());
+        block *= stiffness_;
+        for (int i = 0; i < 12; ++i)
+          for (int j = 0; j < 12; ++j)
+            if (block(i, j) != 0)
+              entries.emplace_back(3 * (first + stencil.at[static_cast<size_t>(i / 3)]) + i % 3,
+                                   3 * (first + stencil.at[static_cast<size_t>(j / 3)]) + j % 3,
+                                   block(i, j));
+      });
+}
+
+void CrossingGuard::bound(const Places& p, int first,
+                          std::vector<Eigen::Triplet<double>>& entries) {
+  within_reach(p, [&](const Stencil& stencil, const FeatureCorners&, const FeatureDistance& found) {
+    if (!(found.distance > 0)) return;
+    const double second = stiffness_ * barrier(found.distance, reach_).second;
+    for (size_t i = 0; i < 4; ++i)
+      for (size_t j = 0; j < 4; ++j)
+        if (const double entry = second * found.weight[i] * found.weight[j]; entry != 0)
+          entries.emplace_back(first + stencil.at[i], first + stencil.at[j], entry);
+  });
+}
+
+double CrossingGuard::longest_step(const Places& from, const Places& to) {
+  const Points moves = to - from;
+  const double farthest = std::sqrt(moves.rowwise().squaredNorm().maxCoeff());
+  // How near two features must be to come too near in the whole step; and how much they have come
+  // together since they were found.
+  const double closing = 2 * farthest / (per_round * (1 - left_of_distance));
+  double since = 2 * moved(from);
+  if (closing + since > reach_ + margin_) {
+    search(from);
+    since = 0;
+  }
+  double step = std::min(1.0, (reach_ + margin_) / closing);
+  for (const Stencil& stencil : found_) {
+    if (stencil.distance > closing * step + since) break;
+    const int second = stencil.features == Features::two_edges ? 2 : 1;
+    double fastest = 0;
+    for (int i = 0; i < second; ++i)
+      for (int j = second; j < 4; ++j)
+        fastest = std::max(fastest, (moves.row(stencil.at[static_cast<size_t>(i)]) -
+                                     moves.row(stencil.at[static_cast<size_t>(j)]))
+                                        .norm());
+    const FeatureCorners x = corners(from, stencil.at), v = corners(moves, stencil.at);
+    double distance = feature_distance(x, stencil.features).distance;
+    const double least = left_of_distance * distance;
+    double time = 0;
+    for (int round = 0; round < most_rounds; ++round) {
+      const double safe = distance - least;
+      if (time > 0 && safe < no_further * least) break;
+      time += per_round * safe / fastest;
+      if (!(time < step)) {
+        time = step;
+        break;
+      }
+      FeatureCorners now = x;
+      for (size_t k = 0; k < 4; ++k) now[k] += time * v[k];
+      distance = feature_distance(now, stencil.features).distance;
+    }
+    step = std::min(step, time);
+  }
+  return step;
+}
+
+}  // namespace vasorod

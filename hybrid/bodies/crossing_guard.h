@@ -1,0 +1,71 @@
+// A surface that cannot pass through itself: a barrier between its parts, and a bound on the steps
+// of a minimisation.
+//
+// The contacts of self_contact.h look along normals and leave out what is near along the surface. A
+// surface that crumples has creases, whose two sides are both. Here every vertex keeps its distance
+// from every triangle, and every edge from every edge,
+//
+//   E = -kappa sum (d - r)^2 ln(d / r)   where d < r
+//
+// d is the distance of the two features, r a small share of an edge. Steps end before a distance is
+// zero, so that a surface which starts apart stays apart.
+//
+// Sources: Li et al., Incremental potential contact, 2020 (barrier); Li, Kaufman, Jiang,
+// Codimensional incremental potential contact, 2021 (additive continuous collision detection).
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <array>
+#include <vector>
+
+#include "bodies/feature_distance.h"
+
+namespace vasorod {
+
+/// The barrier of one surface. It keeps which features are near each other between calls.
+class CrossingGuard {
+ public:
+  /// `reach`: r, length. `stiffness`: kappa, force / length. What is nearer than 1.5 r at rest is
+  /// left out.
+  CrossingGuard(const TriangleSurface& rest, double reach, double stiffness);
+
+  /// The energy at p (n x 3), force * length; infinite where features meet.
+  double energy(const Eigen::Ref<const Points>& p);
+  /// gradient += dE/dp (n x 3); returns the energy.
+  double gradient(const Eigen::Ref<const Points>& p, Eigen::Ref<Points> gradient);
+  /// Appends the Hessian, both triangles, with `first` added to the vertices' numbers. With `blend`
+  /// of 1 only its convex part; values between 0 and 1 interpolate.
+  void hessian(const Eigen::Ref<const Points>& p, double blend, int first,
+               std::vector<Eigen::Triplet<double>>& entries);
+  /// Appends an upper bound of it as one entry for x, y and z.
+  void bound(const Eigen::Ref<const Points>& p, int first,
+             std::vector<Eigen::Triplet<double>>& entries);
+  /// The share of the step from `from` to `to`, in (0, 1], after which every distance is still a
+  /// tenth of what it was; and no vertex moves by more than about a third of an edge.
+  double longest_step(const Eigen::Ref<const Points>& from, const Eigen::Ref<const Points>& to);
+
+ private:
+  struct Stencil {
+    std::array<int, 4> at{};  // a vertex and its triangle, or two edges
+    Features features = Features::two_edges;
+    double distance = 0;  // where it was found
+  };
+  bool left_out(const Stencil& stencil) const;
+  // What is nearer than `reach`, in the order of the distances.
+  std::vector<Stencil> near(const Eigen::Ref<const Points>& p, double reach) const;
+  void search(const Eigen::Ref<const Points>& p);
+  // Calls take(stencil, corners, distance) for all within r.
+  template <class Take>
+  void within_reach(const Eigen::Ref<const Points>& p, Take&& take);
+  double moved(const Eigen::Ref<const Points>& p) const;
+
+  Triangles triangles_;
+  std::vector<std::array<int, 2>> edges_;
+  double reach_, stiffness_, margin_;
+  std::vector<std::array<int, 4>> near_at_rest_;  // sorted
+  // Everything nearer than r + margin_ at found_at_.
+  std::vector<Stencil> found_;
+  Points found_at_;
+};
+
+}  // namespace vasorod

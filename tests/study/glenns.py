@@ -18,11 +18,11 @@ assert len({run.identity for run in runs}) == len(runs) == 24
 folded = [glenns.folded_run(*pick) for pick in glenns.folded()]
 assert len({run.identity for run in runs + folded}) == 24 + 48
 assert glenns.all_runs() == (runs + folded if glenns.has_anatomy() else [])
-plain = glenns.folded_scene(0, "low", "upper side", 45)
+plain = glenns.scene(0, "low", "upper side", 45)
 assert not any("pressure" in vessel or "law" in vessel for vessel in plain["vessels"])
 assert plain["surgery"]["glenn"]["incision_length"] == 1.25
-assert glenns.folded_scene(12, "low", "upper side", 45)["vessels"][0]["pressure"]["after"] == 12
-glenn = glenns.scene("low", "upper side", -60)["surgery"]["glenn"]
+assert glenns.scene(12, "low", "upper side", 45)["vessels"][0]["pressure"]["after"] == 12
+glenn = glenns.scene(0, "low", "upper side", -60)["surgery"]["glenn"]
 assert glenn["cut"] == glenns.CUTS["low"] and glenn["rotation_deg"] == -60
 assert glenn["svc"] == "svc" and glenn["keep"], "what is not picked stays the scene's"
 

@@ -147,8 +147,8 @@ def glenns_answer(rows):
     return [
         "## And on a real anatomy?\n",
         paragraph(
-            "An adult's vessels with other cuts, incisions and rotations, at `paper`:",
-            f"{share(good, len(rows))} converged. In {share(crossed, len(rows))} walls pass",
+            "An adult's vessels with other cuts, incisions and rotations, at `paper` on edges of",
+            f"2 mm: {share(good, len(rows))} converged. In {share(crossed, len(rows))} walls pass",
             "through each other, and the result says so: the kept vein is short for its width.",
             link("Every run with its sentence", "glenn-shunts-on-the-adult-anatomy") + ".",
         ),
@@ -162,9 +162,8 @@ def glenns_answer(rows):
 def folded_answer(rows):
     text = [
         paragraph(
-            "At `coupled` such a vein feels itself and is joined inflated and let out, or brought",
-            "to its seam in steps. On edges of 2 mm it ended in a certified minimum whose walls",
-            "pass through nothing (`converged` or `buckled`):",
+            "At `coupled` such a vein is also joined inflated and let out. It ended in a certified",
+            "minimum whose walls pass through nothing (`converged` or `buckled`):",
             link("every run", "folding-veins-on-the-adult-anatomy") + ".",
         )
     ]

@@ -196,8 +196,8 @@ ANATOMY = (
     Repeated(
         glenns.FILE,
         ("cut", "incision", "rotation"),
-        (("low", "towards the vein", -60),),
-        lambda: [glenns.run("low", "towards the vein", -60)],
+        (("low", "upper side", "auto"),),
+        lambda: [glenns.run("low", "upper side", "auto")],
         lambda store, folder: glenns.make_table(store, folder / glenns.FILE, whole=False),
     ),
     Repeated(

@@ -450,7 +450,7 @@ CoupledOptions::CoupledOptions() {
   // Each update gains a factor of the penalty over the wall's stiffness.
   pressure_tolerance = 1e-4;
   contact_stiffness = 10;
-  max_factorisations = 60;
+  max_factorisations = 100;
   // The true Hessian is factorised anyway.
   certify = true;
 }

@@ -217,8 +217,8 @@ def glenn_section(rows, notes):
             f"{share(own, len(rows))}. The kept vein is short for its width;",
             "`validity.largest_strain` of those that converged is",
             f"{value_or_range(strains, '{:.2f}'.format) if strains else '-'}, and above 0.2 is out",
-            "of the model's range. A vein that passes through something from a closed seam goes the",
-            "way from rest, on which it feels itself; s has both.",
+            "of the model's range. A vein that passes through something from a closed seam goes",
+            "the way from rest, on which it feels itself; s has both.",
         ),
         markdown(
             (*header, "sentence"),

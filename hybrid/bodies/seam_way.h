@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <vasorod/types.h>
@@ -22,6 +23,11 @@ struct SeamWay {
   /// Offset of each pair of the seam at time t (joining_energy.h), length; at time 1 zero.
   std::function<std::vector<Vec3>(double t)> offsets;
   double step = 1;  ///< longest step of the time
+  /// The sentence for the certificate of a way that came to its end.
+  static std::string note(int steps) {
+    return "the seam was brought together along a way of " + std::to_string(steps) +
+           " steps, as the vessel folds";
+  }
 };
 
 }  // namespace vasorod

@@ -6,6 +6,7 @@
 
 #include <vasorod/error.h>
 
+#include "bodies/late_contacts.h"
 #include "bodies/unmet_criteria.h"
 #include "coupled/coupled_path.h"
 #include "coupled/coupled_report.h"
@@ -25,14 +26,6 @@ constexpr double finest_tolerance = 1e-13;
 // After this many updates, contacts that still open and close are accepted at ten times their
 // tolerance, with a note.
 constexpr int patience_with_contact = 40;
-constexpr double slack_contact = 10;
-// From there on of walls that crumple, contacts are searched after so many updates only, each time
-// after longer: the set of those that press changes with each search, without end, and where walls
-// lie on each other over a large part their forces settle slowly.
-constexpr int updates_per_search = 10;
-constexpr double longer = 1.5;
-// Such a state is accepted if a last search finds walls in each other by no more mean edges.
-constexpr double late_overlap = 0.05;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
@@ -303,7 +296,7 @@ class CoupledSolver::Data {
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
     const int patience = options.hold_after > 0 ? 2 * options.hold_after : patience_with_contact;
-    int next_search = patience, updates_between = updates_per_search;
+    LateContacts late(patience);
     Kept best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
@@ -338,26 +331,21 @@ class CoupledSolver::Data {
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
       if (outer == options.hold_after) stack_.contacts->hold();
-      const bool settles_late = outer > patience;
-      const bool search = !settles_late || options.hold_after == 0 || outer >= next_search;
-      if (settles_late && search) {
-        next_search = outer + updates_between;
-        updates_between = static_cast<int>(longer * updates_between);
-      }
+      const bool search = options.hold_after == 0 || late.search(outer);
       const ContactState contact =
           search ? stack_.contacts->refresh(stack_.scaled) : stack_.contacts->update(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;
         tolerance = std::max(first_tolerance, options.tolerance);
       }
-      const double slackness = settles_late ? slack_contact : 1;
+      const double slackness = late.is_late(outer) ? LateContacts::slackness : 1;
       // A vertex that opens and closes moves the soft sections, too.
       const bool tied =
           tie <= (stack_.contacts->pressing() ? slackness : 1) * options.tie_tolerance;
       const bool pressed_right = is_settled(contact, options, slackness);
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;
-      std::string late_note;
+      std::optional<double> late_overlap;  // in mean edges
       bool settled =
           good && (tolerance <= finest_tolerance || stalled ||
                    worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall,
@@ -376,17 +364,13 @@ class CoupledSolver::Data {
         if (options.certify && !summary.positive)
           return summary.neutral ? Status::not_unique : Status::unstable;
         if (!search) {
-          const double overlap = stack_.contacts->refresh(stack_.scaled).penetration;
-          late_note = "; a last search found walls in each other by " + number_text(overlap, 2) +
-                      " mean edges";
-          good = settled = overlap <= late_overlap;
+          late_overlap = stack_.contacts->refresh(stack_.scaled).penetration;
+          good = settled = *late_overlap <= LateContacts::largest_overlap;
         }
       }
       if (settled) {
         if (!is_settled(contact, options) || tie > options.tie_tolerance)
-          solution_.notes.push_back(
-              "contacts that still open and close were accepted at ten times their tolerance" +
-              late_note);
+          solution_.notes.push_back(LateContacts::note(late_overlap));
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
       if (outer >= options.max_outer || failures > most_failures || stack_.spent() ||

@@ -61,8 +61,7 @@ Status SeamClosing::run() {
             number_text(100 * reached_, 3) +
             " % of its way, from where no shorter step found an equilibrium";
   else if (status == Status::converged)
-    note_ = "the seam was brought together along a way of " + std::to_string(steps_) +
-            " steps, as the vessel folds";
+    note_ = SeamWay::note(steps_);
   return status;
 }
 

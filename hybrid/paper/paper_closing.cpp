@@ -56,9 +56,7 @@ Status PaperClosing::run() {
 }
 
 std::string PaperClosing::note() const {
-  if (reached_ == 1)
-    return "the seam was brought together along a way of " + std::to_string(steps_) +
-           " steps, as the vessel folds";
+  if (reached_ == 1) return SeamWay::note(steps_);
   return "the seam was brought together in " + std::to_string(steps_) + " steps up to " +
          number_text(100 * reached_, 3) +
          " % of its way, where walls that lie in each other could not be parted";

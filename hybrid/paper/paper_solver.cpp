@@ -10,6 +10,7 @@
 
 #include <vasorod/error.h>
 
+#include "bodies/late_contacts.h"
 #include "bodies/unmet_criteria.h"
 #include "data/sentence.h"
 #include "paper/paper_closing.h"
@@ -24,11 +25,6 @@ constexpr double first_tolerance = 1e-4;
 constexpr double tolerance_step = 0.1;
 constexpr int settling_iterations = 15, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
-// Contacts that stick and still open and close are searched after so many updates, each time after
-// longer, and accepted at this multiple of their tolerances, where a last search finds walls in
-// each other by no more than so many mean edges.
-constexpr int updates_per_search = 10;
-constexpr double longer = 1.5, slack_contact = 10, largest_late_overlap = 0.05;
 // Seconds between two calls of PaperOptions::keep: the report that it needs costs a few iterations.
 constexpr double between_kept = 1;
 
@@ -129,7 +125,8 @@ class PaperRun {
     const bool constrained = !stack_.problem.seams.empty() || !stack_.problem.contacts.empty();
     double tolerance =
         constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
-    int settling_outers = 0, next_search = 0, updates_between = updates_per_search;
+    int settling_outers = 0;
+    LateContacts late(2 * options_.hold_after);
     bool held = false;
     ContactState contact;
     for (int outer = 1;; ++outer) {
@@ -155,14 +152,11 @@ class PaperRun {
         stack_.contacts->hold();
         held = true;
       }
-      const bool late = outer > 2 * options_.hold_after, search = !late || outer >= next_search;
-      if (late && search) {
-        next_search = outer + updates_between;
-        updates_between = static_cast<int>(longer * updates_between);
-      }
+      const bool search = late.search(outer);
       contact =
           search ? stack_.contacts->refresh(stack_.scaled) : stack_.contacts->update(stack_.scaled);
-      const bool pressed_right = is_settled(contact, options_, late ? slack_contact : 1);
+      const bool pressed_right =
+          is_settled(contact, options_, late.is_late(outer) ? LateContacts::slackness : 1);
       const double imbalance =
           worst_balance(sum_forces(stack_.scaled, stack_.system, stack_.first, stack_.positions));
       const bool balanced = imbalance <= options_.balance_tolerance;
@@ -209,7 +203,7 @@ class PaperRun {
     contact.pressed_changed |= last.pressed_changed;
     contact.touched = last.touched;
     late_overlap_ = last.penetration;
-    return last.touched.empty() && last.penetration <= largest_late_overlap;
+    return last.touched.empty() && last.penetration <= LateContacts::largest_overlap;
   }
 
   // The minimum that was found.
@@ -223,11 +217,7 @@ class PaperRun {
           "to " +
           number_text(contact.slip, 2) + " of the pressure are left");
     if (!is_settled(contact, options_))
-      solution_.notes.push_back(
-          "contacts that still open and close were accepted at ten times their tolerance" +
-          (late_overlap_ ? "; a last search found walls in each other by " +
-                               number_text(*late_overlap_, 2) + " mean edges"
-                         : std::string()));
+      solution_.notes.push_back(LateContacts::note(late_overlap_));
     solution_.status =
         asked && !solution_.smallest_curvature_positive ? Status::unstable : Status::converged;
   }

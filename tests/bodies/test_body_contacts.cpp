@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bodies/body_contacts.h"
+#include "bodies/late_contacts.h"
 #include "geometry/triangle_surface.h"
 #include "paper/paper_tubes.h"
 #include "surgery/cap.h"
@@ -71,6 +72,18 @@ TEST(BodyContacts, WhatIsInAnOpenMouthDoesNotTouchTheWall) {
 TEST(BodyContacts, WhatIsInASewnMouthHasPassedThroughTheWall) {
   EXPECT_GT(tilted(false, false), 0.15 * radius);
   EXPECT_GT(tilted(true, true), 0.15 * radius);
+}
+
+TEST(LateContacts, AreSearchedAtFewerAndFewerUpdates) {
+  LateContacts late(12);
+  std::vector<int> searched;
+  for (int update = 1; update < 100; ++update)
+    if (late.search(update) && late.is_late(update)) searched.push_back(update);
+  EXPECT_EQ(searched, (std::vector<int>{13, 23, 38, 60, 93}));
+  EXPECT_TRUE(LateContacts(12).search(12));
+  EXPECT_EQ(LateContacts::note({}),
+            "contacts that still open and close were accepted at ten times their tolerance");
+  EXPECT_TRUE(LateContacts::note(0.02).ends_with("found walls in each other by 0.02 mean edges"));
 }
 
 }  // namespace

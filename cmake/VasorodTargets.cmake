@@ -1,6 +1,6 @@
 # One way to declare a library, a test and a program: a folder's CMakeLists.txt is then a few lines.
 
-# The warnings every one of our targets is compiled with.
+# The warnings and the compiler's own options that every one of our targets is compiled with.
 add_library(vasorod_warnings INTERFACE)
 set(gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
 target_compile_options(vasorod_warnings INTERFACE
@@ -9,6 +9,9 @@ target_compile_options(vasorod_warnings INTERFACE
   $<${gcc_12}:-Wno-restrict>
   # What a designated initializer leaves out keeps its default.
   -Wno-missing-field-initializers)
+# GCC collects its garbage from 500 MB on, not from 128 MB: a tenth less time, a tenth more memory.
+target_compile_options(vasorod_warnings INTERFACE
+  "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=500000>")
 if(VASOROD_WARNINGS_AS_ERRORS)
   target_compile_options(vasorod_warnings INTERFACE -Werror)
 endif()

@@ -103,7 +103,7 @@ def wall_rows():
         ("paper", "aspect", "100 along the axis, three rows"),
         ("paper", "twist", "2 turns"),
         ("coupled", "moduli", "E x 1e-06, G x 1e-06"),
-        ("coupled", "moduli", "E x 1000, G x 0.001"),
+        ("coupled", "moduli", "E x 1000, G x 1"),
         ("coupled", "vertices", 1680),
         ("coupled", "bend", "t/R 0.1, Brazier ratio 0.9"),
         ("section", "moduli", "E x 1, G x 1000"),
@@ -203,8 +203,8 @@ ANATOMY = (
     Repeated(
         glenns.FOLDED_FILE,
         ("pressure", "cut", "incision", "rotation"),
-        ((12, "middle", "upper side", "auto"),),
-        lambda: [glenns.folded_run(12, "middle", "upper side", "auto")],
+        ((12, "low", "towards the vein", "auto"),),
+        lambda: [glenns.folded_run(12, "low", "towards the vein", "auto")],
         lambda store, folder: glenns.make_folded_table(
             store, folder / glenns.FOLDED_FILE, whole=False
         ),

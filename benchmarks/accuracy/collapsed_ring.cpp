@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <vasorod/tube.h>
 
@@ -74,12 +75,14 @@ CoupledProblem CollapsedRing::under(double q) const {
   return problem;
 }
 
-CoupledSolution CollapsedRing::at(double q) const {
+CoupledSolution CollapsedRing::at(double q, bool guarded) const {
+  CoupledProblem problem = under(q);
+  problem.guarded = guarded;
   CoupledOptions options;
   options.times.clear();
   for (double before = 2.5; before < q; before += 1.5) options.times.push_back(before / q);
   options.times.push_back(1);
-  return CoupledSolver(under(q), options).solve();
+  return CoupledSolver(std::move(problem), options).solve();
 }
 
 Points CollapsedRing::middle(const CoupledSolution& solution) const {

@@ -15,8 +15,8 @@ class CollapsedRing {
   explicit CollapsedRing(int around = 96);
 
   CoupledProblem under(double q) const;
-  /// In steps of half a collapse pressure (q = 3).
-  CoupledSolution at(double q) const;
+  /// In steps of half a collapse pressure (q = 3). `guarded`: of CoupledProblem.
+  CoupledSolution at(double q, bool guarded = false) const;
 
   /// The points of the middle section.
   Points middle(const CoupledSolution& solution) const;

@@ -208,6 +208,7 @@ BodyContacts::Searched BodyContacts::search(Pair& pair, const ScaledBodies& scal
   Searched found;
   const ScaledBody &slave = scaled.bodies[static_cast<size_t>(pair.slave)],
                    &master = scaled.bodies[static_cast<size_t>(pair.master)];
+  if (pair.own() && without_own_) return found;
   const bool live = slave.modelled || master.modelled;
   const double margin = reach + slave.offset + master.offset;
   if (!pair.contact && live) {
@@ -282,7 +283,7 @@ bool BodyContacts::follow(const ScaledBodies& scaled) {
   bool searched = false;
   for (Pair& pair : pairs_) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(pair.slave)];
-    if (!pair.own() || !body.modelled) continue;
+    if (!pair.own() || without_own_ || !body.modelled) continue;
     if (pair.searched.rows() == body.now.rows() &&
         (body.now - pair.searched).rowwise().norm().maxCoeff() < follow_from)
       continue;

@@ -62,6 +62,9 @@ class BodyContacts {
   /// outside the wall's. For bodies that are found from here on.
   void keep_from_itself(double apart) { apart_ = apart; }
 
+  /// What touches itself is not looked for: something else keeps it apart.
+  void leave_out_own() { without_own_ = true; }
+
   /// Walls that press on each other stick between searches from here on (contact_pair.h): where
   /// the set of those that press does not settle.
   void hold();
@@ -148,7 +151,7 @@ class BodyContacts {
   const BodyProblem& problem_;
   double stiffness_, apart_ = 0;
   std::vector<Eigen::VectorXd> expected_;
-  bool hold_ = false, up_to_seams_ = false, parted_ = false;
+  bool without_own_ = false, hold_ = false, up_to_seams_ = false, parted_ = false;
   double allowed_ = 0;
   /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
   /// exchanged.

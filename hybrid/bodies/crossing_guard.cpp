@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "bodies/near_on_surface.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_surface.h"
 
@@ -19,6 +20,8 @@ constexpr double per_round = 0.95, no_further = 0.05;
 constexpr int most_rounds = 100;
 // Over r: what is so near at rest cannot be kept apart.
 constexpr double near_at_rest = 1.5;
+// Cosine of the angle between the line that joins two features and their walls' normals.
+constexpr double facing_from = 0.7;
 // Mean edges by which the surface may move before near features are searched again, twice.
 constexpr double margin_in_edges = 0.75;
 
@@ -52,16 +55,23 @@ Box box_around(const Places& p, const std::array<int, N>& at, double margin) {
 
 }  // namespace
 
-CrossingGuard::CrossingGuard(const TriangleSurface& rest, double reach, double stiffness)
+CrossingGuard::CrossingGuard(const TriangleSurface& rest, double reach, double stiffness,
+                             std::optional<GuardedWall> wall)
     : triangles_(rest.triangles),
       reach_(reach),
       stiffness_(stiffness),
       margin_(std::max(reach, margin_in_edges * mean_edge_length(rest))) {
   for (const Edge& edge : edges_of(triangles_)) edges_.push_back({edge.a, edge.b});
+  if (wall) {
+    along_ = std::make_unique<NearOnSurface>(rest, wall->along);
+    within_ = {2 * wall->inside, 2 * wall->outside};
+  }
   for (const Stencil& stencil : near(rest.points, near_at_rest * reach_))
-    near_at_rest_.push_back(stencil.at);
+    if (stencil.distance < near_at_rest * reach_) near_at_rest_.push_back(stencil.at);
   std::sort(near_at_rest_.begin(), near_at_rest_.end());
 }
+
+CrossingGuard::~CrossingGuard() = default;
 
 bool CrossingGuard::left_out(const Stencil& stencil) const {
   const std::array<int, 4>& at = stencil.at;
@@ -72,38 +82,71 @@ bool CrossingGuard::left_out(const Stencil& stencil) const {
 
 std::vector<CrossingGuard::Stencil> CrossingGuard::near(const Places& p, double reach) const {
   std::vector<Stencil> found;
-  const auto take = [&](Stencil stencil) {
+  // What is far along the wall may come so much nearer that its faces meet.
+  const double walls = std::max(within_[0], within_[1]), padding = (reach + walls) / 2;
+  const auto take = [&](Stencil stencil, const Box& a, const Box& b) {
     if (left_out(stencil)) return;
+    const size_t second = stencil.features == Features::two_edges ? 2 : 1;
+    stencil.far = along_ && !along_->are(stencil.at[0], stencil.at[second]);
+    if (!stencil.far && (a.low.array() + walls > b.high.array()).any()) return;
+    if (!stencil.far && (b.low.array() + walls > a.high.array()).any()) return;
     stencil.distance = feature_distance(corners(p, stencil.at), stencil.features).distance;
-    if (stencil.distance < reach) found.push_back(stencil);
+    if (stencil.distance < (stencil.far ? reach + walls : reach)) found.push_back(stencil);
   };
   std::vector<Box> boxes;
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t)
     boxes.push_back(
-        box_around<3>(p, {triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)}, reach / 2));
+        box_around<3>(p, {triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)}, padding));
   const BoxTree triangles(boxes);
   for (int v = 0; v < p.rows(); ++v) {
-    const Box own = box_around<1>(p, {v}, reach / 2);
+    const Box own = box_around<1>(p, {v}, padding);
     triangles.visit([&](const Box& box) { return box.meets(own); },
                     [&](int t) {
                       take({{v, triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)},
-                            Features::vertex_and_triangle,
-                            0});
+                            Features::vertex_and_triangle},
+                           own, boxes[static_cast<size_t>(t)]);
                     });
   }
   boxes.clear();
-  for (const std::array<int, 2>& edge : edges_) boxes.push_back(box_around(p, edge, reach / 2));
+  for (const std::array<int, 2>& edge : edges_) boxes.push_back(box_around(p, edge, padding));
   const BoxTree tree(boxes);
   tree.meeting_pairs(std::vector<char>(edges_.size(), 1), [&](int i, int j) {
-    const auto &a = edges_[static_cast<size_t>(std::min(i, j))],
-               &b = edges_[static_cast<size_t>(std::max(i, j))];
-    take({{a[0], a[1], b[0], b[1]}, Features::two_edges, 0});
+    const auto first = static_cast<size_t>(std::min(i, j)),
+               second = static_cast<size_t>(std::max(i, j));
+    const auto &a = edges_[first], &b = edges_[second];
+    take({{a[0], a[1], b[0], b[1]}, Features::two_edges}, boxes[first], boxes[second]);
     return true;
   });
-  std::sort(found.begin(), found.end(), [](const Stencil& a, const Stencil& b) {
-    return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
-  });
   return found;
+}
+
+// Faces that meet are those on which the normals of both features show: inside or outside, where
+// the walls face each other at less than 45 degrees. It stays so as long as they are near.
+void CrossingGuard::add_walls(const Places& p, std::vector<Stencil>& found) const {
+  if (!along_) return;
+  const auto before = [](const Stencil& a, const Stencil& b) {
+    return std::tie(a.features, a.at) < std::tie(b.features, b.at);
+  };
+  std::vector<Stencil> known = found_;
+  std::sort(known.begin(), known.end(), before);
+  const Points normals = vertex_normals({p, triangles_});
+  for (Stencil& stencil : found) {
+    const auto same = std::lower_bound(known.begin(), known.end(), stencil, before);
+    if (same != known.end() && !before(stencil, *same)) {
+      stencil.within = same->within;
+    } else if (stencil.far) {
+      const FeatureDistance apart = feature_distance(corners(p, stencil.at), stencil.features);
+      Vec3 turned = Vec3::Zero();
+      for (size_t k = 0; k < 4; ++k)
+        turned += apart.weight[k] * normals.row(stencil.at[k]).transpose();
+      const double facing = turned.dot(apart.apart) / (turned.norm() * apart.distance);
+      const double within = within_[facing < 0 ? 1 : 0];
+      // What is nearer already, as beside a slit, only keeps its surfaces apart.
+      if (std::abs(facing) > facing_from && apart.distance > within + reach_)
+        stencil.within = within;
+    }
+    stencil.distance -= stencil.within;
+  }
 }
 
 double CrossingGuard::moved(const Places& p) const {
@@ -113,7 +156,13 @@ double CrossingGuard::moved(const Places& p) const {
 
 void CrossingGuard::search(const Places& p) {
   found_at_ = p;
-  found_ = near(p, reach_ + margin_);
+  std::vector<Stencil> found = near(p, reach_ + margin_);
+  add_walls(p, found);
+  std::erase_if(found, [this](const Stencil& one) { return one.distance >= reach_ + margin_; });
+  std::sort(found.begin(), found.end(), [](const Stencil& a, const Stencil& b) {
+    return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
+  });
+  found_ = std::move(found);
 }
 
 template <class Take>
@@ -127,15 +176,16 @@ void CrossingGuard::within_reach(const Places& p, Take&& take) {
     if (stencil.distance > reach_ + nearer) break;
     const FeatureCorners x = corners(p, stencil.at);
     const FeatureDistance found = feature_distance(x, stencil.features);
-    if (found.distance < reach_) take(stencil, x, found);
+    if (found.distance < reach_ + stencil.within) take(stencil, x, found);
   }
 }
 
 double CrossingGuard::energy(const Places& p) {
   double energy = 0;
-  within_reach(p, [&](const Stencil&, const FeatureCorners&, const FeatureDistance& found) {
-    energy += found.distance > 0 ? stiffness_ * barrier(found.distance, reach_).value
-                                 : std::numeric_limits<double>::infinity();
+  within_reach(p, [&](const Stencil& stencil, const FeatureCorners&, const FeatureDistance& found) {
+    const double d = found.distance - stencil.within;
+    energy +=
+        d > 0 ? stiffness_ * barrier(d, reach_).value : std::numeric_limits<double>::infinity();
   });
   return energy;
 }
@@ -143,11 +193,12 @@ double CrossingGuard::energy(const Places& p) {
 double CrossingGuard::gradient(const Places& p, Eigen::Ref<Points> gradient) {
   double energy = 0;
   within_reach(p, [&](const Stencil& stencil, const FeatureCorners&, const FeatureDistance& found) {
-    if (!(found.distance > 0)) {
+    const double d = found.distance - stencil.within;
+    if (!(d > 0)) {
       energy = std::numeric_limits<double>::infinity();
       return;
     }
-    const Barrier b = barrier(found.distance, reach_);
+    const Barrier b = barrier(d, reach_);
     energy += stiffness_ * b.value;
     const Vec3 force = stiffness_ * b.first / found.distance * found.apart;
     for (size_t k = 0; k < 4; ++k)
@@ -160,9 +211,9 @@ void CrossingGuard::hessian(const Places& p, double blend, int first,
                             std::vector<Eigen::Triplet<double>>& entries) {
   within_reach(
       p, [&](const Stencil& stencil, const FeatureCorners& x, const FeatureDistance& found) {
-        if (!(found.distance > 0)) return;
         const double d = found.distance;
-        const Barrier b = barrier(d, reach_);
+        if (!(d > stencil.within)) return;
+        const Barrier b = barrier(d - stencil.within, reach_);
         Eigen::Matrix<double, 12, 1> slope;  // of d
         for (int k = 0; k < 4; ++k)
           slope.segment<3>(3 * k) = found.weight[static_cast<size_t>(k)] / d * found.apart;
@@ -183,13 +234,21 @@ void CrossingGuard::hessian(const Places& p, double blend, int first,
 void CrossingGuard::bound(const Places& p, int first,
                           std::vector<Eigen::Triplet<double>>& entries) {
   within_reach(p, [&](const Stencil& stencil, const FeatureCorners&, const FeatureDistance& found) {
-    if (!(found.distance > 0)) return;
-    const double second = stiffness_ * barrier(found.distance, reach_).second;
+    if (!(found.distance > stencil.within)) return;
+    const double second = stiffness_ * barrier(found.distance - stencil.within, reach_).second;
     for (size_t i = 0; i < 4; ++i)
       for (size_t j = 0; j < 4; ++j)
         if (const double entry = second * found.weight[i] * found.weight[j]; entry != 0)
           entries.emplace_back(first + stencil.at[i], first + stencil.at[j], entry);
   });
+}
+
+double CrossingGuard::smallest_gap(const Places& p) {
+  double smallest = std::numeric_limits<double>::infinity();
+  search(p);
+  for (const Stencil& stencil : found_)
+    if (stencil.far) smallest = std::min(smallest, stencil.distance);
+  return smallest;
 }
 
 double CrossingGuard::longest_step(const Places& from, const Places& to) {
@@ -214,7 +273,7 @@ double CrossingGuard::longest_step(const Places& from, const Places& to) {
                                      moves.row(stencil.at[static_cast<size_t>(j)]))
                                         .norm());
     const FeatureCorners x = corners(from, stencil.at), v = corners(moves, stencil.at);
-    double distance = feature_distance(x, stencil.features).distance;
+    double distance = feature_distance(x, stencil.features).distance - stencil.within;
     const double least = left_of_distance * distance;
     double time = 0;
     for (int round = 0; round < most_rounds; ++round) {
@@ -227,7 +286,7 @@ double CrossingGuard::longest_step(const Places& from, const Places& to) {
       }
       FeatureCorners now = x;
       for (size_t k = 0; k < 4; ++k) now[k] += time * v[k];
-      distance = feature_distance(now, stencil.features).distance;
+      distance = feature_distance(now, stencil.features).distance - stencil.within;
     }
     step = std::min(step, time);
   }

@@ -7,7 +7,9 @@
 //
 //   E = -kappa sum (d - r)^2 ln(d / r)   where d < r
 //
-// d is the distance of the two features, r a small share of an edge. Steps end before a distance is
+// d is the distance of the two features, r a small share of an edge. Of features that are far
+// from each other along a wall it is the distance of the faces that meet, so that the barrier is
+// their contact. Steps end before a distance is
 // zero, so that a surface which starts apart stays apart.
 //
 // Sources: Li et al., Incremental potential contact, 2020 (barrier); Li, Kaufman, Jiang,
@@ -16,18 +18,31 @@
 
 #include <Eigen/SparseCore>
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "bodies/feature_distance.h"
 
 namespace vasorod {
 
+class NearOnSurface;
+
+/// The wall whose surface is guarded: what is far along the surface stays apart by what lies
+/// between it and the faces that meet.
+struct GuardedWall {
+  double inside = 0, outside = 0;  ///< from the surface to the wall's inner, outer face, length
+  double along = 0;                ///< what is nearer along the edges than this is not far, length
+};
+
 /// The barrier of one surface. It keeps which features are near each other between calls.
 class CrossingGuard {
  public:
   /// `reach`: r, length. `stiffness`: kappa, force / length. What is nearer than 1.5 r at rest is
   /// left out.
-  CrossingGuard(const TriangleSurface& rest, double reach, double stiffness);
+  CrossingGuard(const TriangleSurface& rest, double reach, double stiffness,
+                std::optional<GuardedWall> wall = {});
+  ~CrossingGuard();
 
   /// The energy at p (n x 3), force * length; infinite where features meet.
   double energy(const Eigen::Ref<const Points>& p);
@@ -40,6 +55,9 @@ class CrossingGuard {
   /// Appends an upper bound of it as one entry for x, y and z.
   void bound(const Eigen::Ref<const Points>& p, int first,
              std::vector<Eigen::Triplet<double>>& entries);
+  /// Smallest distance of faces of the wall that are far from each other along it; infinite where
+  /// none are near, length.
+  double smallest_gap(const Eigen::Ref<const Points>& p);
   /// The share of the step from `from` to `to`, in (0, 1], after which every distance is still a
   /// tenth of what it was; and no vertex moves by more than about a third of an edge.
   double longest_step(const Eigen::Ref<const Points>& from, const Eigen::Ref<const Points>& to);
@@ -48,11 +66,14 @@ class CrossingGuard {
   struct Stencil {
     std::array<int, 4> at{};  // a vertex and its triangle, or two edges
     Features features = Features::two_edges;
-    double distance = 0;  // where it was found
+    bool far = false;     // from each other along a wall
+    double within = 0;    // what of the distance lies within walls, length
+    double distance = 0;  // without that, where it was found
   };
   bool left_out(const Stencil& stencil) const;
-  // What is nearer than `reach`, in the order of the distances.
+  // What is nearer than `reach`, faces of walls that are far from each other or surfaces.
   std::vector<Stencil> near(const Eigen::Ref<const Points>& p, double reach) const;
+  void add_walls(const Eigen::Ref<const Points>& p, std::vector<Stencil>& found) const;
   void search(const Eigen::Ref<const Points>& p);
   // Calls take(stencil, corners, distance) for all within r.
   template <class Take>
@@ -62,6 +83,8 @@ class CrossingGuard {
   Triangles triangles_;
   std::vector<std::array<int, 2>> edges_;
   double reach_, stiffness_, margin_;
+  std::array<double, 2> within_{};                // of walls that meet inside, outside
+  std::unique_ptr<NearOnSurface> along_;          // none: everything is near
   std::vector<std::array<int, 4>> near_at_rest_;  // sorted
   // Everything nearer than r + margin_ at found_at_.
   std::vector<Stencil> found_;

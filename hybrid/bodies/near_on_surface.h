@@ -1,7 +1,7 @@
 // Which vertices of a surface are near each other along it, at rest.
 #pragma once
 
-#include <unordered_map>
+#include <vector>
 
 #include <vasorod/types.h>
 
@@ -21,7 +21,7 @@ class NearOnSurface {
   Points points_;
   double limit_;
   EdgePaths paths_;
-  mutable std::unordered_map<int, std::unordered_map<int, double>> within_;
+  mutable std::vector<std::vector<int>> within_;  // per vertex, sorted; empty: not asked for yet
 };
 
 }  // namespace vasorod

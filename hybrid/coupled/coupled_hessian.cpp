@@ -168,9 +168,13 @@ void CoupledSystem::add_ties(const CoupledState& s, Entries& extra) const {
   }
 }
 
-void CoupledSystem::add_meetings(const CoupledState& s, Entries& extra) const {
+void CoupledSystem::add_meetings(const CoupledState& s, double blend, Entries& extra) const {
   Entries stacked;
   contact_energy_hessian(contacts, s.positions, stacked);
+  for (const CoupledWall& wall : walls_)
+    if (wall.guard)
+      wall.guard->hessian(s.positions.middleRows(wall.first_vertex, wall.energy->vertices()), blend,
+                          wall.first_vertex, stacked);
   for (const Join& join : joins)
     for (int c = 0; c < 3; ++c) {
       stacked.emplace_back(3 * join.a + c, 3 * join.a + c, 2 * k_j);
@@ -230,7 +234,7 @@ Matrix CoupledSystem::hessian(const VectorXd& z) {
     add_pose_curvature(s, f, extra);
   }
   add_ties(s, extra);
-  add_meetings(s, extra);
+  add_meetings(s, 0, extra);
   add_lumens(s, false, extra);
   return with_extra(extra);
 }
@@ -239,7 +243,7 @@ Matrix CoupledSystem::meeting_hessian(const VectorXd& z) const {
   const CoupledState s = state(z);
   Entries extra;
   add_ties(s, extra);
-  add_meetings(s, extra);
+  add_meetings(s, 1, extra);
   Matrix all(unknowns_, unknowns_);
   all.setFromTriplets(extra.begin(), extra.end());
   return all;

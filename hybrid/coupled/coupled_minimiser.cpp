@@ -200,6 +200,7 @@ CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
   // Steps in mean edges, from one too small to see to one that changes the shape of a section.
   for (double step = 1e-3 / v.cwiseAbs().maxCoeff(); step < 3 / v.cwiseAbs().maxCoeff();
        step *= 2) {
+    if (system_.guarded() && system_.longest_share(z, step * v) < 1) break;
     const double at = counted(z + step * v, g, ignored);
     if (!(at < best)) break;
     best = at;
@@ -232,6 +233,10 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   LbfgsOptions inner;
   inner.largest_step = options.largest_step;
   inner.stop = summary.counting(options.stop);
+  if (system_.guarded())
+    inner.longest_share = [this](const VectorXd& at, const VectorXd& direction) {
+      return system_.longest_share(at, direction);
+    };
   const Preconditioner rest = [this](const VectorXd& g, VectorXd& d) { by_rest(g, d); };
   const Preconditioner hessian = [this](const VectorXd& g, VectorXd& d) {
     factor_.precondition(g.data(), d.data(), 1);

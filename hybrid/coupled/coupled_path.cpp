@@ -72,6 +72,7 @@ bool CoupledPath::advance(double t) {
     last_.reset();
   else
     last_ = local_state();
+  const Points from = stack_.system->state(stack_.z).positions;
   time_ = t;
   carried_ = carried_at(t);
   for (size_t b = 0; b < carried_.points.size(); ++b)
@@ -80,6 +81,7 @@ bool CoupledPath::advance(double t) {
   const bool line =
       before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
   place(line ? &*before : nullptr);
+  if (!first && stack_.system->guarded()) stop_short(from);
   turn_minimiser(carried_.rotations);
   return !first;
 }
@@ -87,6 +89,26 @@ bool CoupledPath::advance(double t) {
 void CoupledPath::hold_back() {
   stack_.z = last_->z;
   place(nullptr);
+}
+
+// Of the motion from `last` (stacked positions) to the start.
+double CoupledPath::uncrossed_share(const Points& last) const {
+  return stack_.system->longest_share(last, stack_.system->state(stack_.z).positions);
+}
+
+void CoupledPath::stop_short(const Points& last) {
+  if (uncrossed_share(last) == 1) return;
+  hold_back();
+  const double share = uncrossed_share(last);
+  if (share == 1) return;
+  CoupledSystem& system = *stack_.system;
+  const Points to = system.state(stack_.z).positions, before = last + share * (to - last);
+  for (size_t b = 0; b < stack_.first_wall.size(); ++b)
+    if (stack_.first_wall[b] >= 0)
+      system.put(stack_.first_wall[b],
+                 before.middleRows(stack_.first[b], stack_.scaled.bodies[b].now.rows()), true,
+                 stack_.z);
+  stack_.unstack();
 }
 
 // The start on the line from `before` through the last state, or where that is null, with the last

@@ -19,7 +19,8 @@ class CoupledPath {
   void restart();
 
   /// Stores the start of the walls at time t in the stack. Returns false at the first time, where
-  /// there is nothing to extrapolate from.
+  /// there is nothing to extrapolate from. Guarded walls start before they would pass through
+  /// themselves on the way there.
   bool advance(double t);
 
   /// After advance() to a later time: starts from the walls as they were at the previous time, not
@@ -39,6 +40,8 @@ class CoupledPath {
   void restore(const Kept& kept);
 
  private:
+  double uncrossed_share(const Points& last) const;
+  void stop_short(const Points& last);
   // Positions given by the rods at a time, in scaled units, per body; no entry is empty.
   struct Carried {
     std::vector<Points> points;

@@ -53,6 +53,11 @@ struct CoupledProblem {
   /// Walls whose start is inflated are let out in steps before the last minimum (seam_closing.h).
   /// Needs `start`.
   bool lets_out = false;
+  /// What touches itself is kept apart by a barrier (crossing_guard.h) and not by contacts: where
+  /// walls crumple, these are found differently without end. The walls must not start through
+  /// themselves.
+  bool guarded = false;
+  static constexpr double guard_reach = 0.1;  ///< of the barrier, mean edges
   /// Empty: the walls start where the rods carry them.
   std::optional<CoupledStart> start;
 };

@@ -7,6 +7,7 @@
 #include "bodies/surface_report.h"
 #include "data/index.h"
 #include "data/sentence.h"
+#include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
@@ -87,6 +88,23 @@ void name_fold(const std::string& name, const WallEnergy& wall, const WallReport
                                        std::lround(now.sharpest_fold * 180 / std::numbers::pi),
                                        " degrees over one edge at ", place_text(place, 4),
                                        ": its mesh is too coarse for what happens there"));
+}
+
+// Of the forces of a barrier (n x 3), per vertex.
+VectorXd guard_pressure(const TriangleSurface& rest, const Points& force) {
+  const VectorXd areas = vertex_areas(rest);
+  return (areas.array() > 0).select(force.rowwise().norm().array() / areas.array(), 0);
+}
+
+// The contact of a wall with itself where a barrier keeps it apart. `pressure`: the barrier's.
+void report_guard(CrossingGuard& guard, const ScaledBodies& scaled, const Points& positions,
+                  const VectorXd& pressure, ContactSolution& pair) {
+  pair.largest_pressure = pressure.maxCoeff();
+  pair.within_reach = pair.largest_pressure > 0;
+  // Vertices of both walls stand for one area.
+  const VectorXd areas = vertex_areas(scaled.bodies[index(pair.a)].rest);
+  pair.area = (pressure.array() > 0).select(areas, 0).sum() / 2 * scaled.length * scaled.length;
+  pair.smallest_gap = guard.smallest_gap(positions) * scaled.length;
 }
 
 struct Sums {
@@ -175,6 +193,10 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
       continue;
     }
     mine.modelled = true;
+    if (system->walls()[index(w)].guard)
+      mine.pressure =
+          guard_pressure(scaled.bodies[b].rest, f.guard.middleRows(first[b], rest.rows())) *
+          scaled.pressure();
     mine.positions = scaled.unscaled(s.positions.middleRows(first[b], rest.rows()));
     solution.sections[b] = section_forces(*system, w, s, f);
     const Sums sums = sums_of(*system, w, s, solution.sections[b], f);
@@ -202,8 +224,23 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
   surface.stretching_energy = solution.membrane_energy;
   surface.bending_energy = solution.bending_energy;
   const std::vector<ContactPoint> none;
+  std::vector<VectorXd> guarded;  // before the other contacts' pressures are added
+  for (const BodySolution& body : surface.bodies) guarded.push_back(body.pressure);
   report_contacts(problem.surfaces, scaled, system ? system->contacts : none, s.positions, stacked,
                   contacts, surface, final);
+  for (ContactSolution& pair : surface.contacts)
+    if (const int w = system ? first_wall[index(pair.a)] : -1; pair.a == pair.b && w >= 0)
+      if (const auto& guard = system->walls()[index(w)].guard) {
+        const auto rows = scaled.bodies[index(pair.a)].now.rows();
+        report_guard(*guard, scaled, s.positions.middleRows(first[index(pair.a)], rows),
+                     guarded[index(pair.a)], pair);
+        if (pair.within_reach)
+          solution.notes.push_back(
+              joined_text("where the wall of ", problem.surfaces.bodies[index(pair.a)].name,
+                          " touches itself, a barrier keeps its faces apart by up to ",
+                          number_text(CoupledProblem::guard_reach, 2),
+                          " mean edges: contacts of walls that crumple find no end"));
+      }
   if (system) report_seam(scaled, system->joins, s.positions, surface);
 }
 

@@ -42,6 +42,8 @@ constexpr double path_step = 0.02;
 // Walls that an extrapolated start carries through themselves by more than this many mean edges
 // would be crumpled on their way back: they start where they were.
 constexpr double deepest_start = 0.1;
+// A step of a guarded wall's path that fails is halved down to this share of it.
+constexpr double smallest_share = 0.1;
 // Walls that are nearer to themselves than this many mean edges approach in bounded steps.
 constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
@@ -141,11 +143,16 @@ class CoupledSolver::Data {
     bool buckled = false;
     const bool on_a_way = stack_.problem.seam_way.has_value();
     if (on_a_way && !close_seam(buckled)) return;
-    const std::vector<double> times =
+    std::vector<double> times =
         stack_.problem.start ? std::vector<double>{1} : stack_.options.times;
-    for (const double t : times) {
+    double first_failed = 0;  // of the present step
+    for (size_t next = 0; next < times.size(); ++next) {
+      const double t = times[next];
+      const bool may_halve = stack_.system->guarded() && solution_.reached > 0;
+      const std::optional<CoupledPath::Kept> kept =
+          may_halve ? std::optional(path_.keep()) : std::nullopt;
       const bool stepped = !on_a_way && path_.advance(t);
-      if (stepped && stack_.may_touch_itself() && stack_.follow(stack_.z) < -deepest_start) {
+      if (stepped && stack_.feels_itself() && stack_.follow(stack_.z) < -deepest_start) {
         path_.hold_back();
         stack_.follow(stack_.z);
       }
@@ -169,8 +176,21 @@ class CoupledSolver::Data {
         buckled |=
             (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
       if (!passable && solution_.status != Status::converged &&
-          solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique)
-        return;
+          solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique) {
+        // Walls that crumple snap from one minimum to the next: shorter steps follow them.
+        const double step = t - solution_.reached;
+        if (first_failed == 0) first_failed = step;
+        if (!kept || solution_.status != Status::iteration_limit ||
+            step < smallest_share * first_failed)
+          return;
+        path_.restore(*kept);
+        solution_.notes.resize(notes);
+        times.insert(times.begin() + static_cast<std::ptrdiff_t>(next),
+                     solution_.reached + step / 2);
+        --next;
+        continue;
+      }
+      first_failed = 0;
       if (t < 1) solution_.notes.resize(notes);  // of a state on the way
       solution_.reached = t;
     }
@@ -239,7 +259,7 @@ class CoupledSolver::Data {
     };
     inner.stop_inside = [this] { return (*stop_)(); };
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
-    if (stack_.may_touch_itself()) {
+    if (stack_.feels_itself()) {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
     }

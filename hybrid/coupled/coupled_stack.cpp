@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <vasorod/error.h>
 
@@ -14,6 +15,11 @@
 
 namespace vasorod {
 namespace {
+
+// Of the barrier that keeps a wall from touching itself: its stiffness over that of the wall. What
+// is nearer along the wall than so many mean edges, or half a turn about its own face, is bent, not
+// folded onto itself: there only the surfaces stay apart.
+constexpr double guard_stiffness = 1, bent_edges = 4;
 
 bool acts(const HeldSection& section) {
   return section.force != Vec3::Zero() || section.moment != Vec3::Zero() ||
@@ -37,6 +43,8 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   scaled = scale_bodies(problem.surfaces);
   check_seams(problem.surfaces.seams, scaled);
   contacts = std::make_unique<BodyContacts>(problem.surfaces, scaled, options.contact_stiffness);
+  guards_.resize(scaled.bodies.size());
+  if (problem.guarded) guard_walls();
   energies_.resize(problem.vessels.size());
   for (size_t b = 0; b < scaled.bodies.size(); ++b) {
     ScaledBody& body = scaled.bodies[b];
@@ -60,6 +68,20 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   seam_multipliers_.assign(problem.surfaces.seams.size(), Vec3::Zero());
   seam_radius = mouth_radius(problem.surfaces.seams, scaled);
   check_free_motions(problem, scaled);
+}
+
+void CoupledStack::guard_walls() {
+  contacts->leave_out_own();
+  for (const auto& [a, b] : problem.surfaces.contacts) {
+    const ScaledBody& body = scaled.bodies[index(a)];
+    if (a != b || body.obstacle) continue;
+    const double inside = body.thickness - body.offset;
+    const double bent = std::numbers::pi * std::max(inside, body.offset);
+    guards_[index(a)] = std::make_shared<CrossingGuard>(
+        body.rest, CoupledProblem::guard_reach * body.mean_edge,
+        guard_stiffness * (body.k.bending + body.k.stretching),
+        GuardedWall{inside, body.offset, std::max(bent_edges * body.mean_edge, bent)});
+  }
 }
 
 HeldSection CoupledStack::scale(const HeldSection& section) const {
@@ -131,6 +153,7 @@ void CoupledStack::build() {
                                      options.tie_stiffness * body.k.stretching);
     if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
       system->set_lumen(first_wall[b], lumen_of(b));
+    system->set_guard(first_wall[b], guards_[b]);
   }
   system->set_inflation(inflation_);
   system->finish();
@@ -154,8 +177,9 @@ double CoupledStack::follow(const Eigen::VectorXd& at) {
   return contacts->gap_from_itself(scaled);
 }
 
-bool CoupledStack::may_touch_itself() const {
-  return std::any_of(problem.surfaces.contacts.begin(), problem.surfaces.contacts.end(),
+bool CoupledStack::feels_itself() const {
+  return !problem.guarded &&
+         std::any_of(problem.surfaces.contacts.begin(), problem.surfaces.contacts.end(),
                      [](const std::pair<int, int>& pair) { return pair.first == pair.second; });
 }
 

@@ -33,7 +33,8 @@ class CoupledStack {
   /// Finds what touches itself at a point on the way. Returns the smallest gap of a wall from
   /// itself, scaled length; infinite where none are within reach.
   double follow(const Eigen::VectorXd& at);
-  bool may_touch_itself() const;
+  /// Whether something may have contacts with itself.
+  bool feels_itself() const;
   /// Sets the share (0 to 1) of CoupledVessel::inflation; 1 at first.
   void set_inflation(double share);
   /// Whether any of it is in a lumen.
@@ -78,8 +79,10 @@ class CoupledStack {
   WallInput scaled_wall(size_t body) const;
   WallEnergy& energy_of(size_t body);
   WallLumen lumen_of(size_t body) const;
+  void guard_walls();
 
   std::vector<std::unique_ptr<WallEnergy>> energies_;
+  std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
   std::vector<Vec3> seam_multipliers_, seam_offsets_;
   double inflation_ = 1;
   long before_stage_ = 0;  // factorisations

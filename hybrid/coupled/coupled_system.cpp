@@ -75,6 +75,30 @@ void CoupledSystem::set_lumen(int w, WallLumen lumen) {
   walls_[index(w)].lumen = std::move(lumen);
 }
 
+void CoupledSystem::set_guard(int w, std::shared_ptr<CrossingGuard> guard) {
+  walls_[index(w)].guard = std::move(guard);
+}
+
+bool CoupledSystem::guarded() const {
+  return std::any_of(walls_.begin(), walls_.end(),
+                     [](const CoupledWall& wall) { return wall.guard != nullptr; });
+}
+
+double CoupledSystem::longest_share(const VectorXd& z, const VectorXd& direction) const {
+  return longest_share(state(z).positions, state(z + direction).positions);
+}
+
+double CoupledSystem::longest_share(const Points& from, const Points& to) const {
+  double share = 1;
+  for (const CoupledWall& wall : walls_)
+    if (wall.guard) {
+      const int vertices = wall.energy->vertices();
+      share = std::min(share, wall.guard->longest_step(from.middleRows(wall.first_vertex, vertices),
+                                                       to.middleRows(wall.first_vertex, vertices)));
+    }
+  return share;
+}
+
 void CoupledSystem::set_time(double t) {
   for (CoupledWall& wall : walls_)
     for (SectionPose& pose : wall.sections) pose.set_time(t);
@@ -231,6 +255,7 @@ VectorXd CoupledSystem::total_force(size_t w, const CoupledForces& f) const {
   Eigen::Map<Points>(total.data(), vertices, 3) +=
       f.joining.middleRows(wall.first_vertex, vertices) +
       f.contact.middleRows(wall.first_vertex, vertices) +
+      f.guard.middleRows(wall.first_vertex, vertices) +
       f.ties.middleRows(wall.first_vertex, vertices) +
       f.pressure.middleRows(wall.first_vertex, vertices);
   return total;
@@ -268,7 +293,7 @@ void CoupledSystem::evaluate(const CoupledState& s, const VectorXd& z, CoupledFo
                              CoupledTerms& terms) const {
   f.wall.resize(walls_.size());
   f.pose.resize(walls_.size());
-  f.joining = f.contact = f.ties = f.pressure = Points::Zero(vertices_, 3);
+  f.joining = f.contact = f.guard = f.ties = f.pressure = Points::Zero(vertices_, 3);
   std::vector<CoupledTerms> of_wall(walls_.size());
   in_parallel(threads(), static_cast<int>(walls_.size()),
               [&](int w) { evaluate_wall(index(w), s, z, f, of_wall[index(w)]); });
@@ -280,6 +305,12 @@ void CoupledSystem::evaluate(const CoupledState& s, const VectorXd& z, CoupledFo
   }
   if (!joins.empty()) terms.joining = joining_energy_gradient(k_j, joins, s.positions, f.joining);
   if (!contacts.empty()) terms.contact = contact_energy_gradient(contacts, s.positions, f.contact);
+  for (const CoupledWall& wall : walls_)
+    if (wall.guard) {
+      const int vertices = wall.energy->vertices();
+      terms.contact += wall.guard->gradient(s.positions.middleRows(wall.first_vertex, vertices),
+                                            f.guard.middleRows(wall.first_vertex, vertices));
+    }
 }
 
 void CoupledSystem::evaluate_wall(size_t w, const CoupledState& s, const VectorXd& z,

@@ -13,10 +13,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "bodies/contact_energy.h"
+#include "bodies/crossing_guard.h"
 #include "bodies/joining_energy.h"
 #include "coupled/group_turns.h"
 #include "coupled/section_tie.h"
@@ -44,9 +46,10 @@ struct CoupledWall {
   std::vector<SectionPose> sections;
   std::vector<std::optional<SectionTie>> ties;  ///< per section; none for a rigid one
   std::optional<WallLumen> lumen;
-  int first_vertex = 0;           ///< row of its vertex 0 in the stacked positions
-  std::vector<int> unknown;       ///< per entry of q: its index in z, -1 on a rigid section
-  std::vector<int> pose_unknown;  ///< per section: its first index in z
+  std::shared_ptr<CrossingGuard> guard;  ///< that keeps it from passing through itself; may be none
+  int first_vertex = 0;                  ///< row of its vertex 0 in the stacked positions
+  std::vector<int> unknown;              ///< per entry of q: its index in z, -1 on a rigid section
+  std::vector<int> pose_unknown;         ///< per section: its first index in z
   /// A vertex or rim normal that follows a rigid section: three entries of q from `entry` on.
   struct Carried {
     int entry = 0, section = 0;
@@ -76,7 +79,8 @@ struct CoupledForces {
   std::vector<Eigen::VectorXd> wall;  ///< per wall, with respect to q
   /// Per wall and section: loads and ties, with respect to the pose's unknowns.
   std::vector<std::vector<Vec6>> pose;
-  Points joining, contact, ties, pressure;  ///< with respect to the stacked positions
+  /// With respect to the stacked positions; `guard`: what is kept from touching itself.
+  Points joining, contact, guard, ties, pressure;
 };
 
 /// Dependence of one entry of q on the unknowns: itself if it is free, else the unknowns of the
@@ -96,6 +100,12 @@ class CoupledSystem {
                double tie_stiffness);
   /// The pressure in the lumen of a wall, which every section then feels as a lid.
   void set_lumen(int wall, WallLumen lumen);
+  void set_guard(int wall, std::shared_ptr<CrossingGuard> guard);
+  bool guarded() const;
+  /// The longest share, in (0, 1], of a step along `direction` on which no guarded wall passes
+  /// through itself.
+  double longest_share(const Eigen::VectorXd& z, const Eigen::VectorXd& direction) const;
+  double longest_share(const Points& from, const Points& to) const;  ///< of stacked positions
   /// Builds the pattern of the Hessian. Call after the last wall.
   void finish();
 
@@ -180,7 +190,8 @@ class CoupledSystem {
   // Adds -p V''; `at_rest`: with the pressure of time 0.
   void add_lumens(const CoupledState& s, bool at_rest, Entries& extra) const;
   void add_stacked(const Entries& stacked, const CoupledState& s, Entries& extra) const;
-  void add_meetings(const CoupledState& s, Entries& extra) const;
+  // `blend`: of CrossingGuard::hessian().
+  void add_meetings(const CoupledState& s, double blend, Entries& extra) const;
 
   std::vector<CoupledWall> walls_;
   std::vector<int> wall_of_;  // per stacked vertex

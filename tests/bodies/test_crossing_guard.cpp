@@ -1,9 +1,11 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "bodies/crossing_guard.h"
 #include "bodies/hairpin.h"
+#include "geometry/rigid_motion.h"
 #include "paper/paper_tubes.h"
 
 namespace vasorod {
@@ -135,6 +137,72 @@ TEST(CrossingGuard, WhatIsNearAtRestIsLeftOut) {
   to.bottomRows(3).col(2).array() -= 0.05;
   EXPECT_EQ(guard.energy(to), 0);
   EXPECT_EQ(guard.longest_step(near.points, to), 1);
+}
+
+// Two square sheets of one surface, the second above the first by `apart` and turned a little.
+// Their normals show at each other, or away from it.
+TriangleSurface sheets(double apart, bool at_each_other) {
+  constexpr int across = 4;
+  TriangleSurface s;
+  s.points.resize(2 * across * across, 3);
+  s.triangles.resize(4 * (across - 1) * (across - 1), 3);
+  const Mat3 turn = exp_rotation(Vec3(0.02, -0.03, 0.4));
+  Eigen::Index t = 0;
+  for (int sheet = 0; sheet < 2; ++sheet)
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < across; ++j) {
+        const int v = (sheet * across + i) * across + j;
+        const Vec3 flat(i - 1.5, j - 1.5, 0);
+        s.points.row(v) = sheet == 0 ? flat : Vec3(turn * flat + Vec3(0.1, 0.2, apart));
+        if (i + 1 == across || j + 1 == across) continue;
+        const bool up = (sheet == 0) == at_each_other;
+        for (const auto& [b, c] : {std::pair{v + across, v + across + 1}, {v + across + 1, v + 1}})
+          s.triangles.row(t++) << v, (up ? b : c), (up ? c : b);
+      }
+  return s;
+}
+
+// Its faces lie .3 inside the surface and .8 outside.
+constexpr GuardedWall wall{0.3, 0.8, 8};
+constexpr double narrow = 0.1;
+
+TEST(CrossingGuard, WhatIsFarAlongAWallMeetsWithItsFaces) {
+  for (const bool outside : {false, true}) {
+    const double faces = outside ? 1.6 : 0.6;
+    const auto at = [&](double apart) { return sheets(apart, outside).points; };
+    CrossingGuard guard(sheets(3, outside), narrow, stiffness, wall);
+    EXPECT_EQ(guard.energy(at(2)), 0);  // which faces meet is seen before they do
+    EXPECT_EQ(guard.energy(at(faces + 0.25)), 0);
+    EXPECT_GT(guard.energy(at(faces + 0.12)), 0);
+    EXPECT_EQ(guard.smallest_gap(at(30)), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(guard.energy(at(2)), 0);
+    const double gap = guard.smallest_gap(at(faces + 0.2));
+    EXPECT_GT(gap, 0.08);  // the upper one is turned
+    EXPECT_LT(gap, 0.2);
+    EXPECT_LT(guard.longest_step(at(faces + 0.2), at(faces - 0.8)), 0.2);
+  }
+}
+
+TEST(CrossingGuard, ItsDerivativesAreThoseOfDifferencesBetweenFaces) {
+  CrossingGuard guard(sheets(3, true), narrow, stiffness, wall);
+  guard.energy(sheets(2, true).points);
+  const Points p = sheets(1.7, true).points;
+  const auto slope = [&](const Points& at) {
+    Points gradient = Points::Zero(at.rows(), 3);
+    guard.gradient(at, gradient);
+    return gradient;
+  };
+  EXPECT_GT(guard.energy(p), 0);
+  EXPECT_LT(gradient_error([&](const Points& at) { return guard.energy(at); }, p, slope(p), 1e-6),
+            1e-5);
+  EXPECT_LT(hessian_error(slope, p, hessian_of(guard, p, 0), 1e-6), 1e-4);
+}
+
+// As the lips of a slit.
+TEST(CrossingGuard, WallsThatLieInEachOtherAtFirstOnlyKeepTheirSurfacesApart) {
+  CrossingGuard guard(sheets(1, true), narrow, stiffness, wall);
+  EXPECT_EQ(guard.energy(sheets(1, true).points), 0);
+  EXPECT_GT(guard.energy(sheets(0.08, true).points), 0);
 }
 
 }  // namespace

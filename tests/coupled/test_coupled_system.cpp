@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <random>
 
 #include "coupled/coupled_system.h"
@@ -99,6 +100,28 @@ TEST(CoupledSystem, DerivativesMatchDifferencesBetweenRigidSections) {
   Everything rigid({false, false, true, false, true, false}, {true, true, true, true, true, true},
                    true);
   expect_derivatives(rigid);
+}
+
+TEST(CoupledSystem, DerivativesMatchDifferencesOfAGuardedWall) {
+  Everything flat({false, false, false, false, false, false}, {true, true, true, true, true, true});
+  VectorXd g;
+  Points pressed = flat.tube.surface.points;
+  pressed.col(1) *= 0.15;
+  flat.system.put(0, pressed, true, flat.z);
+  flat.z += noise(flat.z.size(), 0.02, 3);
+  const double free = flat.system.gradient(flat.z, g).contact;
+  flat.system.set_guard(0, std::make_shared<CrossingGuard>(flat.tube.surface, 0.4, 0.5));
+  EXPECT_TRUE(flat.system.guarded());
+  EXPECT_GT(flat.system.gradient(flat.z, g).contact, free);
+  expect_derivatives(flat);
+  CoupledForces f;
+  flat.system.gradient(flat.z, g, &f);
+  EXPECT_GT(f.guard.norm(), 0);
+  EXPECT_LT(f.guard.colwise().sum().norm(), 1e-12 * f.guard.norm());
+  // Through the opposite wall: no share of it takes the walls through each other.
+  VectorXd through = VectorXd::Zero(flat.z.size());
+  flat.system.put(0, -2 * pressed, true, through);
+  EXPECT_LT(flat.system.longest_share(flat.z, through), 0.6);
 }
 
 // The minimiser adds entries of the one at rest to the other.

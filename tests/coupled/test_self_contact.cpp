@@ -25,6 +25,23 @@ TEST(SelfContact, ACollapsedRingIsInContactWithItselfAsPublished) {
   }
 }
 
+// A barrier in place of contacts keeps the walls apart by up to a tenth of an edge, .0065 R.
+TEST(SelfContact, BehindABarrierACollapsedRingHasTheSameShape) {
+  const CollapsedRing ring;
+  for (const auto& [q, touches] : {std::pair{4., false}, {7., true}, {8.5, true}}) {
+    const CoupledSolution contacts = ring.at(q), solution = ring.at(q, true);
+    EXPECT_EQ(solution.status, Status::buckled) << solution.brief_report();
+    const double area = ring.area_ratio(contacts);
+    EXPECT_NEAR(ring.area_ratio(solution), area, 0.02 * area) << q;
+    const ContactSolution& contact = solution.surface.contacts.at(0);
+    EXPECT_EQ(contact.within_reach, touches) << q;
+    EXPECT_EQ(contact.largest_pressure > 0, touches) << q;
+    EXPECT_GT(contact.smallest_gap, 0);
+    EXPECT_LT(solution.surface.bodies[0].residual, 1e-6);
+    EXPECT_EQ(solution.notes.size(), contacts.notes.size() + (touches ? 1 : 0));
+  }
+}
+
 // A single step from the round ring to four collapse pressures carries walls far: they still end
 // on their own sides.
 TEST(SelfContact, AStartFarAwayDoesNotCarryWallsThroughEachOther) {

@@ -43,6 +43,25 @@ TEST(TouchesItself, AKinkPastBraziersLimit) {
             "move: [42.971835, 0, -35.190199]}\n"));
 }
 
+// Contacts of walls that crumple find no end: a barrier takes their place.
+TEST(TouchesItself, AQuarterTurnBehindABarrier) {
+  const json result = solve(
+      "scene: twist\nvessels:\n"
+      "  - name: tube\n    tube: {length: 100, radius: 10, around: 24, along: 44}\n"
+      "    wall: {thickness: 1, young: 1.0, poisson: 0.3}\n"
+      "ends:\n  - {vessel: tube, end: start, hold: true}\n"
+      "  - {vessel: tube, end: end, rotate_deg: [0, 0, 90]}\n");
+  EXPECT_EQ(result.at("status"), "buckled") << result.at("certificate").dump();
+  EXPECT_TRUE(result.at("self_intersections").empty());
+  EXPECT_NE(result.at("certificate").at("notes").dump().find("a barrier"), std::string::npos);
+  const json& contact = result.at("contact").at(0);
+  EXPECT_GT(contact.at("area").get<double>(), 0);
+  EXPECT_GT(contact.at("largest_pressure").get<double>(), 0);
+  // Edges of 2.45 mm: the barrier is a tenth of it wide.
+  EXPECT_GT(contact.at("smallest_gap").get<double>(), 0);
+  EXPECT_LT(contact.at("smallest_gap").get<double>(), 0.245);
+}
+
 // Eight times the collapse pressure of a long tube: D = 1.306e-2 N mm, p_c = 3.92e-5 MPa.
 TEST(TouchesItself, ATubeCollapsedByPressure) {
   expect_in_contact_with_itself(

@@ -135,6 +135,12 @@ bool is_minimum(Status status) {
          status == Status::equilibrium_only;
 }
 
+bool touches_itself(const CoupledSolution& solution) {
+  return std::any_of(
+      solution.surface.contacts.begin(), solution.surface.contacts.end(),
+      [](const ContactSolution& pair) { return pair.a == pair.b && pair.within_reach; });
+}
+
 // The prediction with one solution.
 struct Outcome {
   Prediction state;
@@ -210,6 +216,14 @@ class Attempt {
     return parted(round, pressure);
   }
 
+  // From rest, with a barrier in place of the contacts of walls with themselves.
+  CoupledSolution guarded() {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem);
+    problem.guarded = true;
+    return CoupledSolver(std::move(problem), coupled_).solve();
+  }
+
   // Along the way of a vein that folds.
   CoupledSolution on_its_way() {
     CoupledProblem problem = problem_of(prediction_, sections_);
@@ -280,11 +294,12 @@ class Attempt {
 
 }  // namespace
 
-// A vein that has to fold may end at a minimum from a closed seam, which is cheap to try. Walls
-// that pass through something there are parted; where that fails, and first where they lie in each
-// other by more than an edge, too deep for contact to tell the sides apart, a vein that folds is
-// joined inflated, and at last one goes the way from rest. A minimum is better than none, whatever
-// passes through it.
+// A wall that crumples may find no end of its contacts with itself, or pass through itself: then a
+// barrier takes their place. A vein that has to fold may end at a minimum from a closed seam, which
+// is cheap to try. Walls that pass through something there are parted; where that fails, and first
+// where they lie in each other by more than an edge, too deep for contact to tell the sides apart,
+// a vein that folds is joined inflated, and at last one goes the way from rest. A minimum is better
+// than none, whatever passes through it.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
@@ -294,7 +309,8 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   if (!first) first = attempt.closed(folds ? updates_from_closed : std::optional<int>());
   // In a scene in which nothing touches anything, walls may lie in each other.
   const auto& contact = prediction.scene->contact;
-  if (!vein || (!folds && contact && contact->empty())) {
+  const bool apart = vein ? !folds && contact && contact->empty() : !touches_itself(*first);
+  if (apart) {
     attempt.keep(std::move(*first), prediction);
     return;
   }
@@ -311,12 +327,17 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   const auto goes_on = [&] {
     return (best.crossed() || (folds && !is_minimum(best.status))) && !options.stop();
   };
-  if (!deep) part();
-  for (const double strain : inflations)
-    if (folds && goes_on())
-      if (const auto found = attempt.inflated(strain)) take_if_better(*found);
-  if (goes_on()) take_if_better(attempt.on_its_way());
-  if (deep) part();
+  if (!vein) {
+    if ((best.crossed() || !is_minimum(best.status)) && !options.stop())
+      take_if_better(attempt.guarded());
+  } else {
+    if (!deep) part();
+    for (const double strain : inflations)
+      if (folds && goes_on())
+        if (const auto found = attempt.inflated(strain)) take_if_better(*found);
+    if (goes_on()) take_if_better(attempt.on_its_way());
+    if (deep) part();
+  }
   best.state.work = prediction.work;
   prediction = std::move(best.state);
 }

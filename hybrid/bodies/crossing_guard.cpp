@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "bodies/near_on_surface.h"
 #include "geometry/box_tree.h"
@@ -72,6 +73,15 @@ CrossingGuard::CrossingGuard(const TriangleSurface& rest, double reach, double s
 }
 
 CrossingGuard::~CrossingGuard() = default;
+
+CrossingGuard::Memory CrossingGuard::memory() const {
+  return {found_, found_at_};
+}
+
+void CrossingGuard::remember(Memory memory) {
+  found_ = std::move(memory.found);
+  found_at_ = std::move(memory.found_at);
+}
 
 bool CrossingGuard::left_out(const Stencil& stencil) const {
   const std::array<int, 4>& at = stencil.at;

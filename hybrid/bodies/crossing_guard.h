@@ -44,6 +44,12 @@ class CrossingGuard {
                 std::optional<GuardedWall> wall = {});
   ~CrossingGuard();
 
+  /// What is near, and with which faces it meets, as it follows from the way so far.
+  struct Memory;
+  Memory memory() const;
+  /// Goes on as from the moment of `memory`.
+  void remember(Memory memory);
+
   /// The energy at p (n x 3), force * length; infinite where features meet.
   double energy(const Eigen::Ref<const Points>& p);
   /// gradient += dE/dp (n x 3); returns the energy.
@@ -89,6 +95,11 @@ class CrossingGuard {
   // Everything nearer than r + margin_ at found_at_.
   std::vector<Stencil> found_;
   Points found_at_;
+};
+
+struct CrossingGuard::Memory {
+  std::vector<Stencil> found;
+  Points found_at;
 };
 
 }  // namespace vasorod

@@ -159,7 +159,9 @@ void CoupledPath::start_at_given() {
 }
 
 CoupledPath::Kept CoupledPath::keep() const {
-  Kept kept{time_, carried_, last_, stack_.first_wall, {}, stack_.system->state(stack_.z)};
+  Kept kept{time_, carried_, last_, stack_.first_wall, {}, stack_.system->state(stack_.z), {}};
+  for (const CoupledWall& wall : stack_.system->walls())
+    if (wall.guard) kept.guards.push_back(wall.guard->memory());
   for (const ScaledBody& body : stack_.scaled.bodies) kept.now.push_back(body.now);
   return kept;
 }
@@ -174,6 +176,10 @@ void CoupledPath::restore(const Kept& kept) {
     stack_.scaled.bodies[b].placed = carried_.points[b];
   }
   put_bodies(kept.first_wall, kept.state);
+  if (kept.first_wall != stack_.first_wall) return;  // the others' guards keep what they know
+  auto memory = kept.guards.begin();
+  for (const CoupledWall& wall : stack_.system->walls())
+    if (wall.guard) wall.guard->remember(*memory++);
 }
 
 void CoupledPath::rebuild() {

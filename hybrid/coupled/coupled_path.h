@@ -74,6 +74,7 @@ struct CoupledPath::Kept {
   std::vector<int> first_wall;  // per body
   std::vector<Points> now;      // per body
   CoupledState state;
+  std::vector<CrossingGuard::Memory> guards;  // per wall of `first_wall` that has one
 };
 
 }  // namespace vasorod

@@ -166,7 +166,7 @@ class CoupledSolver::Data {
       }
       const Points predicted = positions();
       const size_t notes = solution_.notes.size();
-      solution_.status = settle(t, stepped);
+      solution_.status = is_possible() ? settle(t, stepped) : Status::iteration_limit;
       // On the way a buckled pattern that creeps around its tube is near enough to go on from.
       const bool passable = t < 1 && solution_.status == Status::iteration_limit &&
                             !stack_.contacts->pressing() &&
@@ -180,10 +180,14 @@ class CoupledSolver::Data {
         // Walls that crumple snap from one minimum to the next: shorter steps follow them.
         const double step = t - solution_.reached;
         if (first_failed == 0) first_failed = step;
-        if (!kept || solution_.status != Status::iteration_limit ||
-            step < smallest_share * first_failed)
-          return;
-        path_.restore(*kept);
+        const bool shorter = kept && solution_.status == Status::iteration_limit &&
+                             step >= smallest_share * first_failed;
+        if (!shorter && !is_possible())
+          solution_.notes.emplace_back(
+              "walls would pass through themselves at the next step of the way: the state is the "
+              "last one before it");
+        if (shorter || (kept && !is_possible())) path_.restore(*kept);
+        if (!shorter) return;
         solution_.notes.resize(notes);
         times.insert(times.begin() + static_cast<std::ptrdiff_t>(next),
                      solution_.reached + step / 2);
@@ -204,6 +208,12 @@ class CoupledSolver::Data {
           "the smooth branch from rest lost its stability on the way; the result is the minimum "
           "below it");
     }
+  }
+
+  // Not where guarded walls pass through themselves: their energy is infinite.
+  bool is_possible() const {
+    VectorXd g;
+    return !stack_.system->guarded() || std::isfinite(stack_.system->gradient(stack_.z, g).total());
   }
 
   SeamClosing seam_closing() {

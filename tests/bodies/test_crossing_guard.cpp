@@ -198,6 +198,19 @@ TEST(CrossingGuard, ItsDerivativesAreThoseOfDifferencesBetweenFaces) {
   EXPECT_LT(hessian_error(slope, p, hessian_of(guard, p, 0), 1e-6), 1e-4);
 }
 
+TEST(CrossingGuard, ItGoesOnFromWhatItRemembers) {
+  const auto at = [](double apart) { return sheets(apart, true).points; };
+  CrossingGuard guard(sheets(3, true), narrow, stiffness, wall);
+  guard.energy(at(2));
+  const double near = guard.energy(at(1.72));
+  EXPECT_GT(near, 0);
+  const CrossingGuard::Memory memory = guard.memory();
+  guard.energy(at(30));  // all is forgotten
+  EXPECT_EQ(guard.energy(at(1.5)), 0) << "found within each other's walls";
+  guard.remember(memory);
+  EXPECT_EQ(guard.energy(at(1.72)), near);
+}
+
 // As the lips of a slit.
 TEST(CrossingGuard, WallsThatLieInEachOtherAtFirstOnlyKeepTheirSurfacesApart) {
   CrossingGuard guard(sheets(1, true), narrow, stiffness, wall);

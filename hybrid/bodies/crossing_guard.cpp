@@ -130,8 +130,19 @@ std::vector<CrossingGuard::Stencil> CrossingGuard::near(const Places& p, double 
   return found;
 }
 
-// Faces that meet are those on which the normals of both features show: inside or outside, where
-// the walls face each other at less than 45 degrees. It stays so as long as they are near.
+// What of the distance lies between the surfaces and the faces that meet, those to which the
+// normals of both features point: outside or inside. 0 where the walls face each other at more than
+// 45 degrees.
+double CrossingGuard::faces_between(const Places& p, const Points& normals,
+                                    const Stencil& stencil) const {
+  const FeatureDistance apart = feature_distance(corners(p, stencil.at), stencil.features);
+  Vec3 turned = Vec3::Zero();
+  for (size_t k = 0; k < 4; ++k) turned += apart.weight[k] * normals.row(stencil.at[k]).transpose();
+  const double facing = turned.dot(apart.apart) / (turned.norm() * apart.distance);
+  return std::abs(facing) > facing_from ? within_[facing < 0 ? 1 : 0] : 0;
+}
+
+// Which faces meet stays so as long as they are near.
 void CrossingGuard::add_walls(const Places& p, std::vector<Stencil>& found) const {
   if (!along_) return;
   const auto before = [](const Stencil& a, const Stencil& b) {
@@ -145,15 +156,9 @@ void CrossingGuard::add_walls(const Places& p, std::vector<Stencil>& found) cons
     if (same != known.end() && !before(stencil, *same)) {
       stencil.within = same->within;
     } else if (stencil.far) {
-      const FeatureDistance apart = feature_distance(corners(p, stencil.at), stencil.features);
-      Vec3 turned = Vec3::Zero();
-      for (size_t k = 0; k < 4; ++k)
-        turned += apart.weight[k] * normals.row(stencil.at[k]).transpose();
-      const double facing = turned.dot(apart.apart) / (turned.norm() * apart.distance);
-      const double within = within_[facing < 0 ? 1 : 0];
       // What is nearer already, as beside a slit, only keeps its surfaces apart.
-      if (std::abs(facing) > facing_from && apart.distance > within + reach_)
-        stencil.within = within;
+      const double within = faces_between(p, normals, stencil);
+      if (stencil.distance > within + reach_) stencil.within = within;
     }
     stencil.distance -= stencil.within;
   }
@@ -164,15 +169,19 @@ double CrossingGuard::moved(const Places& p) const {
   return std::sqrt((p - found_at_).rowwise().squaredNorm().maxCoeff());
 }
 
-void CrossingGuard::search(const Places& p) {
-  found_at_ = p;
+std::vector<CrossingGuard::Stencil> CrossingGuard::in_order(const Places& p) const {
   std::vector<Stencil> found = near(p, reach_ + margin_);
   add_walls(p, found);
   std::erase_if(found, [this](const Stencil& one) { return one.distance >= reach_ + margin_; });
   std::sort(found.begin(), found.end(), [](const Stencil& a, const Stencil& b) {
     return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
   });
-  found_ = std::move(found);
+  return found;
+}
+
+void CrossingGuard::search(const Places& p) {
+  found_ = in_order(p);
+  found_at_ = p;
 }
 
 template <class Take>
@@ -253,11 +262,14 @@ void CrossingGuard::bound(const Places& p, int first,
   });
 }
 
-double CrossingGuard::smallest_gap(const Places& p) {
+double CrossingGuard::smallest_gap(const Places& p) const {
   double smallest = std::numeric_limits<double>::infinity();
-  search(p);
-  for (const Stencil& stencil : found_)
-    if (stencil.far) smallest = std::min(smallest, stencil.distance);
+  const Points normals = along_ ? vertex_normals({p, triangles_}) : Points();
+  for (const Stencil& stencil : in_order(p)) {
+    if (!stencil.far) continue;
+    const double within = stencil.within > 0 ? 0 : faces_between(p, normals, stencil);
+    smallest = std::min(smallest, stencil.distance - within);
+  }
   return smallest;
 }
 
@@ -268,11 +280,13 @@ double CrossingGuard::longest_step(const Places& from, const Places& to) {
   // together since they were found.
   const double closing = 2 * farthest / (per_round * (1 - left_of_distance));
   double since = 2 * moved(from);
-  if (closing + since > reach_ + margin_) {
+  // A wall's faces are found before they may meet: no point of the step is searched anew.
+  const double known = along_ ? margin_ : reach_ + margin_;
+  if (closing + since > known) {
     search(from);
     since = 0;
   }
-  double step = std::min(1.0, (reach_ + margin_) / closing);
+  double step = std::min(1.0, known / closing);
   for (const Stencil& stencil : found_) {
     if (stencil.distance > closing * step + since) break;
     const int second = stencil.features == Features::two_edges ? 2 : 1;

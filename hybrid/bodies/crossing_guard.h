@@ -61,9 +61,9 @@ class CrossingGuard {
   /// Appends an upper bound of it as one entry for x, y and z.
   void bound(const Eigen::Ref<const Points>& p, int first,
              std::vector<Eigen::Triplet<double>>& entries);
-  /// Smallest distance of faces of the wall that are far from each other along it; infinite where
-  /// none are near, length.
-  double smallest_gap(const Eigen::Ref<const Points>& p);
+  /// Smallest distance of faces of the wall that are far from each other along it, below 0 where
+  /// they lie in each other; infinite where none are near, length.
+  double smallest_gap(const Eigen::Ref<const Points>& p) const;
   /// The share of the step from `from` to `to`, in (0, 1], after which every distance is still a
   /// tenth of what it was; and no vertex moves by more than about a third of an edge.
   double longest_step(const Eigen::Ref<const Points>& from, const Eigen::Ref<const Points>& to);
@@ -79,6 +79,10 @@ class CrossingGuard {
   bool left_out(const Stencil& stencil) const;
   // What is nearer than `reach`, faces of walls that are far from each other or surfaces.
   std::vector<Stencil> near(const Eigen::Ref<const Points>& p, double reach) const;
+  double faces_between(const Eigen::Ref<const Points>& p, const Points& normals,
+                       const Stencil& stencil) const;
+  // What is nearer than r + margin_ with its faces, in the order of the distances.
+  std::vector<Stencil> in_order(const Eigen::Ref<const Points>& p) const;
   void add_walls(const Eigen::Ref<const Points>& p, std::vector<Stencil>& found) const;
   void search(const Eigen::Ref<const Points>& p);
   // Calls take(stencil, corners, distance) for all within r.

@@ -3,7 +3,19 @@
 #include "data/index.h"
 
 namespace vasorod {
+namespace {
+
+// Of a motion to a start, in mean edges: what is shorter is blocked; and how many pieces it may
+// have.
+constexpr double shortest_piece = 1e-3;
+constexpr int most_pieces = 200;
+
+}  // namespace
+
 void CoupledPath::restart() {
+  blocked_ = false;
+  for (const CoupledWall& wall : stack_.system->walls())
+    if (wall.guard) wall.guard->remember({});
   carried_ = {};
   last_.reset();
 }
@@ -81,7 +93,11 @@ bool CoupledPath::advance(double t) {
   const bool line =
       before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
   place(line ? &*before : nullptr);
-  if (!first && stack_.system->guarded()) stop_short(from);
+  blocked_ = false;
+  if (!first && stack_.system->guarded() && !leads_here(from)) {
+    hold_back();
+    blocked_ = !leads_here(from);
+  }
   turn_minimiser(carried_.rotations);
   return !first;
 }
@@ -91,24 +107,18 @@ void CoupledPath::hold_back() {
   place(nullptr);
 }
 
-// Of the motion from `last` (stacked positions) to the start.
-double CoupledPath::uncrossed_share(const Points& last) const {
-  return stack_.system->longest_share(last, stack_.system->state(stack_.z).positions);
-}
-
-void CoupledPath::stop_short(const Points& last) {
-  if (uncrossed_share(last) == 1) return;
-  hold_back();
-  const double share = uncrossed_share(last);
-  if (share == 1) return;
-  CoupledSystem& system = *stack_.system;
-  const Points to = system.state(stack_.z).positions, before = last + share * (to - last);
-  for (size_t b = 0; b < stack_.first_wall.size(); ++b)
-    if (stack_.first_wall[b] >= 0)
-      system.put(stack_.first_wall[b],
-                 before.middleRows(stack_.first[b], stack_.scaled.bodies[b].now.rows()), true,
-                 stack_.z);
-  stack_.unstack();
+// Whether the motion from `last` (stacked positions) to the start takes no guarded wall through
+// itself. It is looked at in pieces, as long as CrossingGuard takes at once.
+bool CoupledPath::leads_here(const Points& last) const {
+  const Points to = stack_.system->state(stack_.z).positions;
+  Points at = last;
+  for (int piece = 0; piece < most_pieces; ++piece) {
+    const double share = stack_.system->longest_share(at, to);
+    if (share == 1) return true;
+    if (share * (to - at).rowwise().norm().maxCoeff() < shortest_piece) return false;
+    at += share * (to - at);
+  }
+  return false;
 }
 
 // The start on the line from `before` through the last state, or where that is null, with the last
@@ -176,6 +186,10 @@ void CoupledPath::restore(const Kept& kept) {
     stack_.scaled.bodies[b].placed = carried_.points[b];
   }
   put_bodies(kept.first_wall, kept.state);
+  blocked_ = false;
+  for (size_t b = 0; time_ < 1 && b < stack_.first_wall.size(); ++b)
+    for (size_t k = 0; stack_.first_wall[b] >= 0 && k < carried_.sections[b].size(); ++k)
+      stack_.system->set_target(stack_.first_wall[b], static_cast<int>(k), carried_.sections[b][k]);
   if (kept.first_wall != stack_.first_wall) return;  // the others' guards keep what they know
   auto memory = kept.guards.begin();
   for (const CoupledWall& wall : stack_.system->walls())

@@ -19,13 +19,16 @@ class CoupledPath {
   void restart();
 
   /// Stores the start of the walls at time t in the stack. Returns false at the first time, where
-  /// there is nothing to extrapolate from. Guarded walls start before they would pass through
-  /// themselves on the way there.
+  /// there is nothing to extrapolate from. Guarded walls that would pass through themselves on
+  /// the way there start as they were at the previous time, or are blocked().
   bool advance(double t);
 
   /// After advance() to a later time: starts from the walls as they were at the previous time, not
   /// from their extrapolation.
   void hold_back();
+
+  /// Whether guarded walls cannot get to the start without passing through themselves.
+  bool blocked() const { return blocked_; }
 
   /// After advance(): starts where CoupledProblem::start has the walls.
   void start_at_given();
@@ -40,8 +43,7 @@ class CoupledPath {
   void restore(const Kept& kept);
 
  private:
-  double uncrossed_share(const Points& last) const;
-  void stop_short(const Points& last);
+  bool leads_here(const Points& last) const;
   // Positions given by the rods at a time, in scaled units, per body; no entry is empty.
   struct Carried {
     std::vector<Points> points;
@@ -63,6 +65,7 @@ class CoupledPath {
 
   CoupledStack& stack_;
   double time_ = 0;
+  bool blocked_ = false;
   Carried carried_;            // at the present time
   std::optional<Local> last_;  // at the previous time
 };

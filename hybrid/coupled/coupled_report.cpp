@@ -97,7 +97,7 @@ VectorXd guard_pressure(const TriangleSurface& rest, const Points& force) {
 }
 
 // The contact of a wall with itself where a barrier keeps it apart. `pressure`: the barrier's.
-void report_guard(CrossingGuard& guard, const ScaledBodies& scaled, const Points& positions,
+void report_guard(const CrossingGuard& guard, const ScaledBodies& scaled, const Points& positions,
                   const VectorXd& pressure, ContactSolution& pair) {
   pair.largest_pressure = pressure.maxCoeff();
   pair.within_reach = pair.largest_pressure > 0;
@@ -105,6 +105,17 @@ void report_guard(CrossingGuard& guard, const ScaledBodies& scaled, const Points
   const VectorXd areas = vertex_areas(scaled.bodies[index(pair.a)].rest);
   pair.area = (pressure.array() > 0).select(areas, 0).sum() / 2 * scaled.length * scaled.length;
   pair.smallest_gap = guard.smallest_gap(positions) * scaled.length;
+}
+
+// `gap`: the smallest of the faces, mean edges.
+std::string guard_note(const std::string& name, double gap) {
+  return joined_text("the wall of ", name,
+                     " is kept from passing through itself by a barrier, up to ",
+                     number_text(CoupledProblem::guard_reach, 2),
+                     " mean edges wide: contacts of walls that crumple find no end",
+                     gap < 0 ? joined_text("; faces that met at an angle lie in each other by ",
+                                           number_text(-gap, 2), " mean edges")
+                             : std::string());
 }
 
 struct Sums {
@@ -235,11 +246,8 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
         report_guard(*guard, scaled, s.positions.middleRows(first[index(pair.a)], rows),
                      guarded[index(pair.a)], pair);
         if (pair.within_reach)
-          solution.notes.push_back(
-              joined_text("where the wall of ", problem.surfaces.bodies[index(pair.a)].name,
-                          " touches itself, a barrier keeps its faces apart by up to ",
-                          number_text(CoupledProblem::guard_reach, 2),
-                          " mean edges: contacts of walls that crumple find no end"));
+          solution.notes.push_back(guard_note(problem.surfaces.bodies[index(pair.a)].name,
+                                              pair.smallest_gap / scaled.length));
       }
   if (system) report_seam(scaled, system->joins, s.positions, surface);
 }

@@ -145,9 +145,13 @@ class CoupledSolver::Data {
     if (on_a_way && !close_seam(buckled)) return;
     std::vector<double> times =
         stack_.problem.start ? std::vector<double>{1} : stack_.options.times;
-    double first_failed = 0;  // of the present step
+    double planned = 0, shortest = 0;  // the time of the present given step; and what is left of it
     for (size_t next = 0; next < times.size(); ++next) {
       const double t = times[next];
+      if (t > planned) {
+        planned = t;
+        shortest = smallest_share * (t - solution_.reached);
+      }
       const bool may_halve = stack_.system->guarded() && solution_.reached > 0;
       const std::optional<CoupledPath::Kept> kept =
           may_halve ? std::optional(path_.keep()) : std::nullopt;
@@ -166,27 +170,24 @@ class CoupledSolver::Data {
       }
       const Points predicted = positions();
       const size_t notes = solution_.notes.size();
-      solution_.status = is_possible() ? settle(t, stepped) : Status::iteration_limit;
+      const bool possible = is_possible();
+      solution_.status = possible ? settle(t, stepped) : Status::iteration_limit;
       // On the way a buckled pattern that creeps around its tube is near enough to go on from.
-      const bool passable = t < 1 && solution_.status == Status::iteration_limit &&
+      const bool passable = possible && t < 1 && solution_.status == Status::iteration_limit &&
                             !stack_.contacts->pressing() &&
                             solution_.surface.residual <= passable_residual;
-      buckled |= left_saddle_;
-      if (stepped && predicted.rows() == stack_.system->vertex_count())
-        buckled |=
-            (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
       if (!passable && solution_.status != Status::converged &&
           solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique) {
         // Walls that crumple snap from one minimum to the next: shorter steps follow them.
         const double step = t - solution_.reached;
-        if (first_failed == 0) first_failed = step;
-        const bool shorter = kept && solution_.status == Status::iteration_limit &&
-                             step >= smallest_share * first_failed;
-        if (!shorter && !is_possible())
+        const bool shorter =
+            kept && solution_.status == Status::iteration_limit && step / 2 >= shortest;
+        const bool lost = kept && !is_possible();
+        if (shorter || lost) take_back(*kept);
+        if (lost && !shorter)
           solution_.notes.emplace_back(
               "walls would pass through themselves at the next step of the way: the state is the "
               "last one before it");
-        if (shorter || (kept && !is_possible())) path_.restore(*kept);
         if (!shorter) return;
         solution_.notes.resize(notes);
         times.insert(times.begin() + static_cast<std::ptrdiff_t>(next),
@@ -194,7 +195,10 @@ class CoupledSolver::Data {
         --next;
         continue;
       }
-      first_failed = 0;
+      buckled |= left_saddle_;
+      if (stepped && predicted.rows() == stack_.system->vertex_count())
+        buckled |=
+            (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
       if (t < 1) solution_.notes.resize(notes);  // of a state on the way
       solution_.reached = t;
     }
@@ -210,10 +214,18 @@ class CoupledSolver::Data {
     }
   }
 
-  // Not where guarded walls pass through themselves: their energy is infinite.
+  // Not where guarded walls would pass through themselves: their energy is infinite.
   bool is_possible() const {
     VectorXd g;
-    return !stack_.system->guarded() || std::isfinite(stack_.system->gradient(stack_.z, g).total());
+    return !stack_.system->guarded() ||
+           (!path_.blocked() && std::isfinite(stack_.system->gradient(stack_.z, g).total()));
+  }
+
+  void take_back(const CoupledPath::Kept& kept) {
+    path_.restore(kept);
+    stack_.contacts->forget();
+    stack_.contacts->refresh(stack_.scaled);
+    stack_.stack_contacts();
   }
 
   SeamClosing seam_closing() {

@@ -328,8 +328,13 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
     return (best.crossed() || (folds && !is_minimum(best.status))) && !options.stop();
   };
   if (!vein) {
-    if ((best.crossed() || !is_minimum(best.status)) && !options.stop())
-      take_if_better(attempt.guarded());
+    if ((best.crossed() || !is_minimum(best.status)) && !options.stop()) {
+      const CoupledSolution guarded = attempt.guarded();
+      if (is_minimum(guarded.status) || guarded.reached >= first->reached)
+        take_if_better(guarded);
+      else
+        prediction.work += guarded.surface.work;
+    }
   } else {
     if (!deep) part();
     for (const double strain : inflations)

@@ -1,5 +1,7 @@
 #include "coupled/coupled_path.h"
 
+#include <cmath>
+
 #include "data/index.h"
 
 namespace vasorod {
@@ -84,7 +86,8 @@ bool CoupledPath::advance(double t) {
     last_.reset();
   else
     last_ = local_state();
-  const Points from = stack_.system->state(stack_.z).positions;
+  const bool guarded = !first && stack_.system->guarded();
+  const Points from = guarded ? stack_.system->state(stack_.z).positions : Points();
   time_ = t;
   carried_ = carried_at(t);
   for (size_t b = 0; b < carried_.points.size(); ++b)
@@ -94,7 +97,7 @@ bool CoupledPath::advance(double t) {
       before && last_ && before->z.size() == last_->z.size() && last_->time > before->time;
   place(line ? &*before : nullptr);
   blocked_ = false;
-  if (!first && stack_.system->guarded() && !leads_here(from)) {
+  if (guarded && !leads_here(from)) {
     hold_back();
     blocked_ = !leads_here(from);
   }
@@ -194,6 +197,18 @@ void CoupledPath::restore(const Kept& kept) {
   auto memory = kept.guards.begin();
   for (const CoupledWall& wall : stack_.system->walls())
     if (wall.guard) wall.guard->remember(*memory++);
+}
+
+void CoupledPath::take_back(const Kept& kept) {
+  restore(kept);
+  stack_.contacts->forget();
+  stack_.search_contacts();
+}
+
+bool CoupledPath::is_possible() const {
+  Eigen::VectorXd g;
+  return !stack_.system->guarded() ||
+         (!blocked_ && std::isfinite(stack_.system->gradient(stack_.z, g).total()));
 }
 
 void CoupledPath::rebuild() {

@@ -20,15 +20,17 @@ class CoupledPath {
 
   /// Stores the start of the walls at time t in the stack. Returns false at the first time, where
   /// there is nothing to extrapolate from. Guarded walls that would pass through themselves on
-  /// the way there start as they were at the previous time, or are blocked().
+  /// the way there start as they were at the previous time, or are not at a
+  /// possible start.
   bool advance(double t);
 
   /// After advance() to a later time: starts from the walls as they were at the previous time, not
   /// from their extrapolation.
   void hold_back();
 
-  /// Whether guarded walls cannot get to the start without passing through themselves.
-  bool blocked() const { return blocked_; }
+  /// Not where guarded walls would pass through themselves, on the way to the start or now: their
+  /// energy is infinite then.
+  bool is_possible() const;
 
   /// After advance(): starts where CoupledProblem::start has the walls.
   void start_at_given();
@@ -41,6 +43,8 @@ class CoupledPath {
   Kept keep() const;
   /// Bodies that joined the unknowns since then are at rest.
   void restore(const Kept& kept);
+  /// The same, and contacts begin anew.
+  void take_back(const Kept& kept);
 
  private:
   bool leads_here(const Points& last) const;

@@ -11,6 +11,7 @@
 #include "coupled/coupled_path.h"
 #include "coupled/coupled_report.h"
 #include "coupled/free_motions.h"
+#include "coupled/path_steps.h"
 #include "coupled/seam_closing.h"
 #include "data/sentence.h"
 
@@ -42,8 +43,6 @@ constexpr double path_step = 0.02;
 // Walls that an extrapolated start carries through themselves by more than this many mean edges
 // would be crumpled on their way back: they start where they were.
 constexpr double deepest_start = 0.1;
-// A step of a guarded wall's path that fails is halved down to this share of it.
-constexpr double smallest_share = 0.1;
 // Walls that are nearer to themselves than this many mean edges approach in bounded steps.
 constexpr double closing_gap = 1;
 // Where a seam opens a slit, steps of a fraction of an edge keep triangles from inverting, which
@@ -143,18 +142,11 @@ class CoupledSolver::Data {
     bool buckled = false;
     const bool on_a_way = stack_.problem.seam_way.has_value();
     if (on_a_way && !close_seam(buckled)) return;
-    std::vector<double> times =
-        stack_.problem.start ? std::vector<double>{1} : stack_.options.times;
-    double planned = 0, shortest = 0;  // the time of the present given step; and what is left of it
-    for (size_t next = 0; next < times.size(); ++next) {
-      const double t = times[next];
-      if (t > planned) {
-        planned = t;
-        shortest = smallest_share * (t - solution_.reached);
-      }
-      const bool may_halve = stack_.system->guarded() && solution_.reached > 0;
-      const std::optional<CoupledPath::Kept> kept =
-          may_halve ? std::optional(path_.keep()) : std::nullopt;
+    PathSteps steps(stack_.problem.start ? std::vector<double>{1} : stack_.options.times);
+    while (!steps.ended()) {
+      const double t = steps.time();
+      std::optional<CoupledPath::Kept> kept;  // from where a shorter step may be taken
+      if (stack_.system->guarded() && solution_.reached > 0) kept = path_.keep();
       const bool stepped = !on_a_way && path_.advance(t);
       if (stepped && stack_.feels_itself() && stack_.follow(stack_.z) < -deepest_start) {
         path_.hold_back();
@@ -164,13 +156,12 @@ class CoupledSolver::Data {
         path_.start_at_given();
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         if (stack_.problem.lets_out && !let_out()) return;
-        stack_.contacts->refresh(stack_.scaled);
-        stack_.stack_contacts();
+        stack_.search_contacts();
         buckled = stack_.problem.start->buckled;
       }
       const Points predicted = positions();
       const size_t notes = solution_.notes.size();
-      const bool possible = is_possible();
+      const bool possible = path_.is_possible();
       solution_.status = possible ? settle(t, stepped) : Status::iteration_limit;
       // On the way a buckled pattern that creeps around its tube is near enough to go on from.
       const bool passable = possible && t < 1 && solution_.status == Status::iteration_limit &&
@@ -179,20 +170,15 @@ class CoupledSolver::Data {
       if (!passable && solution_.status != Status::converged &&
           solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique) {
         // Walls that crumple snap from one minimum to the next: shorter steps follow them.
-        const double step = t - solution_.reached;
-        const bool shorter =
-            kept && solution_.status == Status::iteration_limit && step / 2 >= shortest;
-        const bool lost = kept && !is_possible();
-        if (shorter || lost) take_back(*kept);
+        const bool shorter = kept && solution_.status == Status::iteration_limit && steps.halve();
+        const bool lost = kept && !path_.is_possible();
+        if (shorter || lost) path_.take_back(*kept);
         if (lost && !shorter)
           solution_.notes.emplace_back(
               "walls would pass through themselves at the next step of the way: the state is the "
               "last one before it");
         if (!shorter) return;
         solution_.notes.resize(notes);
-        times.insert(times.begin() + static_cast<std::ptrdiff_t>(next),
-                     solution_.reached + step / 2);
-        --next;
         continue;
       }
       buckled |= left_saddle_;
@@ -201,6 +187,7 @@ class CoupledSolver::Data {
             (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
       if (t < 1) solution_.notes.resize(notes);  // of a state on the way
       solution_.reached = t;
+      steps.go_on();
     }
     if (solution_.status == Status::not_unique)
       solution_.notes.emplace_back(
@@ -212,20 +199,6 @@ class CoupledSolver::Data {
           "the smooth branch from rest lost its stability on the way; the result is the minimum "
           "below it");
     }
-  }
-
-  // Not where guarded walls would pass through themselves: their energy is infinite.
-  bool is_possible() const {
-    VectorXd g;
-    return !stack_.system->guarded() ||
-           (!path_.blocked() && std::isfinite(stack_.system->gradient(stack_.z, g).total()));
-  }
-
-  void take_back(const CoupledPath::Kept& kept) {
-    path_.restore(kept);
-    stack_.contacts->forget();
-    stack_.contacts->refresh(stack_.scaled);
-    stack_.stack_contacts();
   }
 
   SeamClosing seam_closing() {

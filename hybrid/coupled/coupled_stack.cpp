@@ -171,6 +171,11 @@ void CoupledStack::stack_contacts() {
   system->contacts = stacked.points;
 }
 
+void CoupledStack::search_contacts() {
+  contacts->refresh(scaled);
+  stack_contacts();
+}
+
 double CoupledStack::follow(const Eigen::VectorXd& at) {
   unstack(at);
   if (contacts->follow(scaled)) stack_contacts();

@@ -28,6 +28,8 @@ class CoupledStack {
 
   /// Numbers the contacts found last for the system.
   void stack_contacts();
+  /// Finds the contacts where the bodies are now, and numbers them.
+  void search_contacts();
   /// Sets the bodies' `now` from z.
   void unstack() { unstack(z); }
   /// Finds what touches itself at a point on the way. Returns the smallest gap of a wall from

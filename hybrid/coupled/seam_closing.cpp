@@ -116,7 +116,7 @@ Status SeamClosing::follow_way() {
     }
     step /= 2;
     if (step < smallest_step * longest) return Status::iteration_limit;
-    take_back(kept);
+    path_.take_back(kept);
   }
 }
 
@@ -126,12 +126,12 @@ Points SeamClosing::positions() const {
 
 Status SeamClosing::bring_apart() {
   stack_.contacts->meet_up_to_seams();
-  search();
+  stack_.search_contacts();
   CoupledPath::Kept kept = path_.keep();
   for (double share = 1, step = parting_step; share > 0;) {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
-    search();
+    stack_.search_contacts();
     const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
@@ -167,20 +167,9 @@ Status SeamClosing::release() {
     step = (share - next) / 2;
     if (step < smallest_letting_step || stack_.spent()) return Status::iteration_limit;
     stack_.set_inflation(share);
-    take_back(kept);
+    path_.take_back(kept);
   }
   return Status::converged;
-}
-
-void SeamClosing::search() {
-  stack_.contacts->refresh(stack_.scaled);
-  stack_.stack_contacts();
-}
-
-void SeamClosing::take_back(const CoupledPath::Kept& kept) {
-  path_.restore(kept);
-  stack_.contacts->forget();
-  search();
 }
 
 Status SeamClosing::settle(int most_updates, Walls walls) {

@@ -59,9 +59,7 @@ class SeamClosing {
   Status follow_way();
   Status bring_apart();
   Status release();
-  void search();
   Points positions() const;
-  void take_back(const CoupledPath::Kept& kept);
 
   CoupledStack& stack_;
   CoupledPath& path_;

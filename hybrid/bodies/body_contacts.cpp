@@ -159,11 +159,9 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
   std::vector<double> share(index(body.rest.points.rows()), 1);
   if (!up_to_seams_) leave_out(seam_band(body.rest, seam, body.thickness), share);
   leave_out(body.fixed, share);
-  ContactSide side{
-      body.rest, body.offset + apart_ / 2, std::move(share), !seam.empty(), up_to_seams_, {}};
+  ContactSide side{body.rest, body.offset, std::move(share), !seam.empty(), up_to_seams_, {}};
   if (up_to_seams_) side.seam = std::move(seam);
-  return std::make_unique<SelfContact>(std::move(side), body.thickness + apart_,
-                                       stiffness_of(pair, scaled));
+  return std::make_unique<SelfContact>(std::move(side), body.thickness, stiffness_of(pair, scaled));
 }
 
 bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {

@@ -58,10 +58,6 @@ class BodyContacts {
   /// time press, scaled stress; an empty one: none. Pairs with exchanged roles begin without.
   void expect(std::vector<Eigen::VectorXd> pressure) { expected_ = std::move(pressure); }
 
-  /// A body and itself keep so far apart, scaled length: the faces that meet lie half as far
-  /// outside the wall's. For bodies that are found from here on.
-  void keep_from_itself(double apart) { apart_ = apart; }
-
   /// What touches itself is not looked for: something else keeps it apart.
   void leave_out_own() { without_own_ = true; }
 
@@ -149,7 +145,7 @@ class BodyContacts {
   std::vector<int> seam_of(int body) const;
 
   const BodyProblem& problem_;
-  double stiffness_, apart_ = 0;
+  double stiffness_;
   std::vector<Eigen::VectorXd> expected_;
   bool without_own_ = false, hold_ = false, up_to_seams_ = false, parted_ = false;
   double allowed_ = 0;

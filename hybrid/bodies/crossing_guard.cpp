@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "bodies/near_on_surface.h"
+#include "data/index.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_surface.h"
 
@@ -25,6 +27,8 @@ constexpr double near_at_rest = 1.5;
 constexpr double facing_from = 0.7;
 // Mean edges by which the surface may move before near features are searched again, twice.
 constexpr double margin_in_edges = 0.75;
+// Of that: a vertex that has moved farther is searched with those that have to be.
+constexpr double moved_from = 0.125;
 
 using Places = Eigen::Ref<const Points>;
 
@@ -83,48 +87,61 @@ void CrossingGuard::remember(Memory memory) {
   found_at_ = std::move(memory.found_at);
 }
 
-bool CrossingGuard::left_out(const Stencil& stencil) const {
-  const std::array<int, 4>& at = stencil.at;
-  const auto second = at.begin() + (stencil.features == Features::two_edges ? 2 : 1);
-  return std::find_first_of(at.begin(), second, second, at.end()) != second ||
-         std::binary_search(near_at_rest_.begin(), near_at_rest_.end(), at);
+bool CrossingGuard::nearer(const Stencil& a, const Stencil& b) {
+  return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
 }
 
-std::vector<CrossingGuard::Stencil> CrossingGuard::near(const Places& p, double reach) const {
+std::vector<CrossingGuard::Stencil> CrossingGuard::near(const Places& p, double reach,
+                                                        const std::vector<char>* moved) const {
   std::vector<Stencil> found;
   // What is far along the wall may come so much nearer that its faces meet.
   const double walls = std::max(within_[0], within_[1]), padding = (reach + walls) / 2;
-  const auto take = [&](Stencil stencil, const Box& a, const Box& b) {
-    if (left_out(stencil)) return;
-    const size_t second = stencil.features == Features::two_edges ? 2 : 1;
-    stencil.far = along_ && !along_->are(stencil.at[0], stencil.at[second]);
-    if (!stencil.far && (a.low.array() + walls > b.high.array()).any()) return;
-    if (!stencil.far && (b.low.array() + walls > a.high.array()).any()) return;
-    stencil.distance = feature_distance(corners(p, stencil.at), stencil.features).distance;
-    if (stencil.distance < (stencil.far ? reach + walls : reach)) found.push_back(stencil);
+  const auto take = [&](Stencil stencil) {
+    const std::array<int, 4>& at = stencil.at;
+    const auto second = at.begin() + (stencil.features == Features::two_edges ? 2 : 1);
+    if (std::find_first_of(at.begin(), second, second, at.end()) != second) return;
+    stencil.distance = feature_distance(corners(p, at), stencil.features).distance;
+    if (stencil.distance >= reach + walls) return;
+    stencil.far = along_ && !along_->are(at[0], *second);
+    if (!stencil.far && stencil.distance >= reach) return;
+    if (!std::binary_search(near_at_rest_.begin(), near_at_rest_.end(), at))
+      found.push_back(stencil);
   };
-  std::vector<Box> boxes;
-  for (Eigen::Index t = 0; t < triangles_.rows(); ++t)
-    boxes.push_back(
-        box_around<3>(p, {triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)}, padding));
-  const BoxTree triangles(boxes);
+  const auto is_marked = [&](const auto& at) {
+    return !moved ||
+           std::any_of(at.begin(), at.end(), [&](int v) { return (*moved)[index(v)] != 0; });
+  };
+  std::vector<Box> boxes, marked_boxes;
+  std::vector<int> marked;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const std::array<int, 3> at{triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)};
+    boxes.push_back(box_around(p, at, padding));
+    if (!is_marked(at)) continue;
+    marked_boxes.push_back(boxes.back());
+    marked.push_back(t);
+  }
+  const BoxTree all_triangles(boxes), marked_triangles(marked_boxes);
   for (int v = 0; v < p.rows(); ++v) {
     const Box own = box_around<1>(p, {v}, padding);
-    triangles.visit([&](const Box& box) { return box.meets(own); },
-                    [&](int t) {
-                      take({{v, triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)},
-                            Features::vertex_and_triangle},
-                           own, boxes[static_cast<size_t>(t)]);
-                    });
+    const auto meets = [&own](const Box& box) { return box.meets(own); };
+    const auto to_triangle = [&](int t) {
+      take({{v, triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)},
+            Features::vertex_and_triangle});
+    };
+    if (is_marked(std::array{v}))
+      all_triangles.visit(meets, to_triangle);
+    else
+      marked_triangles.visit(meets, [&](int m) { to_triangle(marked[index(m)]); });
   }
   boxes.clear();
-  for (const std::array<int, 2>& edge : edges_) boxes.push_back(box_around(p, edge, padding));
-  const BoxTree tree(boxes);
-  tree.meeting_pairs(std::vector<char>(edges_.size(), 1), [&](int i, int j) {
-    const auto first = static_cast<size_t>(std::min(i, j)),
-               second = static_cast<size_t>(std::max(i, j));
-    const auto &a = edges_[first], &b = edges_[second];
-    take({{a[0], a[1], b[0], b[1]}, Features::two_edges}, boxes[first], boxes[second]);
+  std::vector<char> marks;
+  for (const std::array<int, 2>& edge : edges_) {
+    boxes.push_back(box_around(p, edge, padding));
+    marks.push_back(is_marked(edge) ? 1 : 0);
+  }
+  BoxTree(boxes).meeting_pairs(marks, [&](int i, int j) {
+    const auto &a = edges_[index(std::min(i, j))], &b = edges_[index(std::max(i, j))];
+    take({{a[0], a[1], b[0], b[1]}, Features::two_edges});
     return true;
   });
   return found;
@@ -158,7 +175,8 @@ void CrossingGuard::add_walls(const Places& p, std::vector<Stencil>& found) cons
     } else if (stencil.far) {
       // What is nearer already, as beside a slit, only keeps its surfaces apart.
       const double within = faces_between(p, normals, stencil);
-      if (stencil.distance > within + reach_) stencil.within = within;
+      const double now = feature_distance(corners(p, stencil.at), stencil.features).distance;
+      if (now > within + reach_) stencil.within = within;
     }
     stencil.distance -= stencil.within;
   }
@@ -170,18 +188,40 @@ double CrossingGuard::moved(const Places& p) const {
 }
 
 std::vector<CrossingGuard::Stencil> CrossingGuard::in_order(const Places& p) const {
-  std::vector<Stencil> found = near(p, reach_ + margin_);
-  add_walls(p, found);
+  return in_order(near(p, reach_ + margin_), p);
+}
+
+// `now`: where the surface is, which decides what meets.
+std::vector<CrossingGuard::Stencil> CrossingGuard::in_order(std::vector<Stencil> found,
+                                                            const Places& now) const {
+  add_walls(now, found);
   std::erase_if(found, [this](const Stencil& one) { return one.distance >= reach_ + margin_; });
-  std::sort(found.begin(), found.end(), [](const Stencil& a, const Stencil& b) {
-    return std::tie(a.distance, a.features, a.at) < std::tie(b.distance, b.features, b.at);
-  });
+  std::sort(found.begin(), found.end(), nearer);
   return found;
 }
 
+// Only what has moved is searched anew, as most of a wall does not crumple.
 void CrossingGuard::search(const Places& p) {
-  found_ = in_order(p);
-  found_at_ = p;
+  if (found_at_.rows() != p.rows()) {
+    found_ = in_order(p);
+    found_at_ = p;
+    return;
+  }
+  std::vector<char> moved(index(p.rows()), 0);
+  for (Eigen::Index v = 0; v < p.rows(); ++v) {
+    if ((p.row(v) - found_at_.row(v)).norm() <= moved_from * margin_) continue;
+    moved[index(v)] = 1;
+    found_at_.row(v) = p.row(v);
+  }
+  const std::vector<Stencil> found = in_order(near(found_at_, reach_ + margin_, &moved), p);
+  std::erase_if(found_, [&](const Stencil& one) {
+    return std::any_of(one.at.begin(), one.at.end(), [&](int v) { return moved[index(v)] != 0; });
+  });
+  std::vector<Stencil> all;
+  all.reserve(found_.size() + found.size());
+  std::merge(found_.begin(), found_.end(), found.begin(), found.end(), std::back_inserter(all),
+             nearer);
+  found_ = std::move(all);
 }
 
 template <class Take>
@@ -189,7 +229,7 @@ void CrossingGuard::within_reach(const Places& p, Take&& take) {
   double nearer = 2 * moved(p);  // two features come together by at most this
   if (nearer > margin_) {
     search(p);
-    nearer = 0;
+    nearer = 2 * moved(p);
   }
   for (const Stencil& stencil : found_) {
     if (stencil.distance > reach_ + nearer) break;
@@ -284,9 +324,9 @@ double CrossingGuard::longest_step(const Places& from, const Places& to) {
   const double known = along_ ? margin_ : reach_ + margin_;
   if (closing + since > known) {
     search(from);
-    since = 0;
+    since = 2 * moved(from);
   }
-  double step = std::min(1.0, known / closing);
+  double step = std::min(1.0, (known - since) / closing);
   for (const Stencil& stencil : found_) {
     if (stencil.distance > closing * step + since) break;
     const int second = stencil.features == Features::two_edges ? 2 : 1;

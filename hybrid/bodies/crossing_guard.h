@@ -76,13 +76,17 @@ class CrossingGuard {
     double within = 0;    // what of the distance lies within walls, length
     double distance = 0;  // without that, where it was found
   };
-  bool left_out(const Stencil& stencil) const;
-  // What is nearer than `reach`, faces of walls that are far from each other or surfaces.
-  std::vector<Stencil> near(const Eigen::Ref<const Points>& p, double reach) const;
+  static bool nearer(const Stencil& a, const Stencil& b);
+  // What is nearer than `reach`, faces of walls that are far from each other or surfaces; with
+  // `moved` only that of which a vertex is marked.
+  std::vector<Stencil> near(const Eigen::Ref<const Points>& p, double reach,
+                            const std::vector<char>* moved = nullptr) const;
   double faces_between(const Eigen::Ref<const Points>& p, const Points& normals,
                        const Stencil& stencil) const;
   // What is nearer than r + margin_ with its faces, in the order of the distances.
   std::vector<Stencil> in_order(const Eigen::Ref<const Points>& p) const;
+  std::vector<Stencil> in_order(std::vector<Stencil> found,
+                                const Eigen::Ref<const Points>& now) const;
   void add_walls(const Eigen::Ref<const Points>& p, std::vector<Stencil>& found) const;
   void search(const Eigen::Ref<const Points>& p);
   // Calls take(stencil, corners, distance) for all within r.
@@ -96,7 +100,8 @@ class CrossingGuard {
   std::array<double, 2> within_{};                // of walls that meet inside, outside
   std::unique_ptr<NearOnSurface> along_;          // none: everything is near
   std::vector<std::array<int, 4>> near_at_rest_;  // sorted
-  // Everything nearer than r + margin_ at found_at_.
+  // Everything nearer than r + margin_ at found_at_, where each vertex was when it was last
+  // searched.
   std::vector<Stencil> found_;
   Points found_at_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <vasorod/error.h>
 
@@ -9,6 +10,10 @@
 
 namespace vasorod {
 namespace {
+
+// What is nearer along a wall than so many mean edges, or half a turn about its own face, is bent,
+// not folded onto itself: there only the surfaces stay apart.
+constexpr double bent_edges = 4;
 
 void require(bool good, const SurfaceBody& body, const std::string& sentence) {
   if (!good) throw InputError("vessel " + body.name + ": " + sentence);
@@ -53,6 +58,12 @@ bool is_moved(const SurfaceBody& body) {
 }
 
 }  // namespace
+
+GuardedWall guarded_wall(const ScaledBody& body) {
+  const double inside = body.thickness - body.offset;
+  const double bent = std::numbers::pi * std::max(inside, body.offset);
+  return {inside, body.offset, std::max(bent_edges * body.mean_edge, bent)};
+}
 
 ScaledBodies scale_bodies(const BodyProblem& problem) {
   ScaledBodies scaled;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bodies/body_problem.h"
+#include "bodies/crossing_guard.h"
 
 namespace vasorod {
 
@@ -21,6 +22,9 @@ struct ScaledBody {
   bool moved = false;     ///< its rod has moved from rest
   bool modelled = false;  ///< among the unknowns
 };
+
+/// The faces of a body's wall for a guard (crossing_guard.h), scaled length.
+GuardedWall guarded_wall(const ScaledBody& body);
 
 /// All bodies in scaled units, and the units.
 struct ScaledBodies {

@@ -63,6 +63,21 @@ void report_contacts(const BodyProblem& problem, const ScaledBodies& scaled,
   }
 }
 
+Eigen::VectorXd guard_pressure(const TriangleSurface& rest, const Points& force) {
+  const Eigen::VectorXd areas = vertex_areas(rest);
+  return (areas.array() > 0).select(force.rowwise().norm().array() / areas.array(), 0);
+}
+
+void report_guard(const ScaledBodies& scaled, const Eigen::VectorXd& pressure, double gap,
+                  ContactSolution& pair) {
+  pair.largest_pressure = pressure.maxCoeff();
+  pair.within_reach = pair.largest_pressure > 0;
+  // Vertices of both walls stand for one area.
+  const Eigen::VectorXd areas = vertex_areas(scaled.bodies[static_cast<size_t>(pair.a)].rest);
+  pair.area = (pressure.array() > 0).select(areas, 0).sum() / 2 * scaled.length * scaled.length;
+  pair.smallest_gap = gap * scaled.length;
+}
+
 void report_seam(const ScaledBodies& scaled, const std::vector<Join>& joins,
                  const Points& positions, SurfaceSolution& solution) {
   double sum = 0;

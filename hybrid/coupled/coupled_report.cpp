@@ -90,23 +90,6 @@ void name_fold(const std::string& name, const WallEnergy& wall, const WallReport
                                        ": its mesh is too coarse for what happens there"));
 }
 
-// Of the forces of a barrier (n x 3), per vertex.
-VectorXd guard_pressure(const TriangleSurface& rest, const Points& force) {
-  const VectorXd areas = vertex_areas(rest);
-  return (areas.array() > 0).select(force.rowwise().norm().array() / areas.array(), 0);
-}
-
-// The contact of a wall with itself where a barrier keeps it apart. `pressure`: the barrier's.
-void report_guard(const CrossingGuard& guard, const ScaledBodies& scaled, const Points& positions,
-                  const VectorXd& pressure, ContactSolution& pair) {
-  pair.largest_pressure = pressure.maxCoeff();
-  pair.within_reach = pair.largest_pressure > 0;
-  // Vertices of both walls stand for one area.
-  const VectorXd areas = vertex_areas(scaled.bodies[index(pair.a)].rest);
-  pair.area = (pressure.array() > 0).select(areas, 0).sum() / 2 * scaled.length * scaled.length;
-  pair.smallest_gap = guard.smallest_gap(positions) * scaled.length;
-}
-
 // `gap`: the smallest of the faces, mean edges.
 std::string guard_note(const std::string& name, double gap) {
   return joined_text("the wall of ", name,
@@ -243,11 +226,10 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
     if (const int w = system ? first_wall[index(pair.a)] : -1; pair.a == pair.b && w >= 0)
       if (const auto& guard = system->walls()[index(w)].guard) {
         const auto rows = scaled.bodies[index(pair.a)].now.rows();
-        report_guard(*guard, scaled, s.positions.middleRows(first[index(pair.a)], rows),
-                     guarded[index(pair.a)], pair);
+        const double gap = guard->smallest_gap(s.positions.middleRows(first[index(pair.a)], rows));
+        report_guard(scaled, guarded[index(pair.a)], gap, pair);
         if (pair.within_reach)
-          solution.notes.push_back(guard_note(problem.surfaces.bodies[index(pair.a)].name,
-                                              pair.smallest_gap / scaled.length));
+          solution.notes.push_back(guard_note(problem.surfaces.bodies[index(pair.a)].name, gap));
       }
   if (system) report_seam(scaled, system->joins, s.positions, surface);
 }

@@ -16,10 +16,8 @@
 namespace vasorod {
 namespace {
 
-// Of the barrier that keeps a wall from touching itself: its stiffness over that of the wall. What
-// is nearer along the wall than so many mean edges, or half a turn about its own face, is bent, not
-// folded onto itself: there only the surfaces stay apart.
-constexpr double guard_stiffness = 1, bent_edges = 4;
+// Of the barrier that keeps a wall from touching itself: its stiffness over that of the wall.
+constexpr double guard_stiffness = 1;
 
 bool acts(const HeldSection& section) {
   return section.force != Vec3::Zero() || section.moment != Vec3::Zero() ||
@@ -75,12 +73,9 @@ void CoupledStack::guard_walls() {
   for (const auto& [a, b] : problem.surfaces.contacts) {
     const ScaledBody& body = scaled.bodies[index(a)];
     if (a != b || body.obstacle) continue;
-    const double inside = body.thickness - body.offset;
-    const double bent = std::numbers::pi * std::max(inside, body.offset);
     guards_[index(a)] = std::make_shared<CrossingGuard>(
         body.rest, CoupledProblem::guard_reach * body.mean_edge,
-        guard_stiffness * (body.k.bending + body.k.stretching),
-        GuardedWall{inside, body.offset, std::max(bent_edges * body.mean_edge, bent)});
+        guard_stiffness * (body.k.bending + body.k.stretching), guarded_wall(body));
   }
 }
 

@@ -3,9 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/index.h"
+#include "data/sentence.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
+namespace {
+
+const PaperBlock& block_of(const PaperSystem& system, int first) {
+  return *std::find_if(system.blocks.begin(), system.blocks.end(),
+                       [first](const PaperBlock& block) { return block.first == first; });
+}
+
+// Per vertex, in the problem's unit; 0 without a guard.
+Eigen::VectorXd pressure_of_guard(const PaperBlock& block, const Points& positions,
+                                  const ScaledBody& body, const ScaledBodies& scaled) {
+  if (!block.guard) return Eigen::VectorXd::Zero(block.count);
+  Points force = Points::Zero(block.count, 3);
+  block.guard->gradient(positions.middleRows(block.first, block.count), force);
+  return guard_pressure(body.rest, force) * scaled.pressure();
+}
+
+}  // namespace
+
 std::vector<BodySolution> sum_forces(const ScaledBodies& scaled, const PaperSystem& system,
                                      const std::vector<int>& first, const Points& positions) {
   PaperGradient gradient;
@@ -70,12 +90,27 @@ void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const 
       mine.support_force = mine.binding_force = Points::Zero(rest.rows(), 3);
       continue;
     }
+    mine.pressure =
+        pressure_of_guard(block_of(system, first[b]), positions, scaled.bodies[b], scaled);
     mine.positions = scaled.unscaled(scaled.bodies[b].now);
     for (Points* force : {&mine.support_force, &mine.binding_force}) *force *= scaled.force();
     for (Vec3* force : {&mine.support, &mine.binding, &mine.joining, &mine.contact})
       *force *= scaled.force();
   }
+  std::vector<Eigen::VectorXd> guarded;  // before the contacts' pressures are added
+  for (const BodySolution& body : solution.bodies) guarded.push_back(body.pressure);
   report_contacts(problem, scaled, system.contacts, positions, stacked, contacts, solution, final);
+  for (ContactSolution& pair : solution.contacts) {
+    const size_t b = index(pair.a);
+    if (pair.a != pair.b || !solution.bodies[b].modelled) continue;
+    const PaperBlock& block = block_of(system, first[b]);
+    const double gap = block.guard->smallest_gap(positions.middleRows(block.first, block.count));
+    report_guard(scaled, guarded[b], gap, pair);
+    if (final && gap < 0)
+      solution.notes.push_back(joined_text("faces of the wall of ", problem.bodies[b].name,
+                                           " that met at an angle lie in each other by ",
+                                           number_text(gap * -scaled.length, 3)));
+  }
   report_seam(scaled, system.joins, positions, solution);
 }
 

@@ -7,8 +7,8 @@
 namespace vasorod {
 namespace {
 
-// In mean edges: how near two parts of a wall that may touch itself come to each other.
-constexpr double nearest = 0.05;
+// Width of the barrier between the faces of a wall that may touch itself, mean edges.
+constexpr double guard_reach = 0.05;
 
 }  // namespace
 
@@ -28,17 +28,16 @@ PaperStack::PaperStack(const BodyProblem& given, const PaperOptions& chosen, Kep
   for (const auto& [a, b] : problem.contacts) {
     const ScaledBody& body = scaled.bodies[index(a)];
     if (a != b || body.obstacle) continue;
-    const double reach = nearest * body.mean_edge;
     guards_[index(a)] = std::make_shared<CrossingGuard>(
-        body.rest, reach, options.contact_stiffness * (body.k.bending + body.k.stretching));
-    apart_ = std::max(apart_, reach);
+        body.rest, guard_reach * body.mean_edge,
+        options.contact_stiffness * (body.k.bending + body.k.stretching), guarded_wall(body));
   }
   renew_contacts();
 }
 
 void PaperStack::renew_contacts() {
   contacts = std::make_unique<BodyContacts>(problem, scaled, options.contact_stiffness);
-  contacts->keep_from_itself(apart_);
+  contacts->leave_out_own();  // guarded
 }
 
 bool PaperStack::any_modelled() const {

@@ -63,7 +63,6 @@ class PaperStack {
   Work& work_;
   std::vector<Vec3> seam_multipliers_, seam_offsets_;
   std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
-  double apart_ = 0;                                    // BodyContacts::keep_from_itself()
 };
 
 }  // namespace vasorod

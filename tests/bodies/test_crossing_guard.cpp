@@ -211,6 +211,49 @@ TEST(CrossingGuard, ItGoesOnFromWhatItRemembers) {
   EXPECT_EQ(guard.energy(at(1.72)), near);
 }
 
+// A guard that has followed a part of the surface, which moves in steps of all lengths, has found
+// what one finds that looks at all of it.
+TEST(CrossingGuard, WhatMovesIsFoundAsIfAllWereSearched) {
+  const Points start = bent_back(3), end = bent_back(0.5);
+  const auto at = [&](double share) {
+    Points p = start + share * (end - start);
+    // One leg sways, the other stays.
+    for (Eigen::Index i = 0; i < p.rows(); ++i)
+      if (straight.points(i, 2) > length / 2) p(i, 1) += 0.9 * std::sin(7 * share);
+    return p;
+  };
+  CrossingGuard following(straight, reach, stiffness);
+  int touching = 0;
+  for (const double share :
+       {0.0, 0.02, 0.1, 0.3, 0.5, 0.7, 0.8, 0.85, 0.86, 0.95, 1.0, 0.97, 0.9}) {
+    const Points p = at(share);
+    CrossingGuard fresh(straight, reach, stiffness);
+    Points followed = Points::Zero(p.rows(), 3), found = followed;
+    const double energy = fresh.gradient(p, found);
+    EXPECT_NEAR(following.gradient(p, followed), energy, 1e-12 * energy) << share;
+    EXPECT_LE((followed - found).norm(), 1e-12 * found.norm()) << share;
+    touching += energy > 0 ? 1 : 0;
+  }
+  EXPECT_GT(touching, 3);
+}
+
+// Steps towards another place, each as long as the guard allows, come to no place where faces lie
+// in each other.
+TEST(CrossingGuard, StepsNeverLeadThroughFaces) {
+  CrossingGuard guard(sheets(3, true), narrow, stiffness, wall);
+  Points p = sheets(3, true).points;
+  EXPECT_EQ(guard.energy(p), 0);
+  for (int step = 0; step < 14; ++step) {
+    // The upper sheet comes down, a corner of it faster.
+    Points to = p;
+    for (Eigen::Index i = p.rows() / 2; i < p.rows(); ++i)
+      to(i, 2) -= 0.06 + (i + 1 == p.rows() ? 0.25 : 0.0);
+    p += guard.longest_step(p, to) * (to - p);
+    EXPECT_TRUE(std::isfinite(guard.energy(p))) << step;
+  }
+  EXPECT_GT(guard.energy(p), 0);
+}
+
 // As the lips of a slit.
 TEST(CrossingGuard, WallsThatLieInEachOtherAtFirstOnlyKeepTheirSurfacesApart) {
   CrossingGuard guard(sheets(1, true), narrow, stiffness, wall);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 
 #include <vasorod/error.h>
 
@@ -97,6 +98,20 @@ TEST(ScaledBodies, MovedIsWhatItsRodHasCarriedOrTurned) {
   EXPECT_FALSE(scale_bodies(problem).bodies[1].moved);
   problem.bodies[1].rotations[3] = random_rotations(1, 5)[0];
   EXPECT_TRUE(scale_bodies(problem).bodies[1].moved);
+}
+
+TEST(ScaledBodies, AGuardKnowsTheFacesOfTheWall) {
+  ScaledBody body;
+  body.mean_edge = 1;
+  body.thickness = 0.5;
+  body.offset = 0.1;
+  const GuardedWall wall = guarded_wall(body);
+  EXPECT_DOUBLE_EQ(wall.inside, 0.4);
+  EXPECT_DOUBLE_EQ(wall.outside, 0.1);
+  EXPECT_DOUBLE_EQ(wall.along, 4) << "thin: some edges";
+  body.thickness = 3.1;
+  EXPECT_DOUBLE_EQ(guarded_wall(body).along, 3 * std::numbers::pi)
+      << "thick: half a turn about the inner face";
 }
 
 TEST(ScaledBodies, WhatDoesNotFitIsRefusedWithTheBodysName) {

@@ -148,7 +148,13 @@ TEST(PaperClosing, AWallThatFoldsStaysOutOfItself) {
   const SurfaceSolution on_way = PaperSolver(options).solve(folding.problem, &folding.way);
   EXPECT_EQ(on_way.status, Status::converged) << (on_way.notes.empty() ? "" : on_way.notes.back());
   EXPECT_EQ(folding.depth(on_way), 0);
-  EXPECT_GT(on_way.bodies[0].pressure.maxCoeff(), 0);
+  const ContactSolution& own = on_way.contacts[0];
+  EXPECT_TRUE(own.within_reach);
+  EXPECT_EQ(own.largest_pressure, on_way.bodies[0].pressure.maxCoeff());
+  EXPECT_GT(own.largest_pressure, 0);
+  EXPECT_GT(own.area, 0);
+  EXPECT_GT(own.smallest_gap, 0) << "of the faces";
+  EXPECT_LT(own.smallest_gap, 0.06 * mean_edge_length(folding.problem.bodies[0].rest));
 }
 
 TEST(PaperClosing, StoppedOnTheWayItSaysSo) {

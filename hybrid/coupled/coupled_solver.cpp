@@ -146,7 +146,7 @@ class CoupledSolver::Data {
     while (!steps.ended()) {
       const double t = steps.time();
       std::optional<CoupledPath::Kept> kept;  // from where a shorter step may be taken
-      if (stack_.system->guarded() && solution_.reached > 0) kept = path_.keep();
+      if (!on_a_way && solution_.reached > 0) kept = path_.keep();
       const bool stepped = !on_a_way && path_.advance(t);
       if (stepped && stack_.feels_itself() && stack_.follow(stack_.z) < -deepest_start) {
         path_.hold_back();

@@ -47,6 +47,31 @@ TEST(CoupledSolver, APullBetweenSoftEndsAnswersWithEATimesStrain) {
   EXPECT_NEAR(solution.sections[0][0].force.z(), -solution.sections[0][1].force.z(), 1e-9 * area);
 }
 
+// A step that is too long for the iterations of one minimisation is halved, and leads to the
+// minimum that it would have led to.
+TEST(CoupledSolver, AStepThatFindsNoMinimumIsHalved) {
+  const HeldTube tube = thin_tube();
+  const double curvature = 0.6 * 0.471 * 0.6 / (36 * std::sqrt(0.91));
+  const auto solved = [&](int most_iterations) {
+    CoupledOptions options;
+    options.times = {0.1, 1};
+    options.max_iterations = most_iterations;
+    const CoupledSolution solution =
+        CoupledSolver(bent(tube, strain(0, curvature, 0), tube.start(), tube.end()), options)
+            .solve();
+    expect_settled(solution);
+    EXPECT_EQ(solution.reached, 1);
+    return solution;
+  };
+  const CoupledSolution whole = solved(100), halved = solved(10);
+  EXPECT_EQ(whole.surface.outer_iterations, 2);
+  EXPECT_GT(halved.surface.outer_iterations, 3);
+  EXPECT_LT((halved.surface.bodies[0].positions - whole.surface.bodies[0].positions)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-6 * 6);
+}
+
 TEST(CoupledSolver, ReactionsAreTheEnergysDerivativeAlongTheMotion) {
   // Bent to half the Brazier curvature between rigid ends, with a small additional rotation about
   // the end's centre.

@@ -138,6 +138,12 @@ def glenns_answer(rows):
     columns = list(dict.fromkeys(row["rotation"] for row in rows))
     good, _, _ = ended(rows)
     crossed = sum(row["ending"] == "self_intersecting" for row in rows)
+    ends = [f"2 mm: {share(good, len(rows))} converged, with walls that pass through nothing."]
+    if crossed:
+        ends.append(
+            f"In {share(crossed, len(rows))} walls pass through each other, and the result says so:"
+        )
+        ends.append("the kept vein is short for its width.")
     lines = []
     for cut, incision in dict.fromkeys((row["cut"], row["incision"]) for row in rows):
         of = {r["rotation"]: r for r in rows if (r["cut"], r["incision"]) == (cut, incision)}
@@ -148,8 +154,7 @@ def glenns_answer(rows):
         "## And on a real anatomy?\n",
         paragraph(
             "An adult's vessels with other cuts, incisions and rotations, at `paper` on edges of",
-            f"2 mm: {share(good, len(rows))} converged. In {share(crossed, len(rows))} walls pass",
-            "through each other, and the result says so: the kept vein is short for its width.",
+            *ends,
             link("Every run with its sentence", "glenn-shunts-on-the-adult-anatomy") + ".",
         ),
         markdown(

@@ -202,7 +202,7 @@ std::vector<CrossingGuard::Stencil> CrossingGuard::in_order(std::vector<Stencil>
 
 // Only what has moved is searched anew, as most of a wall does not crumple.
 void CrossingGuard::search(const Places& p) {
-  if (found_at_.rows() != p.rows()) {
+  if (search_all_ || found_at_.rows() != p.rows()) {
     found_ = in_order(p);
     found_at_ = p;
     return;
@@ -354,7 +354,7 @@ double CrossingGuard::longest_step(const Places& from, const Places& to) {
     }
     step = std::min(step, time);
   }
-  return step;
+  return std::max(step, 0.0);
 }
 
 }  // namespace vasorod

@@ -44,6 +44,10 @@ class CrossingGuard {
                 std::optional<GuardedWall> wall = {});
   ~CrossingGuard();
 
+  /// Looks at all of the surface in each search, not only at what has moved: where steps are dear
+  /// beside a search, it is decided anew each time for the whole wall which faces meet.
+  void search_all() { search_all_ = true; }
+
   /// What is near, and with which faces it meets, as it follows from the way so far.
   struct Memory;
   Memory memory() const;
@@ -65,7 +69,8 @@ class CrossingGuard {
   /// they lie in each other; infinite where none are near, length.
   double smallest_gap(const Eigen::Ref<const Points>& p) const;
   /// The share of the step from `from` to `to`, in (0, 1], after which every distance is still a
-  /// tenth of what it was; and no vertex moves by more than about a third of an edge.
+  /// tenth of what it was; and no vertex moves by more than about a third of an edge. 0 where
+  /// features are in each other already.
   double longest_step(const Eigen::Ref<const Points>& from, const Eigen::Ref<const Points>& to);
 
  private:
@@ -100,6 +105,7 @@ class CrossingGuard {
   std::array<double, 2> within_{};                // of walls that meet inside, outside
   std::unique_ptr<NearOnSurface> along_;          // none: everything is near
   std::vector<std::array<int, 4>> near_at_rest_;  // sorted
+  bool search_all_ = false;
   // Everything nearer than r + margin_ at found_at_, where each vertex was when it was last
   // searched.
   std::vector<Stencil> found_;

@@ -37,7 +37,8 @@ struct BodySolution {
 /// Contact between bodies a and b, as listed in BodyProblem::contacts.
 struct ContactSolution {
   int a = 0, b = 0;
-  /// False: the pair never came within reach; the numbers below are zero.
+  /// False: the pair never came within reach, or what a guard keeps apart does not press; the
+  /// numbers below but the gap are zero.
   bool within_reach = false;
   Vec3 force = Vec3::Zero();  ///< on a
   double area = 0, largest_pressure = 0;

@@ -172,8 +172,8 @@ class CoupledSolver::Data {
         // Walls that crumple snap from one minimum to the next: shorter steps follow them. Contacts
         // that find no end find none there either.
         const bool shorter = kept && solution_.status == Status::iteration_limit &&
-                             (stack_.system->guarded() || !stack_.contacts->pressing()) &&
-                             steps.halve();
+                             (stack_.system->guarded() || !stack_.has_touched()) &&
+                             !stack_.spent() && steps.halve();
         const bool lost = kept && !path_.is_possible();
         if (shorter || lost) path_.take_back(*kept);
         if (lost && !shorter)

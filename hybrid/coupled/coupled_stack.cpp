@@ -76,6 +76,7 @@ void CoupledStack::guard_walls() {
     guards_[index(a)] = std::make_shared<CrossingGuard>(
         body.rest, CoupledProblem::guard_reach * body.mean_edge,
         guard_stiffness * (body.k.bending + body.k.stretching), guarded_wall(body));
+    guards_[index(a)]->search_all();
   }
 }
 
@@ -175,6 +176,15 @@ double CoupledStack::follow(const Eigen::VectorXd& at) {
   unstack(at);
   if (contacts->follow(scaled)) stack_contacts();
   return contacts->gap_from_itself(scaled);
+}
+
+bool CoupledStack::has_touched() const {
+  if (contacts->pressing()) return true;
+  for (int p = 0; p < std::ssize(problem.surfaces.contacts); ++p) {
+    const auto& [a, b] = problem.surfaces.contacts[index(p)];
+    if (a == b && contacts->within_reach(p)) return true;
+  }
+  return false;
 }
 
 bool CoupledStack::feels_itself() const {

@@ -1,5 +1,6 @@
 #include "paper/paper_closing.h"
 
+#include <cmath>
 #include <utility>
 
 #include "data/sentence.h"
@@ -45,12 +46,11 @@ Status PaperClosing::run() {
     reached_ = time;
     ++steps_;
   }
-  const Points closed = stack_.positions;
+  const PaperStack::State closed = stack_.state();
   const Status status = bring_apart();
   if (status != Status::iteration_limit) return status;
-  stack_.positions = closed;
-  stack_.unstack();
   stack_.renew_contacts();
+  stack_.restore(closed);
   search();
   return Status::converged;
 }
@@ -81,6 +81,8 @@ void PaperClosing::search() {
 
 // A rough minimum at the present positions of the rods and the seam.
 Status PaperClosing::settle() {
+  // Fixed vertices may have been carried into what they must not pass.
+  if (!std::isfinite(paper_energy(stack_.system, stack_.positions))) return Status::iteration_limit;
   double penetration = 0;
   for (int update = 1; update <= most_updates; ++update) {
     if (minimising_.before && minimising_.before(stack_.positions)) return Status::interrupted;

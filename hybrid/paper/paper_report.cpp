@@ -106,10 +106,12 @@ void report_paper(const BodyProblem& problem, const ScaledBodies& scaled, const 
     const PaperBlock& block = block_of(system, first[b]);
     const double gap = block.guard->smallest_gap(positions.middleRows(block.first, block.count));
     report_guard(scaled, guarded[b], gap, pair);
-    if (final && gap < 0)
+    const bool solved = solution.status == Status::converged || solution.status == Status::unstable;
+    if (final && solved && gap < 0)
       solution.notes.push_back(joined_text("faces of the wall of ", problem.bodies[b].name,
                                            " that met at an angle lie in each other by ",
-                                           number_text(gap * -scaled.length, 3)));
+                                           number_text(-gap / scaled.bodies[b].mean_edge, 2),
+                                           " mean edges"));
   }
   report_seam(scaled, system.joins, positions, solution);
 }

@@ -89,6 +89,22 @@ void PaperStack::update_seams() {
     seam_multipliers_[i] = system.joins[i].multiplier;
 }
 
+PaperStack::State PaperStack::state() const {
+  State state;
+  for (const ScaledBody& body : scaled.bodies) state.now.push_back(body.now);
+  for (const auto& guard : guards_)
+    if (guard) state.guards.push_back(guard->memory());
+  return state;
+}
+
+void PaperStack::restore(const State& state) {
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) scaled.bodies[b].now = state.now[b];
+  auto memory = state.guards.begin();
+  for (const auto& guard : guards_)
+    if (guard) guard->remember(*memory++);
+  build();
+}
+
 void PaperStack::put_at_rest() {
   for (ScaledBody& body : scaled.bodies) body.now = body.rest.points;
 }

@@ -36,6 +36,15 @@ class PaperStack {
   void update_seams();
   double largest_seam_gap() const { return largest_gap(system.joins, positions); }
 
+  /// Where the bodies are, and what their guards know there.
+  struct State {
+    std::vector<Points> now;                    ///< per body
+    std::vector<CrossingGuard::Memory> guards;  ///< of those bodies that have one
+  };
+  State state() const;
+  /// Builds the system where the bodies were then.
+  void restore(const State& state);
+
   /// Contacts begin anew, as before walls met up to the seam.
   void renew_contacts();
   /// Moves all bodies to rest.

@@ -169,11 +169,9 @@ class CoupledSolver::Data {
                             solution_.surface.residual <= passable_residual;
       if (!passable && solution_.status != Status::converged &&
           solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique) {
-        // Walls that crumple snap from one minimum to the next: shorter steps follow them. Contacts
-        // that find no end find none there either.
+        // Walls that crumple snap from one minimum to the next: shorter steps follow them.
         const bool shorter = kept && solution_.status == Status::iteration_limit &&
-                             (stack_.system->guarded() || !stack_.has_touched()) &&
-                             !stack_.spent() && steps.halve();
+                             stack_.goes_on_in_shorter_steps() && steps.halve();
         const bool lost = kept && !path_.is_possible();
         if (shorter || lost) path_.take_back(*kept);
         if (lost && !shorter)

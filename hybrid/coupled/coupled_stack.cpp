@@ -178,13 +178,15 @@ double CoupledStack::follow(const Eigen::VectorXd& at) {
   return contacts->gap_from_itself(scaled);
 }
 
-bool CoupledStack::has_touched() const {
-  if (contacts->pressing()) return true;
+bool CoupledStack::goes_on_in_shorter_steps() const {
+  if (spent()) return false;
+  if (system->guarded()) return true;
+  if (contacts->pressing()) return false;
   for (int p = 0; p < std::ssize(problem.surfaces.contacts); ++p) {
     const auto& [a, b] = problem.surfaces.contacts[index(p)];
-    if (a == b && contacts->within_reach(p)) return true;
+    if (a == b && contacts->within_reach(p)) return false;
   }
-  return false;
+  return true;
 }
 
 bool CoupledStack::feels_itself() const {

@@ -35,8 +35,10 @@ class CoupledStack {
   /// Finds what touches itself at a point on the way. Returns the smallest gap of a wall from
   /// itself, scaled length; infinite where none are within reach.
   double follow(const Eigen::VectorXd& at);
-  /// Whether contacts press now, or a wall has touched itself on the way.
-  bool has_touched() const;
+  /// Whether a shorter step of the path may find what one did not: not where contacts press, or a
+  /// wall has touched itself by contacts, as those that find no end find none there either; nor
+  /// where the stage is spent.
+  bool goes_on_in_shorter_steps() const;
   /// Whether something may have contacts with itself.
   bool feels_itself() const;
   /// Sets the share (0 to 1) of CoupledVessel::inflation; 1 at first.

@@ -23,9 +23,10 @@ PRESSURE = 12  # mmHg after the operation
 
 
 def scene(pressure, cut, incision, rotation):
-    """Without pressure, and then with the linear law; or as it stands."""
+    """Without pressure, and then with the linear law; or as it stands, without its prestretch."""
     made = yaml.safe_load(SCENE.read_text())
     for vessel in made["vessels"]:
+        vessel.pop("axial_prestretch", None)
         vessel["surface"] = str((SCENE.parent / vessel["surface"]).resolve())
     made["surgery"]["glenn"].update(
         cut=CUTS[cut], incision=INCISIONS[incision], rotation_deg=rotation

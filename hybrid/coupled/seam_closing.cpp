@@ -132,6 +132,8 @@ Status SeamClosing::bring_apart() {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
     stack_.search_contacts();
+    // Walls that begin to press from deep in each other are far from a positive definite Hessian.
+    minimising_.convex_first = share == 1;
     const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
@@ -178,6 +180,7 @@ Status SeamClosing::settle(int most_updates, Walls walls) {
     minimising_.reuse_hessian = update > 1;
     const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
     count_(summary);
+    minimising_.convex_first = false;
     stack_.unstack();
     if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
     const bool stuck = summary.unfactorised && summary.iterations == 0;

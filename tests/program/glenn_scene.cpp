@@ -58,7 +58,7 @@ nlohmann::json solve_turned(const std::string& file, double rotation_deg,
   if (left == Left::out_pressure) {
     yaml["units"].remove("pressure");
     for (YAML::Node vessel : yaml["vessels"])
-      for (const char* key : {"pressure", "law"}) vessel.remove(key);
+      for (const char* key : {"pressure", "axial_prestretch", "law"}) vessel.remove(key);
   }
   std::ofstream(scratch / "scene.yaml") << YAML::Dump(yaml);
   return run_scene(scratch / "scene.yaml", options);

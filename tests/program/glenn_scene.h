@@ -28,7 +28,8 @@ inline GlennScene infant() {
 nlohmann::json solve_case(const std::string& file, const std::string& options);
 
 enum class Left { all, out_contact, out_pressure };
-/// The same with another `rotation_deg`, and perhaps without contact or without pressure.
+/// The same with another `rotation_deg`, and perhaps without contact, or without pressure and
+/// prestretch.
 nlohmann::json solve_turned(const std::string& file, double rotation_deg,
                             const std::string& options, Left left = Left::all);
 

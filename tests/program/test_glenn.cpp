@@ -228,8 +228,8 @@ TEST(Glenn, RealAnatomyThatFoldsAtPaperPassesThroughNothing) {
       << result.at("certificate");
 }
 
-// With blood in it, the short vein feels itself and ends in a certified minimum whose walls pass
-// through nothing; its mouth is open.
+// With blood in it and stretched as it was seen, the short vein feels itself and ends in a
+// certified minimum whose walls pass through nothing; its mouth is open.
 TEST(Glenn, RealAnatomyUnderPressureFoldsAndPassesThroughNothing) {
   const auto result = solve_case("adult_physiological.yaml", "--no-report");
   EXPECT_TRUE(result.at("status") == "converged" || result.at("status") == "buckled")

@@ -212,7 +212,8 @@ def glenn_section(rows, notes):
     return [
         "## Glenn shunts on the adult anatomy\n",
         paragraph(
-            f"`adult_physiological.yaml` at `{FIDELITY}` without its pressures, on edges of 2 mm,",
+            f"`adult_physiological.yaml` at `{FIDELITY}` without its pressures and prestretch, on",
+            "edges of 2 mm,",
             f"with other picks: `converged` {share(good, len(rows))}, `self_intersecting`",
             f"{share(own, len(rows))}. The kept vein is short for its width;",
             "`validity.largest_strain` of those that converged is",
@@ -244,9 +245,9 @@ def folded_section(rows, notes):
     text = [
         "## Folding veins on the adult anatomy\n",
         paragraph(
-            "`adult_physiological.yaml` at `coupled` on edges of 2 mm with other picks. Where the",
-            "vein does not end in a minimum from a closed seam, it is joined inflated and let out,",
-            "or brought to its seam in steps, and feels itself. `converged` and `buckled` are",
+            "`adult_physiological.yaml` without its prestretch at `coupled` on edges of 2 mm with",
+            "other picks. Where the vein does not end in a minimum from a closed seam, it is joined",
+            "inflated and let out, or brought to its seam in steps, and feels itself. `converged` and `buckled` are",
             "certified minima whose walls pass through nothing; mouth: its area over that of the",
             "cut vein's lumen; strain:",
             "`validity.largest_strain`; s: processor time, the trial from a closed seam included.",

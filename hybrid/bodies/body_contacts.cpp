@@ -368,8 +368,12 @@ double BodyContacts::smallest_gap(int pair, const ScaledBodies& scaled, bool sea
   if (!mine.contact) return smallest;
   const Points &slave = scaled.bodies[static_cast<size_t>(mine.slave)].now,
                &master = scaled.bodies[static_cast<size_t>(mine.master)].now;
-  if (search && !mine.own() && mine.contact->contacts().empty())
-    mine.contact->refresh(slave, master, smallest);
+  if (search && !mine.own()) {
+    // Growing, so that of two large walls only what is nearly nearest is looked at.
+    const double farthest = box_of(slave).merged(box_of(master)).diagonal().norm();
+    for (double far = reach; mine.contact->contacts().empty() && far < 2 * farthest; far *= 2)
+      mine.contact->refresh(slave, master, far);
+  }
   for (const ContactPoint& c : mine.contact->contacts())
     smallest = std::min(smallest, FoundContacts::gap(c, slave, master));
   return smallest;

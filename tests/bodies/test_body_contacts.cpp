@@ -74,6 +74,31 @@ TEST(BodyContacts, WhatIsInASewnMouthHasPassedThroughTheWall) {
   EXPECT_GT(tilted(true, true), 0.15 * radius);
 }
 
+// Parallel tubes across their boxes' diagonal, whose boxes overlap: eight edges and half an edge
+// apart.
+TEST(BodyContacts, FindsTheGapOfWallsFarFromEachOther) {
+  for (const double gap : {0.8, 12.6}) {
+    BodyProblem problem;
+    const Mat3 turn = Eigen::AngleAxisd(M_PI / 4, Vec3::UnitX()).toRotationMatrix();
+    for (const double to : {0.0, 2 * radius + gap}) {
+      SurfaceBody& body = problem.bodies.emplace_back();
+      body.name = "tube";
+      body.rest = tube(radius, 60, around, 40);
+      body.rest.points.col(1).array() += to;
+      body.rest.points *= turn.transpose();
+      body.thickness = 0.6;
+      body.k = {1, 0.1, 0.4};
+    }
+    problem.contacts.emplace_back(0, 1);
+    ScaledBodies scaled = scale_bodies(problem);
+    for (ScaledBody& body : scaled.bodies) body.modelled = true;
+    BodyContacts contacts(problem, scaled, 10);
+    contacts.refresh(scaled);
+    // The facets lie inside the circles, and surfaces that are given are the outer ones.
+    EXPECT_NEAR(contacts.smallest_gap(0, scaled) * scaled.length, gap, 0.01 * 2 * radius) << gap;
+  }
+}
+
 TEST(LateContacts, AreSearchedAtFewerAndFewerUpdates) {
   LateContacts late(12);
   std::vector<int> searched;

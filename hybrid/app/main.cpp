@@ -10,6 +10,7 @@
 #include <vasorod/version.h>
 
 #include "app/commands.h"
+#include "app/kernels.h"
 #include "app/program.h"
 #include "app/stop.h"
 #include "data/sentence.h"
@@ -294,5 +295,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  vasorod::choose_blas_kernels(argv);
   return vasorod::as_program("vasorod", [&] { return run(argc, argv); });
 }

@@ -32,8 +32,10 @@ struct CoupledVessel {
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
-  bool rough = true;                      ///< begin with CoupledMinimiserOptions::convex_first
-  bool buckled = false;                   ///< the smooth branch from rest lost its stability before
+  /// Begin with CoupledMinimiserOptions::convex_first, to the minimum or to bring apart what lies
+  /// in each other.
+  bool rough = true;
+  bool buckled = false;  ///< the smooth branch from rest lost its stability before
 };
 
 /// Input of CoupledSolver.

@@ -317,8 +317,9 @@ class CoupledSolver::Data {
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
-      inner.convex_first = outer == 1 && (stack_.problem.start ? stack_.problem.start->rough
-                                                               : stack_.options.convex_first);
+      inner.convex_first =
+          outer == 1 && (is_near_start() ? stack_.problem.start->rough
+                                         : !stack_.problem.start && options.convex_first);
       inner.use_rest =
           !inner.convex_first && !stepped && alone && outer == 1 && stack_.system->contacts.empty();
       // What touches itself is looked for before a Hessian, so that each minimum begins with one.

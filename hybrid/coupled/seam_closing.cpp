@@ -132,8 +132,7 @@ Status SeamClosing::bring_apart() {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
     stack_.search_contacts();
-    // Walls that begin to press from deep in each other are far from a positive definite Hessian.
-    minimising_.convex_first = share == 1;
+    minimising_.convex_first = share == 1 && stack_.problem.start && stack_.problem.start->rough;
     const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {

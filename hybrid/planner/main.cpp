@@ -14,6 +14,7 @@
 #include <vasorod/error.h>
 #include <vasorod/version.h>
 
+#include "app/kernels.h"
 #include "app/program.h"
 #include "planner/http_server.h"
 #include "planner/open_browser.h"
@@ -97,5 +98,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  vasorod::choose_blas_kernels(argv);
   return vasorod::as_program("vasorod-plan", [&] { return run(argc, argv); });
 }

@@ -82,13 +82,12 @@ TEST_F(CoupledStartTest, ARoughStartEndsInTheSameMinimumWithFewFactorisations) {
   EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
   EXPECT_TRUE(solution.smallest_curvature_positive);
   EXPECT_LT(away(solution), 1e-4);
-  // The kernels of OpenBLAS for AVX-512 round otherwise, which takes one more.
+  // Other kernels of OpenBLAS than those for AVX2 round otherwise, which takes one more.
   const std::string blas = blas_name();
-  const bool avx512 = blas.find("SkylakeX") != std::string::npos ||
-                      blas.find("Cooperlake") != std::string::npos ||
-                      blas.find("SapphireRapids") != std::string::npos;
+  const bool avx2 =
+      blas.find("Haswell") != std::string::npos || blas.find("Zen") != std::string::npos;
   const int factorisations = solution.surface.work.counts.factorisations;
-  EXPECT_LE(factorisations, avx512 ? 5 : 4) << blas;
+  EXPECT_LE(factorisations, avx2 ? 4 : 5) << blas;
   // With the true Hessian from the beginning it takes more than twice as many.
   start.rough = false;
   EXPECT_LT(2 * factorisations, from(start).surface.work.counts.factorisations);

@@ -81,5 +81,31 @@ TEST(Counts, AFitSolvesNothing) {
   EXPECT_FALSE(Json::parse(run.out).contains("counts"));
 }
 
+#ifdef __x86_64__
+std::string blas_of_a_solve(const std::string& environment) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.yaml") << bent_tube("rod", "mm", 1);
+  const ProgramRun run = run_program("env " + environment + " " +
+                                     vasorod("solve '" + (scratch / "scene.yaml").string()) +
+                                     "' --no-report -o '" + (scratch / "result").string() + "'");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return Json::parse(contents_of(scratch / "result" / "result.json"))
+      .at("environment")
+      .at("blas")
+      .get<std::string>();
+}
+
+// OpenBLAS takes those for SSE3 (Prescott) on processors that it does not know.
+TEST(Kernels, AreThoseOfTheProcessorOrThoseAskedFor) {
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+    GTEST_SKIP() << "this processor has no AVX2";
+  EXPECT_EQ(blas_of_a_solve("-u OPENBLAS_CORETYPE").find(" Prescott "), std::string::npos);
+  for (const std::string asked : {"Prescott", "Nehalem", "Haswell"})
+    EXPECT_NE(blas_of_a_solve("OPENBLAS_CORETYPE=" + asked).find(" " + asked + " "),
+              std::string::npos)
+        << asked;
+}
+#endif
+
 }  // namespace
 }  // namespace vasorod::testing

@@ -197,7 +197,9 @@ class Attempt {
 
   // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
   // and each itself.
-  CoupledSolution parted(const CoupledSolution& crossed) { return parted(crossed, 0); }
+  CoupledSolution parted(const CoupledSolution& crossed, bool folds) {
+    return parted(crossed, folds, 0);
+  }
 
   // Inflated vessels stay round, so that little of a vein that folds lies in other walls; then they
   // are parted and let out. Empty: the inflated ones found no minimum.
@@ -213,7 +215,7 @@ class Attempt {
     if (round.status == Status::interrupted) return round;
     prediction_.work += round.surface.work;
     if (!is_minimum(round.status)) return std::nullopt;
-    return parted(round, pressure);
+    return parted(round, true, pressure);
   }
 
   // From rest, with a barrier in place of the contacts of walls with themselves.
@@ -248,7 +250,7 @@ class Attempt {
 
  private:
   // `inflation`: pressure in which the crossed walls found their minimum, to be let out.
-  CoupledSolution parted(const CoupledSolution& crossed, double inflation) {
+  CoupledSolution parted(const CoupledSolution& crossed, bool folds, double inflation) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
     feel_themselves(prediction_, problem.surfaces);
@@ -256,7 +258,9 @@ class Attempt {
     inflate(prediction_, inflation, problem);
     problem.lets_out = inflation > 0;
     CoupledStart& start = problem.start.emplace();
-    start.rough = false;
+    // Walls that begin to press from inside each other are far from a positive definite Hessian;
+    // but walls that fold would snap into other folds.
+    start.rough = !folds;
     start.buckled = crossed.status == Status::buckled;
     for (const BodySolution& body : crossed.surface.bodies) {
       start.bodies.emplace_back();
@@ -321,7 +325,7 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
     if (better || !is_minimum(best.status)) best = std::move(next);
   };
   const auto part = [&] {
-    if (best.crossed() && !options.stop()) take_if_better(attempt.parted(*first));
+    if (best.crossed() && !options.stop()) take_if_better(attempt.parted(*first, folds));
   };
   const bool deep = folds && best.depth > mean_edge(prediction, *vein);
   const auto goes_on = [&] {

@@ -29,6 +29,9 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+[ -f "$build/compile_commands.json" ] ||
+  { echo "check: $build: found no compile_commands.json, expected a configured build" >&2; exit 2; }
+
 # The tree's files whose names match the extended regular expression.
 files() {
   {

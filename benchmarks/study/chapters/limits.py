@@ -245,11 +245,11 @@ def folded_section(rows, notes):
     text = [
         "## Folding veins on the adult anatomy\n",
         paragraph(
-            "`adult_physiological.yaml` without its prestretch at `coupled` on edges of 2 mm with",
-            "other picks. Where the vein does not end in a minimum from a closed seam, it is joined",
-            "inflated and let out, or brought to its seam in steps, and feels itself. `converged` and `buckled` are",
-            "certified minima whose walls pass through nothing; mouth: its area over that of the",
-            "cut vein's lumen; strain:",
+            "`adult_physiological.yaml` without its prestretch at `coupled` on edges of 2 mm, with",
+            "other picks. Where the vein does not end in a minimum from a closed seam, it is",
+            "joined inflated and let out, or brought to its seam in steps, and feels itself.",
+            "`converged` and `buckled` are certified minima whose walls pass through nothing;",
+            "mouth: its area over that of the cut vein's lumen; strain:",
             "`validity.largest_strain`; s: processor time, the trial from a closed seam included.",
         ),
     ]

@@ -32,8 +32,8 @@ struct CoupledVessel {
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
-  /// Begin with CoupledMinimiserOptions::convex_first, to the minimum or to bring apart what lies
-  /// in each other.
+  /// The first minimisation, to the minimum or of the first step that brings walls apart, begins
+  /// with CoupledMinimiserOptions::convex_first.
   bool rough = true;
   bool buckled = false;  ///< the smooth branch from rest lost its stability before
 };

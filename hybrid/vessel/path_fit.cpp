@@ -136,13 +136,16 @@ void PathFit::fit_axis(bool correct, double smoothing, std::optional<double> cle
 void PathFit::check_length() const {
   // The sections of a flat ring have one centre: its axis shrinks to a point.
   if (!(end_ - start_ > 1e-6 * radius())) refuse_without_axis();
+  const double on_edges = path_.finish - path_.start, longest = 2 * on_edges + 10 * radius();
   // Longer ones would be fitted for hours: a unit is wrong, or the mesh has a few long triangles.
-  if (end_ - start_ > most_radii * radius())
+  // Where the edges are not as long, rounding alone made the axis of a flat ring.
+  if (end_ - start_ > most_radii * radius()) {
+    if (longest < most_radii * radius()) refuse_without_axis();
     throw InputError("found an axis of length " + number_text(end_ - start_) + " on a radius of " +
                      number_text(radius()) + ", expected at most " + number_text(most_radii) +
                      " times the radius");
-  const double on_edges = path_.finish - path_.start;
-  if (end_ - start_ > 2 * on_edges + 10 * radius())
+  }
+  if (end_ - start_ > longest)
     throw InputError(
         "the axis cannot be found: it winds over " + std::to_string(end_ - start_) +
         " where the surface's edges take " + std::to_string(on_edges) +

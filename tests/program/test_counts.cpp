@@ -95,7 +95,8 @@ std::string blas_of_a_solve(const std::string& environment) {
       .get<std::string>();
 }
 
-// OpenBLAS takes those for SSE3 (Prescott) on processors that it does not know.
+// OpenBLAS takes those for SSE3 (Prescott) on processors that it does not know; on others the first
+// line holds without the program's own choice.
 TEST(Kernels, AreThoseOfTheProcessorOrThoseAskedFor) {
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
     GTEST_SKIP() << "this processor has no AVX2";

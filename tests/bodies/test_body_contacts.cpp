@@ -74,8 +74,8 @@ TEST(BodyContacts, WhatIsInASewnMouthHasPassedThroughTheWall) {
   EXPECT_GT(tilted(true, true), 0.15 * radius);
 }
 
-// Parallel tubes across their boxes' diagonal, whose boxes overlap: half an edge and some seven mean
-// edges apart.
+// Parallel tubes across their boxes' diagonal, whose boxes overlap: half an edge and some seven
+// mean edges apart.
 TEST(BodyContacts, FindsTheGapOfWallsFarFromEachOther) {
   for (const double gap : {0.8, 12.6}) {
     BodyProblem problem;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reference_fem/prestress.h"
 #include "reference_fem/tube_ends.h"
@@ -50,8 +51,9 @@ using PlanesOf = std::array<bool, 2> (*)(const JoinProblem&, const Vec3&);
 
 /// The displacement on one mesh, of the vessel as it was seen or of the join. `supports` has what
 /// is prescribed beside the ends and the planes of symmetry.
-Eigen::VectorXd displacement(const JoinProblem& problem, const JoinWall& wall, PlanesOf planes_of,
-                             const Mesh& mesh, Supports supports, const Processes& processes) {
+SeenDisplacement displacement(const JoinProblem& problem, const JoinWall& wall, PlanesOf planes_of,
+                              const Mesh& mesh, Supports supports, double largest_linear,
+                              const Processes& processes) {
   const WallModel held = wall_model(wall, mesh);
   const bool half_along = planes_of == planes_of_artery && problem.mirror[0];
   for (std::size_t e = 0; e < wall.ends.size(); ++e)
@@ -60,7 +62,7 @@ Eigen::VectorXd displacement(const JoinProblem& problem, const JoinWall& wall, P
   for (int node = 0; node < mesh.node_count(); ++node)
     hold_in_planes(planes_of(problem, mesh.parameters.row(node)), components * node, components,
                    true, supports);
-  return seen_displacement(*held.model, wall.seen, std::move(supports), processes);
+  return seen_displacement(*held.model, wall.seen, std::move(supports), largest_linear, processes);
 }
 
 /// The values `u` on the rim of the hole.
@@ -79,19 +81,24 @@ Supports rim_at(const JoinProblem& problem, const Mesh& mesh, const Eigen::Vecto
   return supports;
 }
 
-double prestress_wall(const JoinProblem& problem, const JoinWall& wall, PlanesOf planes_of,
-                      const Mesh& mesh, const Mesh& seen_mesh, VesselModel& model,
-                      const Processes& processes) {
-  Eigen::VectorXd u = displacement(problem, as_seen(wall), planes_of, seen_mesh, {}, processes);
-  const double largest = largest_displacement(u, model.components());
-  u = carried(wall, mesh, seen_mesh, u);
+SeenShare prestress_wall(const JoinProblem& problem, const JoinWall& wall, PlanesOf planes_of,
+                         const Mesh& mesh, const Mesh& seen_mesh, VesselModel& model,
+                         const Processes& processes) {
+  const double radius = wall.whole.mean_radius();
+  SeenDisplacement found = displacement(problem, as_seen(wall), planes_of, seen_mesh, {},
+                                        largest_linear_prestress * radius, processes);
+  const SeenShare share{found.largest / radius, found.steps};
+  found.u = carried(wall, mesh, seen_mesh, found.u);
   if (wall.hole) {
     JoinWall held = wall;
     held.ends = wall.ends_when_seen;
-    u = displacement(problem, held, planes_of, mesh, rim_at(problem, mesh, u), processes);
+    // In the same way as the whole vessel's.
+    const double linear = found.steps > 0 ? 0 : std::numeric_limits<double>::infinity();
+    found = displacement(problem, held, planes_of, mesh, rim_at(problem, mesh, found.u), linear,
+                         processes);
   }
-  model.set_prestress(wall.seen.axial_stretch, u);
-  return largest;
+  give_prestress(model, wall.seen, found);
+  return share;
 }
 
 }  // namespace

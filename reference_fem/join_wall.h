@@ -22,9 +22,9 @@ WallModel wall_model(const JoinWall& wall, const Mesh& mesh);
 void hold_in_planes(const std::array<bool, 2>& planes, int first_dof, int components,
                     bool displacement, Supports& supports);
 
-/// The largest linear displacement behind the prestress of each vessel; 0: none.
+/// The displacement behind the prestress of each vessel.
 struct SeenDisplacements {
-  double vein = 0, artery = 0;
+  SeenShare vein, artery;
 };
 
 /// Gives the models of a join the stress that both vessels had when they were seen, neither cut nor

@@ -172,6 +172,12 @@ Vec6 MaterialLaw::uniaxial_strain(double stretch) const {
   return (stretch - 1) / under_a_unit_pull[2] * under_a_unit_pull;
 }
 
+Vec3 MaterialLaw::uniaxial_stretches(double stretch) const {
+  if (kind_ == LawKind::biot) return Vec3::Ones() + uniaxial_strain(stretch).head<3>();
+  const Vec3 small = uniaxial_strain(2).head<3>();
+  return {std::pow(stretch, small[0]), std::pow(stretch, small[1]), stretch};
+}
+
 Response MaterialLaw::of_prestress(const Mat3& F, const Vec6& s) const {
   const Mat3 C = F.transpose() * F;
   if (kind_ != LawKind::svk) return of_stretch(C, s, Mat6::Zero());
@@ -225,6 +231,23 @@ Response pressure_response(const Mat3& F, double pressure) {
   Response out;
   out.stress = pJ * ci;
   out.tangent = pJ * (ci * ci.transpose() - 2 * inverse_square(Ci));
+  return out;
+}
+
+Response from_stress_free_shape(const Response& response, const Mat3& A) {
+  Mat6 push;  // S = A S' A^T in components; its transpose takes E to A^T E A
+  for (int a = 0; a < 6; ++a)
+    for (int b = 0; b < 6; ++b) {
+      const auto [I, J] = six_pairs[static_cast<std::size_t>(a)];
+      const auto [K, L] = six_pairs[static_cast<std::size_t>(b)];
+      push(a, b) = A(I, K) * A(J, L);
+      if (K != L) push(a, b) += A(I, L) * A(J, K);
+    }
+  const double volume = A.determinant();
+  Response out;
+  out.energy = response.energy / volume;
+  out.stress = push * response.stress / volume;
+  out.tangent = push * response.tangent * push.transpose() / volume;
   return out;
 }
 

@@ -15,7 +15,9 @@
 //
 //   s : Y,  Y = E for St. Venant-Kirchhoff, Y = U - I for the other laws
 //
-// so that s + C : Y is the stress of the two laws that are linear in Y.
+// so that s + C : Y is the stress of the two laws that are linear in Y. A wall whose shape without
+// stress is known has its law from there instead: of F A, where A maps from local axes in that
+// shape to those at rest.
 #pragma once
 
 #include <string>
@@ -75,6 +77,9 @@ struct Response {
 /// The contribution of a pressure p conjugate to J: S = p J C^-1, and its tangent at constant p.
 Response pressure_response(const Mat3& F, double pressure);
 
+/// The response to F of a law that is evaluated at F A: energy and stress per volume at rest.
+Response from_stress_free_shape(const Response& response, const Mat3& A);
+
 /// The volumetric energy U(J) of a split law and its derivatives, stress.
 struct Volumetric {
   double energy = 0, slope = 0, curvature = 0;
@@ -102,6 +107,9 @@ class MaterialLaw {
   const Mat6& linear_stiffness() const { return stiffness_; }
   /// The strain of a stretch along the fibre under which the wall is free to contract across it.
   Vec6 uniaxial_strain(double stretch) const;
+  /// The stretches of the local axes under it, large too: that strain by `biot`; across the fibre
+  /// k^-n by the others, with n the contraction of a small strain.
+  Vec3 uniaxial_stretches(double stretch) const;
 
   /// Whether the energy is isochoric(F) + volumetric(det F).
   bool splits() const { return kind_ == LawKind::split_neo_hookean; }

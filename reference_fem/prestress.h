@@ -5,6 +5,10 @@
 // The linear displacement u of the wall without stress, its ends held, balances the pressure of the
 // scan and the axial stretch: K u = f. With the stress s = C : e(u) of VesselModel::set_prestress,
 // the forces of s are f: the wall is in equilibrium as it was seen, without iteration.
+//
+// Beyond small strains u leads from the shape without stress instead (Bols et al., J. Comput. Appl.
+// Math. 246, 2013): it is changed by K^-1 times what is out of balance, accelerated, until the wall
+// of that shape is in equilibrium where it was seen.
 #pragma once
 
 #include "reference_fem/system.h"
@@ -21,13 +25,30 @@ struct SeenState {
   bool stressed() const { return pressure.scan != 0 || axial_stretch != 1; }
 };
 
-/// The displacement u, per degree of freedom, of a vessel as it was seen. `supports`: of the intact
-/// vessel; all its sections are held, their motions and loads are ignored. Prescribed values are
-/// those of u. The model is left without a pressure and with the stress of the axial stretch alone.
-Eigen::VectorXd seen_displacement(VesselModel& intact, const SeenState& seen, Supports supports,
-                                  const Processes& processes);
+/// Over a vessel's radius: a linear displacement up to this gives a prestress.
+inline constexpr double largest_linear_prestress = 0.1;
 
-/// The length of its largest displacement at a node.
-double largest_displacement(const Eigen::VectorXd& u, int components);
+struct SeenDisplacement {
+  Eigen::VectorXd u;   ///< per degree of freedom
+  double largest = 0;  ///< length of the largest at a node
+  int steps = 0;       ///< in which the shape without stress was found; 0: u is linear
+};
+
+/// The same in a result.
+struct SeenShare {
+  double largest = 0;  ///< over the vessel's radius
+  int steps = 0;
+};
+
+/// The displacement of a vessel as it was seen: linear if it is nowhere larger than
+/// `largest_linear`, else from the shape without stress, if that is found. `supports`: of the
+/// intact vessel; all its sections are held, their motions and loads are ignored. Prescribed values
+/// are those of u. The model is left without a pressure, for give_prestress().
+SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, Supports supports,
+                                   double largest_linear, const Processes& processes);
+
+/// Gives a model, of the same mesh or one that `u` was carried to, the stress of the displacement.
+/// Throws InputError if the shape without stress is turned inside out.
+void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found);
 
 }  // namespace vasorod::fem

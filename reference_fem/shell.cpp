@@ -122,7 +122,13 @@ bool Shell::evaluate(int cell, const DofValues& u, double load, bool want_tangen
       const Mat3 F =
           point.axes + (du + zeta * dw + (w + zeta * beta * d) * normal.transpose()) * point.pull;
       if (!(F.determinant() > 0)) return false;
-      Response response = law_.evaluate(F);
+      Response response;
+      if (unloading_.empty()) {
+        response = law_.evaluate(F);
+      } else {
+        const Mat3& A = unloading_[c][static_cast<size_t>(at)];
+        response = from_stress_free_shape(law_.evaluate(F * A), A);
+      }
       if (!prestress_.empty()) response += law_.of_prestress(F, prestress_[c].stress.col(at));
       terms.energy += point.weight * response.energy;
       const Mat3 P = point.weight * F * stress_tensor(response.stress);

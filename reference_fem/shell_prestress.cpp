@@ -8,10 +8,9 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-Shell::CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
-  CellPrestress out;
+std::vector<Mat3> Shell::local_gradients(size_t c, const DofValues& u) const {
   const auto [ue, we, De, be] = values_of(c, u);
-  out.stress.resize(6, static_cast<Eigen::Index>(points_[c].size()));
+  std::vector<Mat3> local;
   for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
     const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
     const Eigen::RowVectorXd N = mesh_.shape.row(q);
@@ -24,12 +23,23 @@ Shell::CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const D
       const Mat3 change = (du + point.zeta * dw +
                            (w + point.zeta * beta * D) * mesh_.normal[c].col(q).transpose()) *
                           point.pull;
-      const Mat3 local = point.axes.transpose() * change;
-      const Vec6 strain = law_.uniaxial_strain(axial_stretch) +
-                          strain_components(0.5 * (local + local.transpose()));
-      out.stress.col(at) = law_.linear_stiffness() * strain;
-      out.stored += 0.5 * point.weight * out.stress.col(at).dot(strain);
+      local.emplace_back(point.axes.transpose() * change);
     }
+  }
+  return local;
+}
+
+Shell::CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
+  CellPrestress out;
+  const std::vector<Mat3> gradients = local_gradients(c, u);
+  out.stress.resize(6, std::ssize(gradients));
+  for (size_t at = 0; at < gradients.size(); ++at) {
+    const Mat3& local = gradients[at];
+    const Vec6 strain =
+        law_.uniaxial_strain(axial_stretch) + strain_components(0.5 * (local + local.transpose()));
+    const Vec6 stress = law_.linear_stiffness() * strain;
+    out.stress.col(static_cast<Eigen::Index>(at)) = stress;
+    out.stored += 0.5 * points_[c][at].weight * stress.dot(strain);
   }
   return out;
 }

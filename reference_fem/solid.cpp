@@ -93,25 +93,33 @@ bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangen
   tangents.resize(static_cast<size_t>(points));
   static thread_local std::vector<Mat3> gradients;
   gradients.resize(static_cast<size_t>(points));
-  Eigen::VectorXd volume(points);
+  // From the shape without stress: the ratio of volumes, and the points' own volumes there.
+  Eigen::VectorXd volume(points), weights = mesh_.weights[c];
   for (int q = 0; q < points; ++q) {
     Mat3& F = gradients[static_cast<size_t>(q)];
     F = axes_[c][static_cast<size_t>(q)] + slope.middleRows<3>(3 * q).transpose();
     volume[q] = F.determinant();
     if (!(volume[q] > 0)) return false;
+    if (unloading_.empty()) continue;
+    const double unloaded = unloading_[c][static_cast<size_t>(q)].determinant();
+    volume[q] *= unloaded;
+    weights[q] /= unloaded;
   }
   VolumeProjection::Terms projected;
-  if (projection_) projected = projection_->evaluate(mesh_.weights[c], volume, law_);
+  if (projection_) projected = projection_->evaluate(weights, volume, law_);
   terms.energy = projected.energy;
   if (!prestress_.empty()) terms.energy += prestress_[c].stored;
   for (int q = 0; q < points; ++q) {
     const Mat3& F = gradients[static_cast<size_t>(q)];
-    Response response = projection_ ? law_.isochoric(F) : law_.evaluate(F);
+    const Mat3* A = unloading_.empty() ? nullptr : &unloading_[c][static_cast<size_t>(q)];
+    const Mat3 unloaded = A ? Mat3(F * *A) : F;  // from the shape without stress
+    Response response = projection_ ? law_.isochoric(unloaded) : law_.evaluate(unloaded);
     if (projection_) {
-      const Response held = pressure_response(F, projected.pressure[q]);
+      const Response held = pressure_response(unloaded, projected.pressure[q]);
       response.stress += held.stress;
       response.tangent += held.tangent;
     }
+    if (A) response = from_stress_free_shape(response, *A);
     if (!prestress_.empty()) response += law_.of_prestress(F, prestress_[c].stress.col(q));
     const double w = mesh_.weights[c][q];
     terms.energy += w * response.energy;
@@ -140,8 +148,7 @@ bool Solid::evaluate(int cell, const DofValues& u, double load, bool want_tangen
     for (int q = 0; q < points; ++q) {
       const Mat3 cofactor = volume[q] * gradients[static_cast<size_t>(q)].inverse().transpose();
       for (int i = 0; i < 3; ++i)
-        change.block(q, i * n, 1, n) =
-            mesh_.weights[c][q] * cofactor.row(i) * gradient.middleRows<3>(3 * q);
+        change.block(q, i * n, 1, n) = weights[q] * cofactor.row(i) * gradient.middleRows<3>(3 * q);
     }
     const Eigen::MatrixXd moments = projection_->basis().transpose() * change;
     terms.tangent.noalias() += moments.transpose() * projected.curvature * moments;

@@ -41,6 +41,8 @@ class Solid final : public VesselModel {
   void evaluate_face(const Pressure& pressure, const std::vector<int>& nodes, const DofValues& u,
                      double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
+  const MaterialLaw& law() const override { return law_; }
+  std::vector<Mat3> local_gradients(std::size_t cell, const DofValues& u) const override;
   CellPrestress prestress_of(std::size_t cell, double axial_stretch,
                              const DofValues& u) const override;
 

@@ -61,13 +61,18 @@ void report_path(const StepperSummary& summary, Result& result) {
         text("the load passed a maximum at %.6f and came down before it went on", load));
 }
 
-void note_prestress(const std::string& vessel, double share, Result& result) {
-  if (share > 0.1)
+void note_prestress(const std::string& vessel, const SeenShare& seen, Result& result) {
+  const std::string begin = "prestress of " + vessel + ": ";
+  if (seen.steps > 0)
     result.certificate.notes.push_back(
-        "prestress of " + vessel +
-        text(": it is that of a linear displacement of up to %.2g %% of the radius; beyond 10 %% "
-             "this first step is rough, though the shape as seen is in equilibrium with it",
-             100 * share));
+        begin + text("its shape without stress, which is up to %.2g %% of the radius away, was "
+                     "found in %d steps, as a linear displacement would be rough",
+                     100 * seen.largest, seen.steps));
+  else if (seen.largest > largest_linear_prestress)
+    result.certificate.notes.push_back(
+        begin + text("it is that of a linear displacement of up to %.2g %% of the radius; beyond "
+                     "10 %% this is rough, though the shape as seen is in equilibrium with it",
+                     100 * seen.largest));
 }
 
 std::string error_note(const std::string& what, const Convergence& c, double ratio) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference_fem/prestress.h"
 #include "reference_fem/refinement.h"
 #include "reference_fem/solve_scene.h"
 
@@ -62,9 +63,8 @@ auto solve_levels(Mesh mesh, int refinements, Effort& effort, Solve&& solve, Ref
 /// Status, certificate and notes of the path.
 void report_path(const StepperSummary& summary, Result& result);
 
-/// A note where the wall's prestress is rough, the first step of a path of its own. `share`: of the
-/// radius, the largest linear displacement behind it.
-void note_prestress(const std::string& vessel, double share, Result& result);
+/// A note where a linear prestress of the wall would be rough.
+void note_prestress(const std::string& vessel, const SeenShare& seen, Result& result);
 
 /// "u_num of WHAT: ...".
 std::string error_note(const std::string& what, const Convergence& convergence, double ratio);

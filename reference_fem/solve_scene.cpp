@@ -179,7 +179,7 @@ Result solve_scene(const Scene& scene, const SolveOptions& options) {
   const Level& last = levels.back();
   const TubeSolution& solution = last.solution;
   result.certificate.notes.push_back("law: " + to_string(problem.law));
-  note_prestress(problem.vessel, solution.seen_displacement, result);
+  note_prestress(problem.vessel, solution.seen, result);
   report_path(solution.summary, result);
   if (!solution.summary.positive_definite && solution.summary.status == PathStatus::complete)
     result.certificate.notes.push_back(

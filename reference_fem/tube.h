@@ -16,6 +16,7 @@ struct TubeShape {
 
   double radius_at(double s) const { return radius + s * (end_radius - radius); }  ///< s in [0, 1]
   double thickness_at(double s) const { return thickness + s * (end_thickness - thickness); }
+  double mean_radius() const { return (radius + end_radius) / 2; }
   /// Section frame at the fraction s of the axis.
   Pose section(double s) const;
   /// Maps parameters (angle / 2 pi from d1 towards d2, s, depth from inner 0 to outer 1) to space.

@@ -124,9 +124,11 @@ TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMe
   Supports supports;
   const auto model = build(problem, kind, size, processes, supports.sections, mesh);
   if (problem.seen.stressed()) {
-    const Eigen::VectorXd u = seen_displacement(*model, problem.seen, supports, processes);
-    model->set_prestress(problem.seen.axial_stretch, u);
-    solution.seen_displacement = largest_displacement(u, model->components());
+    const double radius = problem.shape.mean_radius();
+    const SeenDisplacement found = seen_displacement(*model, problem.seen, supports,
+                                                     largest_linear_prestress * radius, processes);
+    give_prestress(*model, problem.seen, found);
+    solution.seen = {found.largest / radius, found.steps};
   }
   model->set_pressure(problem.seen.pressure);
   System system(*model, std::move(supports), processes);

@@ -46,7 +46,7 @@ struct TubeSolution {
   std::vector<Vec6> end_force;
   std::vector<Pose> end_pose;
   MidWall wall;
-  double seen_displacement = 0;  ///< largest linear one behind the prestress
+  SeenShare seen;  ///< behind the prestress
   double mesh_seconds = 0;
 };
 

@@ -21,11 +21,16 @@ class VesselModel : public Model {
   /// `u` and of an axial stretch under which the wall is free to contract across its axis. The
   /// energy has s : Y (law.h) in addition, and the constant s : e / 2.
   void set_prestress(double axial_stretch, const DofValues& u) {
+    unloading_.clear();
     prestress_.assign(mesh().cell_nodes.size(), {});
     for (std::size_t c = 0; c < prestress_.size(); ++c)
       if (mesh().weights[c].size() > 0)  // no other process evaluates the cell
         prestress_[c] = prestress_of(c, axial_stretch, u);
   }
+  /// The wall without stress has the shape at rest displaced by -u, and is then shorter by the
+  /// axial stretch: its law is evaluated from there. Returns false, and leaves the wall without a
+  /// stress at rest, if that shape is turned inside out somewhere in a cell of this process.
+  bool set_stress_free_shape(double axial_stretch, const DofValues& u);
   virtual const Mesh& mesh() const = 0;
 
  protected:
@@ -35,8 +40,13 @@ class VesselModel : public Model {
     double stored = 0;                                ///< its energy at rest
   };
   std::vector<CellPrestress> prestress_;  ///< per cell; empty: none
+  /// Per cell and quadrature point: A of from_stress_free_shape(). Empty: the shape at rest.
+  std::vector<std::vector<Mat3>> unloading_;
 
  private:
+  virtual const MaterialLaw& law() const = 0;
+  /// Per quadrature point of a cell: the gradient of the displacement, linear in u, in local axes.
+  virtual std::vector<Mat3> local_gradients(std::size_t cell, const DofValues& u) const = 0;
   virtual CellPrestress prestress_of(std::size_t cell, double axial_stretch,
                                      const DofValues& u) const = 0;
 };

@@ -73,7 +73,7 @@ void solve_rods(Prediction& prediction, const SolveOptions& options) {
 
 void get_ready(Prediction& prediction, LumenOf lumen, const SolveOptions& options,
                const std::function<void(const std::string&)>& begin) {
-  prestress(prediction, lumen, begin);
+  prestress(prediction, lumen, options.stop, begin);
   prediction.stages.push_back(rest_stage(prediction));
   if (prediction.scene->joined()) {
     operate_on(prediction, options, begin);

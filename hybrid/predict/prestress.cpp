@@ -13,9 +13,6 @@
 namespace vasorod {
 namespace {
 
-// Beyond this, over the radius, the first linear step is a rough prestress.
-constexpr double largest_displacement = 0.1;
-
 // Whether an operation opens the vessel across: at a cut, or at an end where it was held when it
 // was seen.
 bool is_opened(const Scene& scene, const std::string& name) {
@@ -42,27 +39,34 @@ void require_one_pressure(const Scene& scene) {
                    ", expected one pressure, as the operation joins them to one lumen");
 }
 
-std::optional<std::string> rough_prestress(const std::string& vessel, double share) {
-  if (share <= largest_displacement) return std::nullopt;
-  return "prestress of " + vessel + ": it is that of a linear displacement of up to " +
-         number_text(100 * share, 2) +
-         " % of the radius; beyond 10 % this first step is rough, though the shape as seen is in "
-         "equilibrium with it";
+std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps) {
+  if (steps > 0)
+    return joined_text("prestress of ", vessel, ": its shape without stress, which is up to ",
+                       number_text(100 * share, 2), " % of the radius away, was found in ", steps,
+                       " steps, as a linear displacement would be rough");
+  if (share <= largest_linear_prestress) return std::nullopt;
+  return joined_text("prestress of ", vessel, ": it is that of a linear displacement of up to ",
+                     number_text(100 * share, 2),
+                     " % of the radius; beyond 10 % this is rough, though the shape as seen is in "
+                     "equilibrium with it");
 }
 
 namespace {
 
 void prestress_wall(PreparedVessel& prepared, const VesselConditions& conditions, bool cut,
-                    Prediction& prediction) {
+                    const std::function<bool()>& stop, Prediction& prediction) {
+  ScanDisplacement found;
   try {
-    prepared.prestress_displacement = displacement_of_scan(prepared, conditions, cut);
+    found = displacement_of_scan(prepared, conditions, cut, largest_linear_prestress, stop);
   } catch (const InputError& error) {  // which names the vessel
     throw InputError(place_in(*prediction.scene, prepared.spec.line) + ": " + error.what());
   }
+  prepared.prestress_displacement = std::move(found.points);
+  prepared.from_stress_free_shape = found.from_stress_free_shape;
   if (prepared.prestress_displacement.rows() == 0) return;
   const double share =
       prepared.prestress_displacement.rowwise().norm().maxCoeff() / prepared.vessel.mean_radius;
-  if (const auto note = rough_prestress(prepared.spec.name, share))
+  if (const auto note = large_prestress(prepared.spec.name, share, found.steps))
     prediction.notes.push_back(*note);
 }
 
@@ -86,7 +90,7 @@ void prestress_rod(PredictedVessel& vessel, bool cut, Prediction& prediction) {
 
 }  // namespace
 
-void prestress(Prediction& prediction, LumenOf lumen,
+void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()>& stop,
                const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
   if (lumen == LumenOf::none) return;
@@ -101,7 +105,7 @@ void prestress(Prediction& prediction, LumenOf lumen,
     }
     const bool cut = is_opened(scene, spec.name);
     if (lumen == LumenOf::wall)
-      prestress_wall(prepared, vessel.conditions, cut, prediction);
+      prestress_wall(prepared, vessel.conditions, cut, stop, prediction);
     else if (lumen == LumenOf::rod)
       prestress_rod(vessel, cut, prediction);
   }

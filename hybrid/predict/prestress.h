@@ -17,11 +17,16 @@ void require_one_pressure(const Scene& scene);
 /// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod,
 /// or leaves it to the fidelity's solver. Adds a note for each pressure. `begin` is called before
 /// each vessel. Throws InputError for a pressure that the wall cannot bear.
-void prestress(Prediction& prediction, LumenOf lumen,
+void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()>& stop,
                const std::function<void(const std::string&)>& begin);
 
-/// The sentence about a prestress of a displacement so large that this first step is rough; empty:
-/// it is not. `share`: its largest length over the vessel's radius.
-std::optional<std::string> rough_prestress(const std::string& vessel, double share);
+/// The largest linear displacement, over the vessel's radius, whose stress is a prestress. Beyond,
+/// the wall's shape without stress is looked for.
+inline constexpr double largest_linear_prestress = 0.1;
+
+/// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
+/// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape
+/// without stress was found, 0: it was not.
+std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps);
 
 }  // namespace vasorod

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "coupled/wall_lumen.h"
 #include "data/index.h"
 #include "geometry/rigid_motion.h"
 
@@ -15,6 +14,7 @@ WallInput wall_of(const PreparedVessel& prepared) {
   wall.mid_offset = prepared.mid_offset();
   wall.material = prepared.spec.wall->material;
   wall.prestress_displacement = prepared.prestress_displacement;
+  wall.from_stress_free_shape = prepared.from_stress_free_shape;
   wall.axial_prestretch = prepared.spec.axial_prestretch;
   const auto vertices = vessel.surface.points.rows();
   wall.thickness.resize(vertices);
@@ -69,8 +69,9 @@ VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditi
   return all;
 }
 
-Points displacement_of_scan(const PreparedVessel& prepared, const VesselConditions& conditions,
-                            bool whole) {
+ScanDisplacement displacement_of_scan(const PreparedVessel& prepared,
+                                      const VesselConditions& conditions, bool whole,
+                                      double largest_linear, const std::function<bool()>& stop) {
   const double pressure = prepared.spec.pressure ? prepared.spec.pressure->scan : 0;
   if (pressure == 0 && prepared.spec.axial_prestretch == 1) return {};
   const Vessel& vessel = prepared.vessel;
@@ -86,7 +87,8 @@ Points displacement_of_scan(const PreparedVessel& prepared, const VesselConditio
     section.rest = vessel.rod.rest[index(end.node)];
     sections.push_back(std::move(section));
   }
-  return scan_displacement(wall_of(prepared), std::move(sections), pressure);
+  return scan_displacement(wall_of(prepared), std::move(sections), pressure,
+                           largest_linear * vessel.mean_radius, stop);
 }
 
 RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share) {

@@ -1,7 +1,7 @@
 // Converts a prepared vessel and its conditions to the wall of fidelity `coupled`.
 #pragma once
 
-#include "coupled/held_section.h"
+#include "coupled/scan_displacement.h"
 #include "vessel/end_conditions.h"
 #include "vessel/prepared_vessel.h"
 #include "wall/wall_energy.h"
@@ -22,9 +22,12 @@ VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditi
 
 /// PreparedVessel::prestress_displacement of a vessel as it was seen: under the pressure of the
 /// scan and its axial prestretch, with the ends that have conditions held. `whole`: the others too,
-/// as of a vessel that is cut. Empty if it has neither. Throws InputError.
-Points displacement_of_scan(const PreparedVessel& vessel, const VesselConditions& conditions,
-                            bool whole);
+/// as of a vessel that is cut. `largest_linear`: of its linear displacement, over the vessel's
+/// radius. Empty if it has neither. Throws InputError.
+ScanDisplacement displacement_of_scan(const PreparedVessel& vessel,
+                                      const VesselConditions& conditions, bool whole,
+                                      double largest_linear,
+                                      const std::function<bool()>& stop = {});
 
 /// The rod's shape with strains at a share of the way from rest to those of `poses`. On this path a
 /// bend neither stretches nor shortens the rod, which moving its ends proportionally would do.

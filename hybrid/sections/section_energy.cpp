@@ -104,7 +104,6 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
   for (int k = 0; k < 3; ++k) around_[index(k)] = harmonic_values(angles, space_.harmonics, k);
   VectorXd abscissa, weight;
   gauss(stations_per_span(), abscissa, weight);
-  const MatrixXd& sections = wall_.rest.coefficients;
   for (int span = 0; span < space_.along.spans(); ++span) {
     const double from = space_.along.begin(span), half = (space_.along.end(span) - from) / 2;
     for (Eigen::Index g = 0; g < abscissa.size(); ++g) {
@@ -113,23 +112,34 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
       const AxialBasis::Values basis = space_.along.at(u, span);
       station.first = basis.first;
       station.basis = basis.values;
-      // The fibre follows the vessel's axis, the middle of its sections.
-      const Eigen::Index functions = basis.values.cols();
-      const VectorXd slope =
-          sections.middleCols(basis.first, functions) * basis.values.row(1).transpose();
-      const Vec3 axis(slope[0], slope[space_.modes()], slope[2 * space_.modes()]);
-      const double thickness = wall.thickness(u);
       station.u = u;
       station.measure = half * weight[g] * 2 * std::numbers::pi / around;
-      const Jets here = jets(sections, station);
-      for (int q = 0; q < around; ++q)
-        station.points.emplace_back(here.at(q), axis, wall.mid_offset - thickness / 2,
-                                    wall.mid_offset + thickness / 2, station.measure,
-                                    wall.material);
+      set_points(station, wall_.rest.coefficients, Vec2::Ones());
       stations_.push_back(std::move(station));
     }
   }
   set_products(5);
+}
+
+// `shape`: without stress but for the stretch, along and across the fibre, that leads to it.
+void SectionEnergy::set_points(Station& station, const MatrixXd& shape, const Vec2& stretch) const {
+  // The fibre follows the vessel's axis, the middle of its sections.
+  const VectorXd slope =
+      shape.middleCols(station.first, station.basis.cols()) * station.basis.row(1).transpose();
+  const Vec3 axis(slope[0], slope[space_.modes()], slope[2 * space_.modes()]);
+  const double thickness = wall_.thickness(station.u),
+               thinning = thinning_exponent(wall_.material) - 1;
+  const Jets seen = jets(wall_.rest.coefficients, station), free = jets(shape, station);
+  const auto area_of = [](const SurfaceJet& jet) { return jet.col(0).cross(jet.col(1)).norm(); };
+  station.points.clear();
+  for (Eigen::Index q = 0; q < around_[0].rows(); ++q) {
+    // Heights are those of the wall as seen, which is thinner than without stress.
+    const double widened = area_of(seen.at(q)) / area_of(free.at(q)) * stretch.prod(),
+                 thicker = std::pow(widened, -thinning);
+    station.points.emplace_back(free.at(q), axis, thicker * (wall_.mid_offset - thickness / 2),
+                                thicker * (wall_.mid_offset + thickness / 2), station.measure,
+                                wall_.material, stretch);
+  }
 }
 
 void SectionEnergy::set_products(int vectors) {
@@ -155,6 +165,12 @@ void SectionEnergy::set_prestress(const MatrixXd& displacement, double axial_pre
     for (Eigen::Index q = 0; q < around_[0].rows(); ++q)
       station.points[index(q)].set_prestress(rest.at(q), moved.at(q), strain);
   }
+}
+
+void SectionEnergy::set_stress_free_shape(const MatrixXd& displacement, double axial_prestretch) {
+  const Vec2 stretch = stretches_along_and_across(wall_.material, axial_prestretch);
+  const MatrixXd shape = wall_.rest.coefficients - displacement;
+  for (Station& station : stations_) set_points(station, shape, stretch);
 }
 
 void SectionEnergy::set_pressure(double pressure) {

@@ -38,6 +38,9 @@ class SectionEnergy {
   /// At rest the wall carries the stress of this linear displacement, in coefficients, and of this
   /// stretch along its axis (wall/wall_energy.h).
   void set_prestress(const Eigen::MatrixXd& displacement, double axial_prestretch);
+  /// The wall without stress has the shape at rest less this displacement, and is then shorter by
+  /// the stretch along its axis: WallInput::from_stress_free_shape.
+  void set_stress_free_shape(const Eigen::MatrixXd& displacement, double axial_prestretch);
   /// In the lumen, stress; at first 0.
   void set_pressure(double pressure);
   double pressure() const { return pressure_; }
@@ -73,6 +76,7 @@ class SectionEnergy {
   int stations_per_span() const { return space_.along.degree(); }
   /// Vectors of the jets: those of the wall, and the point itself where there is a pressure.
   int vectors() const { return pressure_ == 0 ? 5 : 6; }
+  void set_points(Station& station, const Eigen::MatrixXd& shape, const Vec2& stretch) const;
   void set_products(int vectors);
   void set_lumen();
   struct Jets;

@@ -1,16 +1,28 @@
-// The stress of a wall given by harmonics as it was seen: that of a linear displacement, as of
-// wall/wall_prestress.cpp. Each space has its own, as each has its own shape at rest.
+// The stress of a wall given by harmonics as it was seen, as in coupled/scan_displacement.h. Each
+// space has its own, as each has its own shape at rest.
 #pragma once
+
+#include <functional>
 
 #include "sections/section_system.h"
 
 namespace vasorod {
 
-/// The linear displacement, in coefficients, under the pressure of the scan and the axial
-/// prestretch, without prestress. All freedoms of `ends` are held at rest. For
-/// SectionEnergy::set_prestress: with it the wall at rest is in equilibrium with both. Throws
+struct SeenSections {
+  Eigen::MatrixXd displacement;  ///< in coefficients
+  int steps = 0;  ///< of the search for the shape without stress; 0: the displacement is linear
+};
+
+/// The displacement under the pressure of the scan and the axial prestretch, of which the wall at
+/// rest is in equilibrium with both: linear where `largest` of it is at most `largest_linear`, else
+/// from the shape without stress, if that is found. All freedoms of `ends` are held at rest. Throws
 /// InputError if nothing holds the wall; `name` begins its sentence.
-Eigen::MatrixXd scan_displacement(const SectionWall& wall, HeldEnds ends, double scan_pressure,
-                                  double axial_prestretch, const std::string& name);
+SeenSections seen_sections(const SectionWall& wall, const HeldEnds& ends, double scan_pressure,
+                           double axial_prestretch, const std::string& name, double largest_linear,
+                           const std::function<double(const Eigen::MatrixXd&)>& largest,
+                           const std::function<bool()>& stop = {});
+
+/// Gives a system of the wall that stress.
+void give_prestress(const SeenSections& seen, double axial_prestretch, SectionSystem& system);
 
 }  // namespace vasorod

@@ -217,10 +217,17 @@ class Solver {
     system.emplace(wall_, mine.ends);
     system->set_lumen(mine.pressure);
     if (mine.pressure.scan == 0 && mine.axial_prestretch == 1) return;
-    const SectionShape seen{space, scan_displacement(wall_, mine.ends, mine.pressure.scan,
-                                                     mine.axial_prestretch, mine.name)};
-    solution_.prestress_displacement = points_of(seen, mine.at).rowwise().norm().maxCoeff();
-    system->set_prestress(seen.coefficients, mine.axial_prestretch);
+    const auto largest = [&](const MatrixXd& displacement) {
+      return points_of(SectionShape{space, displacement}, mine.at).rowwise().norm().maxCoeff();
+    };
+    // In all spaces in the same way, that of the first.
+    const SeenSections seen =
+        seen_sections(wall_, mine.ends, mine.pressure.scan, mine.axial_prestretch, mine.name,
+                      largest_linear_, largest, [this] { return stop_(); });
+    largest_linear_ = seen.steps > 0 ? 0 : std::numeric_limits<double>::infinity();
+    solution_.prestress_displacement = largest(seen.displacement);
+    solution_.prestress_steps = seen.steps;
+    give_prestress(seen, mine.axial_prestretch, *system);
   }
 
   static std::array<Pose, 2> poses_of(const SectionSystem& system, const VectorXd& z) {
@@ -384,7 +391,8 @@ class Solver {
   std::optional<bool> positive_;    // of the last Hessian
   std::optional<BandMatrix> kept_;  // the present system's last factor
   int indefinite_ = 0;              // Newton steps from a negative curvature
-  bool buckled_ = false;            // the minimum jumped on the path, or from a space to the next
+  double largest_linear_ = options_.largest_linear_prestress;  // of the next space
+  bool buckled_ = false;  // the minimum jumped on the path, or from a space to the next
   SolvedSections solution_;
 };
 

@@ -50,6 +50,8 @@ struct SectionOptions : SolverOptions {
   double moment_tolerance = 1e-8;
   int max_iterations = 100;  ///< Newton's, per space
   int degree = 3;            ///< of the B-splines
+  /// The largest linear displacement, over the radius, whose stress is a prestress.
+  double largest_linear_prestress = 0.1;
   /// Empty when the options are valid, else one sentence.
   std::optional<std::string> is_invalid() const;
 };
@@ -70,6 +72,7 @@ struct SolvedSections {
   double fit_error = 0;
   /// The largest displacement whose stress is the wall's prestress, over the radius.
   double prestress_displacement = 0;
+  int prestress_steps = 0;  ///< in which the shape without stress was found; 0: it is linear
   Work work;
   std::vector<std::string> notes;
 };

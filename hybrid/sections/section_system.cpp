@@ -49,6 +49,10 @@ void SectionSystem::set_prestress(const MatrixXd& displacement, double axial_pre
   energy_.set_prestress(displacement, axial_prestretch);
 }
 
+void SectionSystem::set_stress_free_shape(const MatrixXd& displacement, double axial_prestretch) {
+  energy_.set_stress_free_shape(displacement, axial_prestretch);
+}
+
 VectorXd SectionSystem::unknowns_of(const MatrixXd& coefficients,
                                     const std::array<Pose, 2>& poses) {
   VectorXd z(unknowns());

@@ -32,6 +32,8 @@ class SectionSystem {
   void set_lumen(const LumenPressure& pressure) { lumen_ = pressure; }
   /// SectionEnergy::set_prestress.
   void set_prestress(const Eigen::MatrixXd& displacement, double axial_prestretch);
+  /// SectionEnergy::set_stress_free_shape.
+  void set_stress_free_shape(const Eigen::MatrixXd& displacement, double axial_prestretch);
   /// Moves the ends' fixed freedoms to time t in 0..1 and applies that share of the loads and of
   /// the change of the pressure.
   void set_time(double t);

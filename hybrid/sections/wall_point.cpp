@@ -88,7 +88,7 @@ void for_each_curvature(const Vec3& bend, Work&& work) {
 }  // namespace
 
 WallPoint::WallPoint(const SurfaceJet& jet, const Vec3& fibre, double inner, double outer,
-                     double measure, const Material& material)
+                     double measure, const Material& material, const Vec2& stretch)
     : law_(material.law), inner_(inner), outer_(outer) {
   const Surface s(jet);
   const Vec3 first = (fibre - fibre.dot(s.normal) * s.normal).normalized(),
@@ -96,8 +96,10 @@ WallPoint::WallPoint(const SurfaceJet& jet, const Vec3& fibre, double inner, dou
   Mat2 jacobian;
   jacobian << first.dot(jet.col(U)), first.dot(jet.col(T)), across.dot(jet.col(U)),
       across.dot(jet.col(T));
+  // Stretched without bending: the curvature keeps its components in the frame.
+  bend_ = pull_back(jacobian) * s.bend;
+  jacobian = stretch.cwiseInverse().asDiagonal() * jacobian;
   pull_ = pull_back(jacobian);
-  bend_ = pull_ * s.bend;
   area_ = std::abs(jacobian.determinant()) * measure;
   WallSection section;
   section.inner = inner;

@@ -34,9 +34,10 @@ struct PointEnergy {
 class WallPoint {
  public:
   /// `jet`: at rest. `fibre`: any length, not normal to the surface. `inner`, `outer`: heights of
-  /// the wall's faces over the given surface. `measure`: du dtheta of the point.
+  /// the wall's faces over the given surface. `measure`: du dtheta of the point. `stretch`: along
+  /// and across the fibre, of `jet` from the state without stress.
   WallPoint(const SurfaceJet& jet, const Vec3& fibre, double inner, double outer, double measure,
-            const Material& material);
+            const Material& material, const Vec2& stretch = Vec2::Ones());
 
   /// At rest the point carries the stress of this linear displacement (of the rest jet, which is
   /// that of the constructor) and of `strain` (11, 22, 2*12).

@@ -17,6 +17,7 @@ struct PreparedVessel {
   std::vector<double> node_thickness;  ///< wall thickness at each rod node, length
   /// Of the wall's prestress (wall/wall_energy.h), n x 3, length; empty: none.
   Points prestress_displacement;
+  bool from_stress_free_shape = false;  ///< as in WallInput
 
   bool obstacle() const { return spec.role == Role::obstacle; }
   double thickness() const { return spec.wall ? spec.wall->thickness : 0; }

@@ -55,7 +55,7 @@ TriangleState WallEnergy::state(const Eigen::VectorXd& q, const Geometry& g, int
   if (triangle_rest_[static_cast<size_t>(triangle)].leaning)
     for (int k = 0; k < 3; ++k)
       if (const int at = lean_unknown_[static_cast<size_t>(triangles_(triangle, k))]; at >= 0)
-        s.lean[k] = q[at];
+        s.lean[k] = q[at] + lean_rest_[static_cast<size_t>(triangles_(triangle, k))];
   const Sides& sides = sides_[static_cast<size_t>(triangle)];
   for (int k = 0; k < 3; ++k) {
     const auto e = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);

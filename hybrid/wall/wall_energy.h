@@ -42,9 +42,11 @@ struct WallInput {
   std::vector<Vec3> axis;     ///< per triangle: the fibre, any length, not normal to the triangle
   Material material;
   std::vector<char> glued;  ///< per vertex: on a rigid section; empty: none
-  /// The wall at rest carries the stress of this linear displacement, n x 3, length; empty: none.
+  /// The wall at rest carries the stress of this displacement u, n x 3, length; empty: none.
   Points prestress_displacement;
   double axial_prestretch = 1;  ///< and that of this stretch along the fibre
+  /// Whether u leads from the shape without stress to `rest`; else the stress is linear in u.
+  bool from_stress_free_shape = false;
   /// Per vertex the direction in which its director may lean, of any length, zero where it may not
   /// (shear_band.h); n x 3; empty: nowhere.
   Points lean;
@@ -102,7 +104,7 @@ class WallEnergy {
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
   const std::vector<WallLean>& leans() const { return leans_; }  ///< sorted by vertex
 
-  /// q at rest: without a prestress, energy and gradient are zero.
+  /// q at rest, the given surface: without a prestress, energy and gradient are zero.
   const Eigen::VectorXd& rest() const { return rest_; }
 
   /// The energy at q, force * length.
@@ -147,12 +149,13 @@ class WallEnergy {
   void number_edges(const WallInput& input);
   void number_unknowns(const WallInput& input);
   void set_rest(const WallInput& input);
-  void set_rest_normals(const Points& vertex_normal);
+  void set_rest_normals(const Points& vertex_normal, const Points& seen_normal);
   void set_pattern();
   void couple_leans(int first_lean, BlockPattern& pattern);
   void place_leans(const BlockPattern& pattern);
   void set_relief(double share);
   void set_prestress(const WallInput& input);
+  void move_to_seen(const TriangleSurface& seen);
   void set_stored();
   // Per triangle the derivative of y at q in the direction `change`.
   std::vector<Vec6> strain_change(const Eigen::VectorXd& q, const Eigen::VectorXd& change) const;
@@ -178,6 +181,7 @@ class WallEnergy {
   std::vector<std::array<int, 2>> edge_triangle_, edge_apex_;
   std::vector<double> xi_rest_;  // per edge
   std::vector<WallLean> leans_;
+  std::vector<double> lean_rest_;  // per vertex, as lean_unknown_: of the given surface
   std::vector<int> lean_unknown_;  // per vertex: in q, -1: none; empty if no vertex has a lean
   // Per triangle: the directions of its vertices' leans in its frame; empty if there are none.
   std::vector<Eigen::Matrix<double, 2, 3>> lean_directions_;

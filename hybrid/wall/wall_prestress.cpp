@@ -3,7 +3,13 @@
 // Bazilevs (Finite Elem. Anal. Des. 47, 2011). The stress s = K B u of a linear displacement u
 // balances the load that causes u, and the wall at rest is in equilibrium under that load. On
 // another mesh of the same wall, u is interpolated and s made again.
+//
+// Beyond small strains u leads from the shape without stress instead (Bols, Degroote, Trachet,
+// Verhegghe, Segers and Vierendeels, J. Comput. Appl. Math. 246, 2013): the wall at rest is that
+// shape's, deformed to the given surface, with all of its law.
 #include <Eigen/SparseCholesky>
+
+#include <vasorod/error.h>
 
 #include "wall/axial_stretch.h"
 #include "wall/wall_energy.h"
@@ -42,6 +48,43 @@ void WallEnergy::set_prestress(const WallInput& input) {
           rest.relief * (strain[t][2] - strain[static_cast<size_t>(partner_[t])][2]);
   }
   set_stored();
+}
+
+void WallEnergy::move_to_seen(const TriangleSurface& seen) {
+  for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = seen.points.row(i).transpose();
+  // The normals of free edges and the leans follow in equilibrium; there their unknowns are zero.
+  // One stiffness serves where the law is quadratic; elsewhere it is made again where it must.
+  constexpr int most_steps = 40;
+  constexpr double tolerance = 1e-14, slow = 0.1;
+  const Eigen::Index first = 3 * Eigen::Index{vertices_};
+  const Eigen::Index following = free_edges_ + std::ssize(leans_);
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+  Eigen::VectorXd force;
+  double before = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    gradient(rest_, force);
+    Eigen::VectorXd change;
+    for (const bool anew : {false, true}) {
+      if (anew || step == 0) {
+        const Eigen::SparseMatrix<double> stiffness =
+            hessian(rest_).block(first, first, following, following);
+        factor.compute(stiffness);
+      }
+      change = factor.solve(force.segment(first, following));
+      if (step == 0 || !(change.lpNorm<Eigen::Infinity>() > slow * before)) break;
+    }
+    rest_.segment(first, following) -= change;
+    before = change.lpNorm<Eigen::Infinity>();
+    if (!(before > tolerance)) break;
+  }
+  if (!rest_.allFinite())
+    throw InputError(name_ + ": found a shape without stress from which its edges cannot be " +
+                     "brought to the shape as seen, expected a smaller displacement");
+  for (size_t e = 0; e < edges_.size(); ++e)
+    if (!edges_[e].glued) xi_rest_[e] += rest_[edges_[e].unknown];
+  for (const WallLean& lean : leans_)
+    lean_rest_[static_cast<size_t>(lean.vertex)] = rest_[lean.unknown];
+  rest_.segment(first, following).setZero();
 }
 
 void WallEnergy::set_stored() {

@@ -7,7 +7,9 @@
 
 #include "data/sentence.h"
 #include "geometry/triangle_surface.h"
+#include "wall/axial_stretch.h"
 #include "wall/held_thickness.h"
+#include "wall/lumen.h"
 #include "wall/shear_pairs.h"
 #include "wall/triangle_stiffness.h"
 #include "wall/wall_energy.h"
@@ -64,6 +66,23 @@ constexpr double largest_thickness_ratio = 0.8;
 // Smaller shares are rounding errors.
 constexpr double least_share = 1e-9;
 
+// Takes the rest data of a triangle to the state from which it is stretched along and across its
+// fibre without bending: the curvature keeps its components in the fibre's frame.
+void contract(TriangleRest& rest, const Vec2& stretch) {
+  const auto dyads = [&] {
+    Mat3 columns;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 g = rest.gradients.col(k);
+      columns.col(k) << g[0] * g[0], g[1] * g[1], g[0] * g[1];
+    }
+    return columns;
+  };
+  const Vec3 curvature = dyads() * rest.bending;
+  rest.gradients = stretch.asDiagonal() * rest.gradients;
+  rest.bending = dyads().inverse() * curvature;
+  rest.area /= stretch.prod();
+}
+
 }  // namespace
 
 WallInput scaled(WallInput wall, TriangleSurface rest, double length, double stress) {
@@ -86,7 +105,10 @@ WallEnergy::WallEnergy(const WallInput& input)
   number_edges(input);
   set_rest(input);
   set_pattern();
-  set_prestress(input);
+  if (input.from_stress_free_shape)
+    move_to_seen(input.rest);
+  else
+    set_prestress(input);
 }
 
 void WallEnergy::number_edges(const WallInput& input) {
@@ -140,6 +162,7 @@ void WallEnergy::number_unknowns(const WallInput& input) {
   int xi = 3 * vertices_, lean = xi + free_edges_;
   if (!input.lean.isZero(0)) {
     lean_unknown_.assign(static_cast<size_t>(vertices_), -1);
+    lean_rest_.assign(static_cast<size_t>(vertices_), 0);
     for (int v = 0; v < vertices_; ++v) {
       if (input.lean.row(v).isZero(0)) continue;
       leans_.push_back({v, lean});
@@ -155,9 +178,12 @@ void WallEnergy::number_unknowns(const WallInput& input) {
 }
 
 void WallEnergy::set_rest(const WallInput& input) {
-  for (int i = 0; i < vertices_; ++i)
-    rest_.segment<3>(3 * i) = input.rest.points.row(i).transpose();
-  const Points vertex_normal = vertex_normals(input.rest);
+  const bool by_shape = input.from_stress_free_shape;
+  TriangleSurface shape = input.rest;  // without stress, but for a stretch along the fibre
+  if (by_shape && input.prestress_displacement.rows() > 0)
+    shape.points -= input.prestress_displacement;
+  for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = shape.points.row(i).transpose();
+  const Points vertex_normal = vertex_normals(shape);
   triangle_rest_.resize(static_cast<size_t>(triangles_.rows()));
   std::vector<Eigen::Matrix<double, 3, 2>> frame(triangle_rest_.size());
   for (int t = 0; t < triangles_.rows(); ++t) {
@@ -186,7 +212,11 @@ void WallEnergy::set_rest(const WallInput& input) {
     rest.gradients.col(2) = inverse.row(1).transpose();
     rest.gradients.col(0) = -rest.gradients.col(1) - rest.gradients.col(2);
   }
-  set_rest_normals(vertex_normal);
+  set_rest_normals(vertex_normal, vertex_normals(input.rest));
+  const Vec2 stretch = by_shape ? stretches_along_and_across(input.material, input.axial_prestretch)
+                                : Vec2(Vec2::Ones());
+  const double thinning = thinning_exponent(input.material) - 1;  // of the thickness with the area
+  const Eigen::VectorXd seen_area = triangle_areas(input.rest);
   const Geometry g = geometry(rest_);
   for (int t = 0; t < triangles_.rows(); ++t) {
     const auto v = triangles_.row(t);
@@ -206,6 +236,13 @@ void WallEnergy::set_rest(const WallInput& input) {
     WallSection section;
     section.inner = input.mid_offset - thickness / 2;
     section.outer = input.mid_offset + thickness / 2;
+    if (by_shape) {
+      // Heights are those of the wall as seen, which is thinner than without stress.
+      const double widened = seen_area[t] / rest.area * stretch.prod();
+      section.inner /= std::pow(widened, thinning);
+      section.outer /= std::pow(widened, thinning);
+      contract(rest, stretch);
+    }
     const double reach = std::max(std::abs(section.inner), std::abs(section.outer));
     section.curvature = limited({turning(0, 0), turning(1, 1), (turning(0, 1) + turning(1, 0)) / 2},
                                 largest_thickness_ratio / reach);
@@ -277,13 +314,15 @@ void WallEnergy::set_relief(double share) {
 
 // Normals of the smooth surface on the edges: the mean of the normals at the edge's ends, projected
 // into the plane normal to the edge.
-void WallEnergy::set_rest_normals(const Points& vertex_normal) {
+// A glued rim has those of the wall as seen, which the section keeps.
+void WallEnergy::set_rest_normals(const Points& vertex_normal, const Points& seen_normal) {
   xi_rest_.assign(edges_.size(), 0);
   const Geometry g = geometry(rest_);
   for (size_t e = 0; e < edges_.size(); ++e) {
     const WallEdge& edge = edges_[e];
     const Vec3 along = (point(rest_, edge.b) - point(rest_, edge.a)).normalized();
-    const Vec3 mean = (vertex_normal.row(edge.a) + vertex_normal.row(edge.b)).transpose();
+    const Points& normal = edge.glued ? seen_normal : vertex_normal;
+    const Vec3 mean = (normal.row(edge.a) + normal.row(edge.b)).transpose();
     const Vec3 across = mean - mean.dot(along) * along;
     const Vec3& first = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
     const Vec3 flat =

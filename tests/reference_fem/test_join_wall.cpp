@@ -60,6 +60,7 @@ double out_of_balance(const JoinWall& wall, VesselModel& model, const Mesh& mesh
 
 struct Unbalanced {
   double vein = 0, artery = 0;
+  SeenDisplacements seen;
 };
 
 Unbalanced unbalanced(const JoinProblem& problem, const JoinCells& cells) {
@@ -68,8 +69,8 @@ Unbalanced unbalanced(const JoinProblem& problem, const JoinCells& cells) {
                   artery = wall_model(problem.artery, mesh.artery);
   const SeenDisplacements largest =
       prestress_join(problem, cells, mesh, *vein.model, *artery.model, {});
-  EXPECT_GT(largest.vein, 0);
-  EXPECT_GT(largest.artery, 0);
+  EXPECT_GT(largest.vein.largest, 0);
+  EXPECT_GT(largest.artery.largest, 0);
   const auto is = [](double a, double b) { return std::abs(a - b) < 1e-9; };
   const auto at_an_end = [&](const Vec3& at) { return is(at[1], 0) || is(at[1], 1); };
   const auto in_a_plane = [](const std::array<bool, 2>& planes) { return planes[0] || planes[1]; };
@@ -78,11 +79,14 @@ Unbalanced unbalanced(const JoinProblem& problem, const JoinCells& cells) {
                          [&](const Vec3& at) {
                            return at_an_end(at) || in_a_plane(planes_of_vein(problem, at));
                          }),
-          out_of_balance(problem.artery, *artery.model, mesh.artery, [&](const Vec3& at) {
-            const bool lip = (is(at[0], 0) || is(at[0], 1)) && at[1] > incision.from - 1e-9 &&
-                             at[1] < incision.to + 1e-9;
-            return lip || at_an_end(at) || in_a_plane(planes_of_artery(problem, at));
-          })};
+          out_of_balance(problem.artery, *artery.model, mesh.artery,
+                         [&](const Vec3& at) {
+                           const bool lip = (is(at[0], 0) || is(at[0], 1)) &&
+                                            at[1] > incision.from - 1e-9 &&
+                                            at[1] < incision.to + 1e-9;
+                           return lip || at_an_end(at) || in_a_plane(planes_of_artery(problem, at));
+                         }),
+          largest};
 }
 
 TEST(JoinWall, OnlyTheEdgesOfACutAndOfASlitAreOutOfBalance) {
@@ -97,6 +101,23 @@ TEST(JoinWall, OnlyTheEdgesOfACutAndOfASlitAreOutOfBalance) {
       EXPECT_LT(found.vein, 1e-10);
       EXPECT_LT(found.artery, 1e-10);
     }
+}
+
+// Seen so far from the shape without stress that this was looked for, on the cells of a hole too.
+TEST(JoinWall, OnlyTheEdgesFromAFarShapeWithoutStress) {
+  const std::string near = seen_under_pressure(joined_tubes_text, "vein", "artery"),
+                    text =
+                        with(with(near, "scan: 0.004", "scan: 0.03"), "scan: 0.006", "scan: 0.04"),
+                    hole = with(text, "rotation_deg: 0",
+                                "incision_shape: {ellipse: 0.5}, rotation_deg: 0");
+  for (const std::string& scene : {text, hole}) {
+    const JoinProblem problem = problem_of(scene);
+    const Unbalanced found = unbalanced(problem, coarse(problem, 0));
+    EXPECT_GT(found.seen.vein.steps, 0);
+    EXPECT_GT(found.seen.artery.steps, 0);
+    EXPECT_LT(found.vein, 1e-10);
+    EXPECT_LT(found.artery, 1e-10);
+  }
 }
 
 TEST(JoinWall, EndToEndToo) {

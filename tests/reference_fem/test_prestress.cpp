@@ -62,10 +62,11 @@ Tube make(bool solid, const TubeShape& shape, const MaterialLaw& law, bool soft,
 }
 
 /// Its wall balances the pressure and the stretch of the scan.
-void see(Tube& tube, const SeenState& seen) {
-  const Eigen::VectorXd u = seen_displacement(*tube.model, seen, tube.supports, {});
-  tube.model->set_prestress(seen.axial_stretch, u);
+SeenDisplacement see(Tube& tube, const SeenState& seen, double largest_linear = 1) {
+  SeenDisplacement found = seen_displacement(*tube.model, seen, tube.supports, largest_linear, {});
+  give_prestress(*tube.model, seen, found);
   tube.model->set_pressure(seen.pressure);
+  return found;
 }
 
 struct Path {
@@ -143,6 +144,63 @@ TEST(Prestress, NorByTheSplitLaw) {
   Tube tube = make(true, bent(), MaterialLaw::split(0.4, 200), false);
   see(tube, {{0.02, 0.02}, 1.05});
   EXPECT_LT(follow(tube, tube.supports).state.u.cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// Under loads that widen or stretch it by a tenth to a third of its radius, from the shape that it
+// has without stress.
+TEST(Prestress, NothingMovesFromAFarShapeWithoutStress) {
+  const SeenState seen{{0.06, 0.06}, 1.1};
+  for (const bool solid : {true, false})
+    for (const TubeShape& shape : {straight(), bent()})
+      for (const bool soft : {false, true})
+        for (MaterialLaw law : laws()) {
+          if (solid && law.kind() == LawKind::neo_hookean) law = MaterialLaw::split(0.4, 200);
+          SCOPED_TRACE(::testing::Message()
+                       << solid << soft << to_string(law.kind()) << shape.bend);
+          Tube tube = make(solid, shape, law, soft);
+          const SeenDisplacement found = see(tube, seen, 0.1);
+          EXPECT_GT(found.steps, 0);
+          EXPECT_LT(found.steps, 200);
+          EXPECT_GT(found.largest, 0.1);
+          const Path path = follow(tube, tube.supports);
+          EXPECT_LT(path.state.u.cwiseAbs().maxCoeff(), 1e-9);
+          EXPECT_GT(path.assembly.energy, 1e-3);
+        }
+}
+
+// Without its pressure the vessel has the shape that was found, and no stress.
+TEST(Prestress, WithoutItsPressureItHasTheShapeWithoutStress) {
+  for (const MaterialLaw& law : laws()) {
+    Tube tube = make(true, bent(), law, false);
+    const SeenDisplacement found = see(tube, {{0.06, 0}, 1}, 0.1);
+    EXPECT_GT(found.largest, 0.1);
+    const Path path = follow(tube, tube.supports);
+    EXPECT_LT((path.state.u + found.u).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LT(path.assembly.energy, 1e-15);
+  }
+}
+
+// An incompressible neo-Hookean tube in plane strain: r^2 = R^2 + c from inner to outer face, and
+//   p = int mu (k^2 - k^-2) dr / r,   k = r / R.
+TEST(Prestress, TheShapeWithoutStressIsTheClosedForm) {
+  const double mu = 0.4, inner = 1 - thickness / 2;
+  const double unloaded = 0.75 * inner, c = inner * inner - unloaded * unloaded;
+  double pressure = 0;
+  const int steps = 2000;
+  for (int i = 0; i < steps; ++i) {
+    const double r = inner + (i + 0.5) / steps * thickness, square = r * r / (r * r - c);
+    pressure += mu * (square - 1 / square) / r * thickness / steps;
+  }
+  Tube tube = make(true, straight(), MaterialLaw::split(mu, 400), true, 3, 6, 2);
+  const SeenDisplacement found = see(tube, {{pressure, pressure}, 1}, 0.1);
+  EXPECT_GT(found.steps, 0);
+  for (int node = 0; node < tube.rest.rows(); ++node) {
+    const Vec3 x = tube.rest.row(node), u = found.u.segment<3>(3 * node);
+    if (std::abs(x.z() - 2) > 0.1) continue;  // soft ends warp
+    const double r = x.head<2>().norm();
+    EXPECT_NEAR((x - u).head<2>().norm(), std::sqrt(r * r - c), 5e-4) << x.transpose();
+    EXPECT_NEAR(u.z(), 0, 1e-9);
+  }
 }
 
 // The held ends of a straight tube carry E (stretch - 1) A, whatever its law.

@@ -34,6 +34,9 @@ TEST(Shell, ResidualAndTangentAreDerivatives) {
     expect_derivatives(shell, 2, u, 1, true);
     expect_derivatives(pressed, 2, u, 0.7, false);
     expect_derivatives(stressed, 2, u, 1, true);
+    ASSERT_TRUE(stressed.set_stress_free_shape(1.2, 2 * u));
+    expect_derivatives(stressed, 2, u, 1, true);
+    EXPECT_FALSE(stressed.set_stress_free_shape(1, 1e3 * u));  // turned inside out
   }
 }
 

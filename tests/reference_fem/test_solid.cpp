@@ -44,6 +44,8 @@ TEST(Solid, TangentIsTheDerivativeOfTheResidualWithPressure) {
   solid.set_pressure({0.2, 0.3});
   solid.set_prestress(1.1, -2 * u);
   expect_derivatives(solid, 1, u, 0.7, true);
+  ASSERT_TRUE(solid.set_stress_free_shape(1.2, 2 * u));
+  expect_derivatives(solid, 1, u, 0.7, true);
   expect_derivatives(solid, solid.cell_count() - 1, u, 0.7, false);
 }
 
@@ -55,6 +57,8 @@ TEST(Solid, ProjectedVolumeRatioIsConsistent) {
     SCOPED_TRACE(degree);
     expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
     solid.set_prestress(1.05, uneven_state(solid, 0.01));
+    expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
+    ASSERT_TRUE(solid.set_stress_free_shape(1.2, uneven_state(solid, 0.04)));
     expect_derivatives(solid, 0, uneven_state(solid, 0.03), 1, true);
   }
 }

@@ -58,6 +58,21 @@ TEST_P(WallPointOfALaw, ARigidMotionCostsNothing) {
   EXPECT_LT(e.gradient.norm(), 1e-14);
 }
 
+// Without stress shorter along its fibre and wider across: exact derivatives, and no stress there.
+TEST_P(WallPointOfALaw, IsStretchedAsSeen) {
+  const SectionShape rest = straight_shape(space, 1, 4), now = straight_shape(space, 0.95, 4.8);
+  const Vec3 along(0, 0, 1);
+  const Vec2 stretch(1.2, 0.95);
+  const Material material = Material::isotropic(2, 0.3, GetParam());
+  const WallPoint point(now.jet(u, angle), along, -8e-4, 1.2e-3, 0.3, material, stretch);
+  expect_derivatives(point, disturbed(rest, 0.07).jet(u, angle));
+  const WallPoint whole(rest.jet(u, angle), along, -8e-4, 1.2e-3, 0.3, material);
+  EXPECT_NEAR(point.area(), whole.area(), 1e-12 * whole.area());
+  // Its membrane is that of the shape from which the stretch leads to this one, if it is thin.
+  const double expected = whole.energy(now.jet(u, angle), false).membrane;
+  EXPECT_NEAR(point.energy(now.jet(u, angle), false).membrane, expected, 1e-4 * expected);
+}
+
 // With the stress of a displacement: exact derivatives, and at rest the slope of the energy is the
 // Hessian there times that displacement.
 TEST_P(WallPointOfALaw, CarriesAPrestress) {

@@ -10,6 +10,8 @@ CASES = {
     "shorten": "stretched by 1.05, its end moved back by half of that",
     "release": "stretched by 1.05, its end released, half of the force left",
     "both": "seen at 5 and stretched by 1.05, taken to 12 mmHg and bent",
+    "deflate": "seen at 75, taken to 5 mmHg",
+    "far": "seen at 40 and stretched by 1.2, taken to 12 mmHg, shortened and bent",
 }
 
 
@@ -43,9 +45,10 @@ def tubes_section(rows, notes):
                 "The tube of the chapters before, and one bent by 40 degrees and narrowing to R",
                 "2.8, with the stress that it carried when it was seen, against the reference's",
                 "shell with its own prestress, which is computed independently",
-                "([reference.md](reference.md#prestress)). 60 points around. Force and moment:",
-                "differences over the larger of the reaction's force and moment / R; a released",
-                "tube's follow from its load.",
+                "([reference.md](reference.md#prestress)). 60 points around. Beyond 40 mmHg the",
+                "tube is more than 10 % of its radius from its shape without stress, which both",
+                "look for. Force and moment: differences over the larger of the reaction's force",
+                "and moment / R; a released tube's follow from its load.",
             ),
             tubes_table(rows),
             provenance_text(notes),

@@ -171,14 +171,15 @@ void solve_section(Prediction& prediction, const SolveOptions& options) {
       problem.times = times_of(prediction, vessel);
       SectionOptions how;
       how.stop = options.stop;
+      how.largest_linear_prestress = largest_linear_prestress;
       options.progress("sections of " + name);
       SolvedSections found = solve_sections(problem, how);
       prediction.notes.push_back(resolution(name, found));
       if (auto soft = soft_in_shear(vessel, sections.back()))
         prediction.notes.push_back(std::move(*soft));
-      const auto rough = rough_prestress(name, found.prestress_displacement);
-      if (rough && !is_noted(prediction, "prestress of " + name))
-        prediction.notes.push_back(*rough);
+      const auto large = large_prestress(name, found.prestress_displacement, found.prestress_steps);
+      if (large && !is_noted(prediction, "prestress of " + name))
+        prediction.notes.push_back(*large);
       for (size_t k = 0; k < sections.back().nodes.size(); ++k) {
         const bool first =
             vessel.prepared.vessel.ends[index(problem.at.end[0])].node == sections.back().nodes[k];

@@ -1,0 +1,26 @@
+// The displacement whose stress balances a wall as it was seen (WallInput::prestress_displacement).
+#pragma once
+
+#include <functional>
+
+#include "coupled/coupled_problem.h"
+
+namespace vasorod {
+
+struct ScanDisplacement {
+  Points points;                        ///< n x 3, length
+  bool from_stress_free_shape = false;  ///< as in WallInput
+  int steps = 0;  ///< of the search for the shape without stress; 0: none was made
+};
+
+/// Under the pressure of the scan and the wall's axial prestretch. All freedoms of `sections` are
+/// held; their motions and loads are ignored. It is the linear displacement without prestress where
+/// that is nowhere larger than `largest_linear` (length). Where it is larger, it leads from the
+/// shape without stress, of which the wall under both is in equilibrium as it was seen, and which
+/// is looked for in steps; should it not be found, or `stop` say so, it is the linear one all the
+/// same. Throws InputError if nothing stops a rigid motion.
+ScanDisplacement scan_displacement(const WallInput& wall, std::vector<HeldSection> sections,
+                                   double scan_pressure, double largest_linear,
+                                   const std::function<bool()>& stop = {});
+
+}  // namespace vasorod

@@ -11,6 +11,7 @@
 #include "coupled/free_motions.h"
 #include "coupled/wall_lumen.h"
 #include "data/index.h"
+#include "numerics/threads.h"
 #include "wall/shear_band.h"
 
 namespace vasorod {
@@ -141,6 +142,9 @@ void CoupledStack::build() {
   system = std::make_unique<CoupledSystem>();
   first.assign(scaled.bodies.size(), -1);
   first_wall.assign(scaled.bodies.size(), -1);
+  in_parallel(threads(), static_cast<int>(scaled.bodies.size()), [&](int b) {
+    if (scaled.bodies[index(b)].modelled) energy_of(index(b));
+  });
   for (size_t b = 0; b < scaled.bodies.size(); ++b) {
     const ScaledBody& body = scaled.bodies[b];
     if (!body.modelled) continue;

@@ -4,9 +4,11 @@
 
 #include <vasorod/error.h>
 
+#include "data/index.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
+#include "numerics/threads.h"
 #include "predict/rod_lumen.h"
 #include "predict/vessel_wall.h"
 
@@ -53,14 +55,18 @@ std::optional<std::string> large_prestress(const std::string& vessel, double sha
 
 namespace {
 
-void prestress_wall(PreparedVessel& prepared, const VesselConditions& conditions, bool cut,
-                    const std::function<bool()>& stop, Prediction& prediction) {
-  ScanDisplacement found;
+ScanDisplacement displacement_of(const PredictedVessel& vessel, const Scene& scene,
+                                 const std::function<bool()>& stop) {
+  const PreparedVessel& prepared = vessel.prepared;
   try {
-    found = displacement_of_scan(prepared, conditions, cut, largest_linear_prestress, stop);
+    return displacement_of_scan(prepared, vessel.conditions, is_opened(scene, prepared.spec.name),
+                                largest_linear_prestress, stop);
   } catch (const InputError& error) {  // which names the vessel
-    throw InputError(place_in(*prediction.scene, prepared.spec.line) + ": " + error.what());
+    throw InputError(place_in(scene, prepared.spec.line) + ": " + error.what());
   }
+}
+
+void prestress_wall(PreparedVessel& prepared, ScanDisplacement found, Prediction& prediction) {
   prepared.prestress_displacement = std::move(found.points);
   prepared.from_stress_free_shape = found.from_stress_free_shape;
   if (prepared.prestress_displacement.rows() == 0) return;
@@ -94,20 +100,27 @@ void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()
                const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
   if (lumen == LumenOf::none) return;
+  std::vector<PredictedVessel*> stressed;
   for (PredictedVessel& vessel : prediction.vessels) {
-    PreparedVessel& prepared = vessel.prepared;
-    const VesselSpec& spec = prepared.spec;
-    if (prepared.obstacle() || (!spec.pressure && spec.axial_prestretch == 1)) continue;
+    const VesselSpec& spec = vessel.prepared.spec;
+    if (vessel.prepared.obstacle() || (!spec.pressure && spec.axial_prestretch == 1)) continue;
     begin("prestress of " + spec.name);
-    if (spec.pressure) {
-      require_bearable(prepared, scene);
-      prediction.notes.push_back(lumen_note(spec, scene.units));
-    }
-    const bool cut = is_opened(scene, spec.name);
+    if (spec.pressure) require_bearable(vessel.prepared, scene);
+    stressed.push_back(&vessel);
+  }
+  std::vector<ScanDisplacement> found(stressed.size());
+  if (lumen == LumenOf::wall)
+    in_parallel(threads(), static_cast<int>(stressed.size()), [&](int v) {
+      found[index(v)] = displacement_of(*stressed[index(v)], scene, stop);
+    });
+  for (size_t v = 0; v < stressed.size(); ++v) {
+    PredictedVessel& vessel = *stressed[v];
+    const VesselSpec& spec = vessel.prepared.spec;
+    if (spec.pressure) prediction.notes.push_back(lumen_note(spec, scene.units));
     if (lumen == LumenOf::wall)
-      prestress_wall(prepared, vessel.conditions, cut, stop, prediction);
+      prestress_wall(vessel.prepared, std::move(found[v]), prediction);
     else if (lumen == LumenOf::rod)
-      prestress_rod(vessel, cut, prediction);
+      prestress_rod(vessel, is_opened(scene, spec.name), prediction);
   }
 }
 

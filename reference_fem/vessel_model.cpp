@@ -1,8 +1,21 @@
 #include "reference_fem/vessel_model.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 
 namespace vasorod::fem {
+namespace {
+
+// The local axes in the shape that `shape` takes them to: the fibre, its third, is the line of
+// matter that it is as seen; the second stays beside it.
+Mat3 axes_in(const Mat3& shape) {
+  Mat3 axes;
+  axes.col(2) = shape.col(2).normalized();
+  axes.col(0) = shape.col(1).cross(axes.col(2)).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+}  // namespace
 
 bool VesselModel::set_stress_free_shape(double axial_stretch, const DofValues& u) {
   prestress_.clear();
@@ -16,9 +29,7 @@ bool VesselModel::set_stress_free_shape(double axial_stretch, const DofValues& u
         unloading_.clear();
         return false;
       }
-      // The local axes turn with the shape.
-      const Eigen::SelfAdjointEigenSolver<Mat3> squared(shape.transpose() * shape);
-      unloading_[c].push_back(squared.operatorInverseSqrt() * stretch);
+      unloading_[c].push_back(shape.inverse() * axes_in(shape) * stretch);
     }
   }
   return true;

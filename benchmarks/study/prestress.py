@@ -26,13 +26,13 @@ TUBES = {
         {"pressure": {"scan": 5, "after": 12}, "axial_prestretch": 1.05},
         {"rotate_deg": [10, 0, 0], "move": [0, -2.6, -1]},
     ),
-    # far from the shape without stress
     "deflate": ({"pressure": {"scan": 75, "after": 5}}, {"hold": True}),
     "far": (
         {"pressure": {"scan": 40, "after": 12}, "axial_prestretch": 1.2},
         {"rotate_deg": [10, 0, 0], "move": [0, -2.6, -4]},
     ),
 }
+FAR = {"deflate", "far"}  # seen far from the shape without stress
 CURVED = {"inflate", "shorten", "deflate"}  # also of a bent and tapered tube
 SHAPES = {"straight": {}, "curved": {"bend_deg": 40, "end_radius": 2.8}}
 LAWS = {"inflate": ("biot", "svk", LAW), "deflate": ("biot", "svk", LAW)}  # the others: LAW alone

@@ -83,6 +83,17 @@ void contract(TriangleRest& rest, const Vec2& stretch) {
   rest.area /= stretch.prod();
 }
 
+// The part of a direction along a triangle, carried to where its sides are d1 and d2.
+Vec3 carried(const Vec3& direction, const TriangleSurface& from, int triangle, const Vec3& d1,
+             const Vec3& d2) {
+  const auto v = from.triangles.row(triangle);
+  Eigen::Matrix<double, 3, 2> sides, now;
+  for (int k = 0; k < 2; ++k)
+    sides.col(k) = (from.points.row(v[k + 1]) - from.points.row(v[0])).transpose();
+  now << d1, d2;
+  return now * (sides.transpose() * sides).inverse() * (sides.transpose() * direction);
+}
+
 }  // namespace
 
 WallInput scaled(WallInput wall, TriangleSurface rest, double length, double stress) {
@@ -195,7 +206,8 @@ void WallEnergy::set_rest(const WallInput& input) {
       refuse(input.name, "triangle ", t, ": area = ", area.norm() / 2,
              ", expected a triangle with an area");
     const Vec3 normal = area.normalized();
-    const Vec3& axis = input.axis[static_cast<size_t>(t)];
+    Vec3 axis = input.axis[static_cast<size_t>(t)];
+    if (by_shape) axis = carried(axis, input.rest, t, d1, d2);
     const Vec3 in_plane = axis - axis.dot(normal) * normal;
     if (!(in_plane.norm() > 1e-9 * axis.norm()))
       refuse(input.name, "triangle ", t,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "geometry/rigid_motion.h"
 #include "reference_fem/finite_differences.h"
 #include "reference_fem/prestress.h"
 #include "reference_fem/stepper.h"
@@ -166,6 +167,35 @@ TEST(Prestress, NothingMovesFromAFarShapeWithoutStress) {
           EXPECT_LT(path.state.u.cwiseAbs().maxCoeff(), 1e-9);
           EXPECT_GT(path.assembly.energy, 1e-3);
         }
+}
+
+// Where the shape without stress lies does not count: its fibres turn with it.
+TEST(Prestress, ATurnedShapeWithoutStressIsTheSame) {
+  const Mat3 turn = exp_rotation(Vec3(0.5, -0.3, 0.9));
+  for (const bool solid : {true, false}) {
+    const Tube tube = make(solid, bent(), MaterialLaw(LawKind::biot, fibred), false);
+    VesselModel& model = *tube.model;
+    model.set_pressure({});
+    const int components = model.components();
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dof_count());
+    for (int node = 0; node < tube.rest.rows(); ++node) {
+      const Vec3 x = tube.rest.row(node);
+      u.segment<3>(components * node) = x - turn * x;
+      if (solid) continue;
+      const Vec3 director = static_cast<const Shell&>(model).directors().row(node);
+      u.segment<3>(components * node + 3) = director - turn * director;
+    }
+    const Eigen::VectorXd now = uneven_state(model, 0.02);
+    CellTerms one, other;
+    for (int c = 0; c < 3; ++c) {
+      ASSERT_TRUE(model.set_stress_free_shape(1.2, Eigen::VectorXd::Zero(u.size())));
+      ASSERT_TRUE(model.evaluate(c, now, 0, false, one));
+      ASSERT_TRUE(model.set_stress_free_shape(1.2, u));
+      ASSERT_TRUE(model.evaluate(c, now, 0, false, other));
+      EXPECT_NEAR(other.energy, one.energy, 1e-12 * one.energy) << solid;
+      EXPECT_LT((other.residual - one.residual).norm(), 1e-11 * one.residual.norm()) << solid;
+    }
+  }
 }
 
 // Without its pressure the vessel has the shape that was found, and no stress.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "geometry/rigid_motion.h"
 #include "wall/lumen.h"
 #include "wall/walls.h"
 
@@ -126,6 +127,28 @@ TEST(WallPrestress, IsTheWallOfTheShapeWithoutStress) {
     EXPECT_LT(g.tail(g.size() - first).norm(), 1e-12 * g.norm()) << to_string(law);
     EXPECT_LT((one.rest().head(first) - widened * other.rest().head(first)).norm(), 1e-13);
   }
+}
+
+// Where the shape without stress lies does not count: its fibres turn with it.
+TEST(WallPrestress, ATurnedShapeWithoutStressIsTheSame) {
+  Material material = Material::isotropic(2, 0.3);
+  material.shear_axial = 0.3;
+  WallInput input = tube_wall(tube(8, 3, 9, 5), 0.3, material, false);
+  input.from_stress_free_shape = true;
+  input.axial_prestretch = 1.2;
+  const WallEnergy straight(input);
+  const Pose motion{exp_rotation(Vec3(0.5, -0.3, 0.9)), Vec3(2, 1, -3)};
+  input.prestress_displacement.resize(input.rest.points.rows(), 3);
+  for (int v = 0; v < input.rest.points.rows(); ++v) {
+    const Vec3 p = input.rest.points.row(v);
+    input.prestress_displacement.row(v) = p - motion * p;
+  }
+  const WallEnergy turned(input);
+  const VectorXd q = straight.rest() + 0.1 * noise(straight.unknowns(), 5);
+  VectorXd one, other;
+  const double energy = straight.gradient(q, one);
+  EXPECT_NEAR(turned.gradient(q, other), energy, 1e-12 * energy);
+  EXPECT_LT((one - other).norm(), 1e-12 * one.norm());
 }
 
 // A tube stretched along its fibre pulls at its ends with E t times the strain.

@@ -7,6 +7,7 @@ from chapters.join import over
 from chapters.sensitivity import worst_of_curves
 from chapters.trade import AIM_OF_TIME, cheapest_as_near, front_of
 from names import title, titles
+from prestress import FAR
 from tables import IMAGES, markdown, paragraph, percent, signed, value_or_range
 
 TABLES = "comparison_tables.md"
@@ -270,7 +271,16 @@ def pressures(inflated):
 
 
 def seen(tubes, joined):
-    reacting = [row for row in tubes if row["force"] is not None]
+    near = [row for row in tubes if row["case"] not in FAR]
+    far = [row for row in tubes if row["case"] in FAR]
+
+    def apart(rows):
+        reacting = [row for row in rows if row["force"] is not None]
+        return (
+            f"{percent(largest(rows, lambda r: r['rms']), 3)} % of R (root mean square), forces",
+            f"within {percent(largest(reacting, lambda r: r['force']), 3)} %.",
+        )
+
     lines = [
         [row["opening"], f"{row['length']:g}", f"{row['stretch']:g}"]
         + [f"{row['mouth_reference']:.2f}", f"{row['mouth']:.2f}", signed(over(row, "mouth"))]
@@ -284,8 +294,9 @@ def seen(tubes, joined):
             "Tubes that carried a pressure or an axial stretch when they were seen, and are then",
             "pressed, bent, shortened or let go: `coupled` against the shell with its own",
             "prestress, material points within",
-            f"{percent(largest(tubes, lambda r: r['rms']), 3)} % of R (root mean square), forces",
-            f"within {percent(largest(reacting, lambda r: r['force']), 3)} %.",
+            *apart(near),
+            "Seen at 40 mmHg and more, where both look for the shape without stress: within",
+            *apart(far),
             link("Every run", "seen-under-pressure-or-stretched") + ".",
             "The T of a vein seen at low and an artery seen at high pressure:",
             link("its table", "the-join-of-vessels-seen-under-pressure") + ".",

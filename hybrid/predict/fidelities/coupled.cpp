@@ -27,7 +27,7 @@ constexpr int updates_from_closed = 40;
 // in fewer; others go on without end, and to try something else is cheaper.
 constexpr int most_per_stage = 150;
 // Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated; the high one at
-// last, as it seldom leads anywhere.
+// last, as the way from rest leads to a minimum more often.
 constexpr double low_inflation = 0.02, high_inflation = 0.05;
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.

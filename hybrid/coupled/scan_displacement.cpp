@@ -72,10 +72,15 @@ class SeenWall final : public StressFreeProblem {
     stressed.axial_prestretch = 1 + share * (wall_.axial_prestretch - 1);
     stressed.prestress_displacement = points_of(u);
     try {
-      energy_.emplace(stressed);
+      if (is_shaped_)
+        energy_->set_stress_free_shape(stressed);
+      else
+        energy_.emplace(stressed);
     } catch (const InputError&) {  // a triangle of the shape has no area
+      is_shaped_ = false;
       return false;
     }
+    is_shaped_ = true;
     system_.set_energy(0, *energy_);
     return true;
   }
@@ -121,6 +126,7 @@ class SeenWall final : public StressFreeProblem {
   VectorXd z_;
   Cholesky factor_;
   double share_ = 1;
+  bool is_shaped_ = false;  // the energy is one from a shape without stress
 };
 
 }  // namespace

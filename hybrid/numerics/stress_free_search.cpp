@@ -13,11 +13,12 @@ using Eigen::VectorXd;
 // Shares of the load that are reached one after the other, if fewer do not lead to the shape.
 constexpr std::array<int, 3> ways{1, 4, 16};
 // For each share: steps, and differences that are remembered.
-constexpr int most_steps = 60, memory = 20;
-// The step over the displacement at which the search ends.
-constexpr double tolerance = 1e-12;
+constexpr int most_steps = 80, memory = 20;
+// Steps over the displacement at which the search ends, and at which a share is reached of which
+// others follow.
+constexpr double tolerance = 1e-11, rough = 1e-2;
 
-bool reach(StressFreeProblem& problem, double share, VectorXd& x, int& steps,
+bool reach(StressFreeProblem& problem, double share, double until, VectorXd& x, int& steps,
            const std::function<bool()>& stop) {
   Anderson accelerated(memory);
   const double size = problem.length(x);
@@ -27,8 +28,8 @@ bool reach(StressFreeProblem& problem, double share, VectorXd& x, int& steps,
     if (!problem.set(share, x)) return false;
     const VectorXd step = problem.step(x);
     if (!step.allFinite()) return false;
-    const VectorXd before = std::exchange(x, accelerated.next(x, step));
-    if (problem.length(x - before) <= tolerance * size) return true;
+    x = accelerated.next(x, step);
+    if (problem.length(step) <= until * size) return true;
   }
   return false;
 }
@@ -42,7 +43,8 @@ int search_stress_free(StressFreeProblem& problem, VectorXd& x, const std::funct
     bool reached = true;
     for (int i = 1; reached && i <= shares; ++i) {
       found = i == 1 ? VectorXd(x / shares) : VectorXd(found * i / (i - 1));
-      reached = reach(problem, static_cast<double>(i) / shares, found, steps, stop);
+      reached = reach(problem, static_cast<double>(i) / shares, i == shares ? tolerance : rough,
+                      found, steps, stop);
     }
     if (!reached) continue;
     x = std::move(found);

@@ -1,6 +1,7 @@
 #include "predict/prestress.h"
 
 #include <cmath>
+#include <limits>
 
 #include <vasorod/error.h>
 
@@ -14,6 +15,9 @@
 
 namespace vasorod {
 namespace {
+
+// Over the radius: a linear displacement beyond this is a rough prestress.
+constexpr double far = 0.1;
 
 // Whether an operation opens the vessel across: at a cut, or at an end where it was held when it
 // was seen.
@@ -41,12 +45,21 @@ void require_one_pressure(const Scene& scene) {
                    ", expected one pressure, as the operation joins them to one lumen");
 }
 
+double largest_linear_prestress(const Scene& scene, const PredictedVessel& vessel) {
+  const VesselSpec& spec = vessel.prepared.spec;
+  const auto joined = scene.joined();
+  const bool changes = (joined && ((*joined)[0] == spec.name || (*joined)[1] == spec.name)) ||
+                       (spec.pressure && spec.pressure->scan != spec.pressure->after) ||
+                       vessel.conditions.acts;
+  return changes ? far : std::numeric_limits<double>::infinity();
+}
+
 std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps) {
   if (steps > 0)
     return joined_text("prestress of ", vessel, ": its shape without stress, which is up to ",
                        number_text(100 * share, 2), " % of the radius away, was found in ", steps,
                        " steps, as a linear displacement would be rough");
-  if (share <= largest_linear_prestress) return std::nullopt;
+  if (share <= far) return std::nullopt;
   return joined_text("prestress of ", vessel, ": it is that of a linear displacement of up to ",
                      number_text(100 * share, 2),
                      " % of the radius; beyond 10 % this is rough, though the shape as seen is in "
@@ -60,7 +73,7 @@ ScanDisplacement displacement_of(const PredictedVessel& vessel, const Scene& sce
   const PreparedVessel& prepared = vessel.prepared;
   try {
     return displacement_of_scan(prepared, vessel.conditions, is_opened(scene, prepared.spec.name),
-                                largest_linear_prestress, stop);
+                                largest_linear_prestress(scene, vessel), stop);
   } catch (const InputError& error) {  // which names the vessel
     throw InputError(place_in(scene, prepared.spec.line) + ": " + error.what());
   }

@@ -21,8 +21,9 @@ void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()
                const std::function<void(const std::string&)>& begin);
 
 /// The largest linear displacement, over the vessel's radius, whose stress is a prestress. Beyond,
-/// the wall's shape without stress is looked for.
-inline constexpr double largest_linear_prestress = 0.1;
+/// the wall's shape without stress is looked for. Infinite of a vessel that stays as it was seen
+/// but for what touches it: that is in equilibrium with either.
+double largest_linear_prestress(const Scene& scene, const PredictedVessel& vessel);
 
 /// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
 /// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape

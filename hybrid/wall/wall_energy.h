@@ -18,7 +18,9 @@
 // wall_section.h.
 #pragma once
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,11 @@ class WallEnergy {
  public:
   /// Throws InputError (one sentence) when the input is invalid.
   explicit WallEnergy(const WallInput& input);
+
+  /// The same wall with another stress at rest: of `input`, only its prestress_displacement and
+  /// axial_prestretch may differ from the constructor's, and both must be from_stress_free_shape.
+  /// Throws InputError where a triangle of that shape has no area; this must not be used then.
+  void set_stress_free_shape(const WallInput& input);
 
   int vertices() const { return vertices_; }
   int free_edges() const { return free_edges_; }
@@ -182,6 +189,8 @@ class WallEnergy {
   std::vector<double> xi_rest_;  // per edge
   std::vector<WallLean> leans_;
   std::vector<double> lean_rest_;  // per vertex, as lean_unknown_: of the given surface
+  // Of the unknowns that follow the vertices; kept from shape to shape.
+  std::shared_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> following_;
   std::vector<int> lean_unknown_;  // per vertex: in q, -1: none; empty if no vertex has a lean
   // Per triangle: the directions of its vertices' leans in its frame; empty if there are none.
   std::vector<Eigen::Matrix<double, 2, 3>> lean_directions_;

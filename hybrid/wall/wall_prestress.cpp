@@ -7,7 +7,7 @@
 // Beyond small strains u leads from the shape without stress instead (Bols, Degroote, Trachet,
 // Verhegghe, Segers and Vierendeels, J. Comput. Appl. Math. 246, 2013): the wall at rest is that
 // shape's, deformed to the given surface, with all of its law.
-#include <Eigen/SparseCholesky>
+#include <algorithm>
 
 #include <vasorod/error.h>
 
@@ -50,6 +50,14 @@ void WallEnergy::set_prestress(const WallInput& input) {
   set_stored();
 }
 
+void WallEnergy::set_stress_free_shape(const WallInput& input) {
+  std::fill(lean_rest_.begin(), lean_rest_.end(), 0);
+  partner_.clear();
+  for (TriangleRest& rest : triangle_rest_) rest.relief = 0;
+  set_rest(input);
+  move_to_seen(input.rest);
+}
+
 void WallEnergy::move_to_seen(const TriangleSurface& seen) {
   for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = seen.points.row(i).transpose();
   // The normals of free edges and the leans follow in equilibrium; there their unknowns are zero.
@@ -58,19 +66,21 @@ void WallEnergy::move_to_seen(const TriangleSurface& seen) {
   constexpr double tolerance = 1e-14, slow = 0.1;
   const Eigen::Index first = 3 * Eigen::Index{vertices_};
   const Eigen::Index following = free_edges_ + std::ssize(leans_);
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+  bool is_kept = following_ != nullptr;
+  if (!is_kept) following_ = std::make_shared<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>();
   Eigen::VectorXd force;
   double before = 0;
   for (int step = 0; step < most_steps; ++step) {
     gradient(rest_, force);
     Eigen::VectorXd change;
     for (const bool anew : {false, true}) {
-      if (anew || step == 0) {
+      if (anew || !is_kept) {
         const Eigen::SparseMatrix<double> stiffness =
             hessian(rest_).block(first, first, following, following);
-        factor.compute(stiffness);
+        following_->compute(stiffness);
+        is_kept = true;
       }
-      change = factor.solve(force.segment(first, following));
+      change = following_->solve(force.segment(first, following));
       if (step == 0 || !(change.lpNorm<Eigen::Infinity>() > slow * before)) break;
     }
     rest_.segment(first, following) -= change;

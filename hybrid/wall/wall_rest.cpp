@@ -116,10 +116,12 @@ WallEnergy::WallEnergy(const WallInput& input)
   number_edges(input);
   set_rest(input);
   set_pattern();
-  if (input.from_stress_free_shape)
-    move_to_seen(input.rest);
-  else
+  if (!input.from_stress_free_shape) {
     set_prestress(input);
+    return;
+  }
+  move_to_seen(input.rest);
+  following_.reset();
 }
 
 void WallEnergy::number_edges(const WallInput& input) {
@@ -190,6 +192,8 @@ void WallEnergy::number_unknowns(const WallInput& input) {
 
 void WallEnergy::set_rest(const WallInput& input) {
   const bool by_shape = input.from_stress_free_shape;
+  sections_.clear();
+  lean_directions_.clear();
   TriangleSurface shape = input.rest;  // without stress, but for a stretch along the fibre
   if (by_shape && input.prestress_displacement.rows() > 0)
     shape.points -= input.prestress_displacement;
@@ -234,6 +238,7 @@ void WallEnergy::set_rest(const WallInput& input) {
     const auto v = triangles_.row(t);
     TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const auto& f = frame[static_cast<size_t>(t)];
+    rest.bending.setZero();  // of another shape
     rest.bending =
         triangle_strains(law_, rest, state(rest_, g, t, deformation(rest_, t))).tail<3>();
 

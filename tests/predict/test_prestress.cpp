@@ -111,7 +111,8 @@ TEST(Prestress, APressureBeyondTheWallIsRefused) {
 TEST(Prestress, AFarShapeWithoutStressIsNamed) {
   std::vector<Points> without;
   for (const char* fidelity : {"coupled", "section"}) {
-    Scene scene = held_tube({60 * mmhg, 60 * mmhg}, 1);
+    // All but the same pressure: it moves by no more than that says.
+    Scene scene = held_tube({60 * mmhg, 60 * (1 + 1e-12) * mmhg}, 1);
     scene.fidelity = fidelity;
     Result result = predict(scene);
     int named = 0;
@@ -119,6 +120,14 @@ TEST(Prestress, AFarShapeWithoutStressIsNamed) {
       named += note.find("prestress of svc: its shape without stress, which is up to ") == 0;
     EXPECT_EQ(named, 1) << fidelity;
     EXPECT_LT(moved_by(result), 1e-9 * 3.3) << fidelity;
+    // One that stays as it was seen needs no more than equilibrium.
+    scene.vessels[0].pressure = LumenPressure{60 * mmhg, 60 * mmhg};
+    result = predict(scene);
+    EXPECT_LT(moved_by(result), 1e-9 * 3.3) << fidelity;
+    int linear = 0;
+    for (const std::string& note : result.certificate.notes)
+      linear += note.find("prestress of svc: it is that of a linear displacement") == 0;
+    EXPECT_EQ(linear, 1) << fidelity;
     scene.vessels[0].tube->around = 48;
     scene.vessels[0].tube->along = 60;
     scene.vessels[0].pressure = LumenPressure{60 * mmhg, 0};

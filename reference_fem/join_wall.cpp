@@ -84,20 +84,24 @@ Supports rim_at(const JoinProblem& problem, const Mesh& mesh, const Eigen::Vecto
 SeenShare prestress_wall(const JoinProblem& problem, const JoinWall& wall, PlanesOf planes_of,
                          const Mesh& mesh, const Mesh& seen_mesh, VesselModel& model,
                          const Processes& processes) {
-  const double radius = wall.whole.mean_radius();
-  SeenDisplacement found = displacement(problem, as_seen(wall), planes_of, seen_mesh, {},
-                                        largest_linear_prestress * radius, processes);
-  const SeenShare share{found.largest / radius, found.steps};
-  found.u = carried(wall, mesh, seen_mesh, found.u);
-  if (wall.hole) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  // The displacement on the join's mesh; of the whole vessel into `share`.
+  SeenShare share;
+  const auto seen = [&](double largest_linear) {
+    SeenDisplacement found =
+        displacement(problem, as_seen(wall), planes_of, seen_mesh, {}, largest_linear, processes);
+    share = {found.largest / wall.whole.mean_radius(), found.steps};
+    found.u = carried(wall, mesh, seen_mesh, found.u);
+    if (!wall.hole) return found;
     JoinWall held = wall;
     held.ends = wall.ends_when_seen;
     // In the same way as the whole vessel's.
-    const double linear = found.steps > 0 ? 0 : std::numeric_limits<double>::infinity();
-    found = displacement(problem, held, planes_of, mesh, rim_at(problem, mesh, found.u), linear,
-                         processes);
-  }
-  give_prestress(model, wall.seen, found);
+    return displacement(problem, held, planes_of, mesh, rim_at(problem, mesh, found.u),
+                        found.steps > 0 ? 0 : any, processes);
+  };
+  SeenDisplacement found = seen(largest_linear_prestrain);
+  if (share.steps > 0 && found.steps == 0) found = seen(any);  // none beside the hole
+  give_prestress(model, wall.seen, found, processes);
   return share;
 }
 

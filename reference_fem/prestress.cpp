@@ -95,7 +95,7 @@ SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, S
   SeenDisplacement found;
   found.u = vessel.displacement(unknowns);
   found.largest = largest_displacement(found.u, intact.components());
-  if (found.largest > largest_linear) {
+  if (intact.rms_prestrain(seen.axial_stretch, found.u, processes) > largest_linear) {
     found.steps = search_stress_free(vessel, unknowns);
     vessel.set(1, unknowns);  // what is prescribed too
     found.u = vessel.displacement(unknowns);
@@ -105,10 +105,14 @@ SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, S
   return found;
 }
 
-void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found) {
-  if (found.steps == 0)
+void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found,
+                    const Processes& processes) {
+  if (found.steps == 0) {
     model.set_prestress(seen.axial_stretch, found.u);
-  else if (!model.set_stress_free_shape(seen.axial_stretch, found.u))
+    return;
+  }
+  const bool shaped = model.set_stress_free_shape(seen.axial_stretch, found.u);
+  if (processes.any(!shaped))
     throw InputError(
         "the shape without stress of a vessel, as the pressure of its scan and its "
         "axial_prestretch make it, is turned inside out, expected less of both");

@@ -25,8 +25,8 @@ struct SeenState {
   bool stressed() const { return pressure.scan != 0 || axial_stretch != 1; }
 };
 
-/// Over a vessel's radius: a linear displacement up to this gives a prestress.
-inline constexpr double largest_linear_prestress = 0.1;
+/// The largest strain of a linear prestress (VesselModel::rms_prestrain).
+inline constexpr double largest_linear_prestrain = 0.08;
 
 struct SeenDisplacement {
   Eigen::VectorXd u;   ///< per degree of freedom
@@ -40,8 +40,8 @@ struct SeenShare {
   int steps = 0;
 };
 
-/// The displacement of a vessel as it was seen: linear if it is nowhere larger than
-/// `largest_linear`, else from the shape without stress, if that is found. `supports`: of the
+/// The displacement of a vessel as it was seen: linear if its strain is at most `largest_linear`,
+/// else from the shape without stress, if that is found. `supports`: of the
 /// intact vessel; all its sections are held, their motions and loads are ignored. Prescribed values
 /// are those of u. The model is left without a pressure, for give_prestress().
 SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, Supports supports,
@@ -49,6 +49,7 @@ SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, S
 
 /// Gives a model, of the same mesh or one that `u` was carried to, the stress of the displacement.
 /// Throws InputError if the shape without stress is turned inside out.
-void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found);
+void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found,
+                    const Processes& processes);
 
 }  // namespace vasorod::fem

@@ -52,7 +52,7 @@ class Shell final : public VesselModel {
   NodeValues values_of(std::size_t cell, const DofValues& u) const;
   void press(int cell, const DofValues& u, double load, bool want_tangent, CellTerms& terms) const;
   const MaterialLaw& law() const override { return law_; }
-  std::vector<Mat3> local_gradients(std::size_t cell, const DofValues& u) const override;
+  std::vector<LocalGradient> local_gradients(std::size_t cell, const DofValues& u) const override;
   CellPrestress prestress_of(std::size_t cell, double axial_stretch,
                              const DofValues& u) const override;
 

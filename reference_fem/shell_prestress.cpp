@@ -8,9 +8,9 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-std::vector<Mat3> Shell::local_gradients(size_t c, const DofValues& u) const {
+std::vector<Shell::LocalGradient> Shell::local_gradients(size_t c, const DofValues& u) const {
   const auto [ue, we, De, be] = values_of(c, u);
-  std::vector<Mat3> local;
+  std::vector<LocalGradient> local;
   for (Eigen::Index q = 0; q < mesh_.point_count(); ++q) {
     const auto gradient = mesh_.gradient[c].middleRows<3>(3 * q);
     const Eigen::RowVectorXd N = mesh_.shape.row(q);
@@ -23,7 +23,7 @@ std::vector<Mat3> Shell::local_gradients(size_t c, const DofValues& u) const {
       const Mat3 change = (du + point.zeta * dw +
                            (w + point.zeta * beta * D) * mesh_.normal[c].col(q).transpose()) *
                           point.pull;
-      local.emplace_back(point.axes.transpose() * change);
+      local.push_back({point.axes.transpose() * change, point.weight});
     }
   }
   return local;
@@ -31,10 +31,10 @@ std::vector<Mat3> Shell::local_gradients(size_t c, const DofValues& u) const {
 
 Shell::CellPrestress Shell::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
   CellPrestress out;
-  const std::vector<Mat3> gradients = local_gradients(c, u);
+  const std::vector<LocalGradient> gradients = local_gradients(c, u);
   out.stress.resize(6, std::ssize(gradients));
   for (size_t at = 0; at < gradients.size(); ++at) {
-    const Mat3& local = gradients[at];
+    const Mat3& local = gradients[at].value;
     const Vec6 strain =
         law_.uniaxial_strain(axial_stretch) + strain_components(0.5 * (local + local.transpose()));
     const Vec6 stress = law_.linear_stiffness() * strain;

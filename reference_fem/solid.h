@@ -42,7 +42,7 @@ class Solid final : public VesselModel {
                      double load, CellTerms& terms) const;
   const Pressure* face_cell(int cell, std::size_t& index) const;
   const MaterialLaw& law() const override { return law_; }
-  std::vector<Mat3> local_gradients(std::size_t cell, const DofValues& u) const override;
+  std::vector<LocalGradient> local_gradients(std::size_t cell, const DofValues& u) const override;
   CellPrestress prestress_of(std::size_t cell, double axial_stretch,
                              const DofValues& u) const override;
 

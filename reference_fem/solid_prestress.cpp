@@ -7,24 +7,25 @@ namespace vasorod::fem {
 
 using std::size_t;
 
-std::vector<Mat3> Solid::local_gradients(size_t c, const DofValues& u) const {
+std::vector<Solid::LocalGradient> Solid::local_gradients(size_t c, const DofValues& u) const {
   // row 3 q + J, column i: du_i/dX_J
   const Eigen::MatrixX3d slope = mesh_.gradient[c] * triples_of(u, mesh_.cell_nodes[c], 3);
-  std::vector<Mat3> local;
+  std::vector<LocalGradient> local;
   for (size_t q = 0; q < axes_[c].size(); ++q)
     local.push_back(
-        (slope.middleRows<3>(3 * static_cast<Eigen::Index>(q)) * axes_[c][q]).transpose());
+        {(slope.middleRows<3>(3 * static_cast<Eigen::Index>(q)) * axes_[c][q]).transpose(),
+         mesh_.weights[c][static_cast<Eigen::Index>(q)]});
   return local;
 }
 
 Solid::CellPrestress Solid::prestress_of(size_t c, double axial_stretch, const DofValues& u) const {
   CellPrestress out;
   const Eigen::VectorXd& weights = mesh_.weights[c];
-  const std::vector<Mat3> gradients = local_gradients(c, u);
+  const std::vector<LocalGradient> gradients = local_gradients(c, u);
   Eigen::Matrix<double, 6, Eigen::Dynamic> strain(6, weights.size());
   Eigen::VectorXd volume(weights.size());
   for (Eigen::Index q = 0; q < weights.size(); ++q) {
-    const Mat3& local = gradients[static_cast<size_t>(q)];
+    const Mat3& local = gradients[static_cast<size_t>(q)].value;
     strain.col(q) =
         law_.uniaxial_strain(axial_stretch) + strain_components(0.5 * (local + local.transpose()));
     volume[q] = strain.col(q).head<3>().sum();

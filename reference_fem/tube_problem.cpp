@@ -125,9 +125,9 @@ TubeSolution solve_tube(const TubeProblem& problem, ModelKind kind, const TubeMe
   const auto model = build(problem, kind, size, processes, supports.sections, mesh);
   if (problem.seen.stressed()) {
     const double radius = problem.shape.mean_radius();
-    const SeenDisplacement found = seen_displacement(*model, problem.seen, supports,
-                                                     largest_linear_prestress * radius, processes);
-    give_prestress(*model, problem.seen, found);
+    const SeenDisplacement found =
+        seen_displacement(*model, problem.seen, supports, largest_linear_prestrain, processes);
+    give_prestress(*model, problem.seen, found, processes);
     solution.seen = {found.largest / radius, found.steps};
   }
   model->set_pressure(problem.seen.pressure);

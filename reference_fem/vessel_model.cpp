@@ -1,6 +1,8 @@
 #include "reference_fem/vessel_model.h"
 
 #include <Eigen/Dense>
+#include <array>
+#include <cmath>
 
 namespace vasorod::fem {
 namespace {
@@ -23,8 +25,8 @@ bool VesselModel::set_stress_free_shape(double axial_stretch, const DofValues& u
   const Mat3 stretch = law().uniaxial_stretches(axial_stretch).asDiagonal();
   for (std::size_t c = 0; c < unloading_.size(); ++c) {
     if (mesh().weights[c].size() == 0) continue;
-    for (const Mat3& gradient : local_gradients(c, u)) {
-      const Mat3 shape = Mat3::Identity() - gradient;
+    for (const LocalGradient& gradient : local_gradients(c, u)) {
+      const Mat3 shape = Mat3::Identity() - gradient.value;
       if (!(shape.determinant() > 0)) {
         unloading_.clear();
         return false;
@@ -33,6 +35,22 @@ bool VesselModel::set_stress_free_shape(double axial_stretch, const DofValues& u
     }
   }
   return true;
+}
+
+double VesselModel::rms_prestrain(double axial_stretch, const DofValues& u,
+                                  const Processes& processes) const {
+  const Vec6 stretch = law().uniaxial_strain(axial_stretch);
+  std::array<double, 2> sums{};  // of the squared strain, of the volume
+  for (std::size_t c = 0; c < mesh().cell_nodes.size(); ++c) {
+    if (mesh().weights[c].size() == 0) continue;
+    for (const LocalGradient& local : local_gradients(c, u)) {
+      const Mat3 e = stress_tensor(stretch) + 0.5 * (local.value + local.value.transpose());
+      sums[0] += local.volume * e.bottomRightCorner<2, 2>().squaredNorm();
+      sums[1] += local.volume;
+    }
+  }
+  processes.sum(sums.data(), sums.size());
+  return std::sqrt(sums[0] / sums[1]);
 }
 
 }  // namespace vasorod::fem

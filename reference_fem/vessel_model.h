@@ -9,6 +9,7 @@
 #include "reference_fem/law.h"
 #include "reference_fem/mesh.h"
 #include "reference_fem/model.h"
+#include "reference_fem/processes.h"
 
 namespace vasorod::fem {
 
@@ -31,6 +32,9 @@ class VesselModel : public Model {
   /// axial stretch: its law is evaluated from there. Returns false, and leaves the wall without a
   /// stress at rest, if that shape is turned inside out somewhere in a cell of this process.
   bool set_stress_free_shape(double axial_stretch, const DofValues& u);
+  /// RMS over the wall's volume of the strain e of set_prestress() in the wall's surface,
+  /// sqrt(e_22^2 + e_33^2 + 2 e_23^2) in local axes.
+  double rms_prestrain(double axial_stretch, const DofValues& u, const Processes& processes) const;
   virtual const Mesh& mesh() const = 0;
 
  protected:
@@ -39,14 +43,20 @@ class VesselModel : public Model {
     Eigen::Matrix<double, 6, Eigen::Dynamic> stress;  ///< local axes
     double stored = 0;                                ///< its energy at rest
   };
+  /// Of the displacement at a quadrature point, linear in u, in local axes.
+  struct LocalGradient {
+    Mat3 value;
+    double volume = 0;  ///< of the point
+  };
   std::vector<CellPrestress> prestress_;  ///< per cell; empty: none
   /// Per cell and quadrature point: A of from_stress_free_shape(). Empty: the shape at rest.
   std::vector<std::vector<Mat3>> unloading_;
 
  private:
   virtual const MaterialLaw& law() const = 0;
-  /// Per quadrature point of a cell: the gradient of the displacement, linear in u, in local axes.
-  virtual std::vector<Mat3> local_gradients(std::size_t cell, const DofValues& u) const = 0;
+  /// Per quadrature point of a cell.
+  virtual std::vector<LocalGradient> local_gradients(std::size_t cell,
+                                                     const DofValues& u) const = 0;
   virtual CellPrestress prestress_of(std::size_t cell, double axial_stretch,
                                      const DofValues& u) const = 0;
 };

@@ -1,6 +1,7 @@
 #include "coupled/scan_displacement.h"
 
 #include <optional>
+#include <utility>
 
 #include <vasorod/error.h>
 
@@ -60,13 +61,12 @@ class SeenWall final : public StressFreeProblem {
     system_.set_time(0);
     const Eigen::SparseMatrix<double> stiffness = system_.hessian(z_);
     system_.set_time(share_);
-    if (!factor_.analysed()) factor_.analyse(stiffness);
+    factor_.analyse(stiffness);
     return factor_.factorise(stiffness);
   }
 
   bool set(double share, const VectorXd& u) override {
     share_ = share;
-    system_.set_time(share);
     WallInput stressed = wall_;
     stressed.from_stress_free_shape = true;
     stressed.axial_prestretch = 1 + share * (wall_.axial_prestretch - 1);
@@ -75,21 +75,27 @@ class SeenWall final : public StressFreeProblem {
       if (is_shaped_)
         energy_->set_stress_free_shape(stressed);
       else
-        energy_.emplace(stressed);
+        become(stressed);
     } catch (const InputError&) {  // a triangle of the shape has no area
-      is_shaped_ = false;
+      become(wall_);
       return false;
     }
     is_shaped_ = true;
-    system_.set_energy(0, *energy_);
+    system_.set_time(share);
     return true;
   }
 
   // The wall with the stress of the axial prestretch alone.
   void set_stretch() {
+    become(wall_);
     system_.set_time(1);
-    energy_.emplace(wall_);
-    system_.set_energy(0, *energy_);
+  }
+
+  // The strain of its prestress where that is linear in u.
+  double rms_prestrain(const VectorXd& u) const {
+    WallInput stressed = wall_;
+    stressed.prestress_displacement = points_of(u);
+    return WallEnergy(stressed).rms_prestrain();
   }
 
   // The displacement that the forces would cause which u leaves, the ties' of a displaced ring
@@ -118,6 +124,13 @@ class SeenWall final : public StressFreeProblem {
   }
 
  private:
+  void become(const WallInput& wall) {
+    WallEnergy next(wall);  // throws before the system loses the one it has
+    energy_ = std::move(next);
+    system_.set_energy(0, *energy_);
+    is_shaped_ = false;
+  }
+
   double length_;
   std::vector<HeldSection> sections_;
   WallInput wall_;
@@ -141,8 +154,7 @@ ScanDisplacement scan_displacement(const WallInput& given, std::vector<HeldSecti
   wall.set_stretch();
   VectorXd u = wall.step(wall.no_displacement());
   ScanDisplacement found;
-  if (wall.length(u) * wall.unit() > largest_linear)
-    found.steps = search_stress_free(wall, u, stop);
+  if (wall.rms_prestrain(u) > largest_linear) found.steps = search_stress_free(wall, u, stop);
   found.from_stress_free_shape = found.steps > 0;
   found.points = wall.points_of(u) * wall.unit();
   return found;

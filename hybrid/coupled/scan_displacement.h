@@ -15,7 +15,7 @@ struct ScanDisplacement {
 
 /// Under the pressure of the scan and the wall's axial prestretch. All freedoms of `sections` are
 /// held; their motions and loads are ignored. It is the linear displacement without prestress where
-/// that is nowhere larger than `largest_linear` (length). Where it is larger, it leads from the
+/// its strain (WallEnergy::rms_prestrain) is at most `largest_linear`. Beyond, it leads from the
 /// shape without stress, of which the wall under both is in equilibrium as it was seen, and which
 /// is looked for in steps; should it not be found, or `stop` say so, it is the linear one all the
 /// same. Throws InputError if nothing stops a rigid motion.

@@ -20,7 +20,7 @@ int threads();
 int processors();
 
 /// Calls `task` with 0 ... `count` - 1, on up to `threads` threads, of which the calling one is
-/// one. Rethrows the first exception of a task after all threads have ended.
+/// one. After all threads have ended, rethrows the exception that the first task in order threw.
 template <class Task>
 void in_parallel(int threads, int count, Task task) {
   threads = std::min(threads, count);
@@ -30,14 +30,18 @@ void in_parallel(int threads, int count, Task task) {
   }
   std::atomic<int> next = 0;
   std::exception_ptr failure;
+  int failed = count;  // tasks are begun in order: all before the first that fails are done
   std::mutex one;
   const auto work = [&] {
+    int i = 0;
     try {
-      for (int i = next++; i < count; i = next++) task(i);
+      for (i = next++; i < count; i = next++) task(i);
     } catch (...) {
       next = count;
       const std::lock_guard<std::mutex> alone(one);
-      if (!failure) failure = std::current_exception();
+      if (i >= failed) return;
+      failed = i;
+      failure = std::current_exception();
     }
   };
   {

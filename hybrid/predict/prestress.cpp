@@ -2,22 +2,24 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <vasorod/error.h>
 
-#include "data/index.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
-#include "numerics/threads.h"
 #include "predict/rod_lumen.h"
 #include "predict/vessel_wall.h"
 
 namespace vasorod {
 namespace {
 
-// Over the radius: a linear displacement beyond this is a rough prestress.
-constexpr double far = 0.1;
+// The largest strain of a linear prestress, RMS: some 0.1 away from the held ends. A tube is then
+// 1 % of its radius off once its pressure is gone.
+constexpr double largest_strain = 0.08;
+// Over the radius: a displacement beyond this, mostly of a wall that bends, is rough all the same.
+constexpr double largest_share = 0.1;
 
 // Whether an operation opens the vessel across: at a cut, or at an end where it was held when it
 // was seen.
@@ -45,13 +47,13 @@ void require_one_pressure(const Scene& scene) {
                    ", expected one pressure, as the operation joins them to one lumen");
 }
 
-double largest_linear_prestress(const Scene& scene, const PredictedVessel& vessel) {
+double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vessel) {
   const VesselSpec& spec = vessel.prepared.spec;
   const auto joined = scene.joined();
   const bool changes = (joined && ((*joined)[0] == spec.name || (*joined)[1] == spec.name)) ||
                        (spec.pressure && spec.pressure->scan != spec.pressure->after) ||
                        vessel.conditions.acts;
-  return changes ? far : std::numeric_limits<double>::infinity();
+  return changes ? largest_strain : std::numeric_limits<double>::infinity();
 }
 
 std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps) {
@@ -59,7 +61,7 @@ std::optional<std::string> large_prestress(const std::string& vessel, double sha
     return joined_text("prestress of ", vessel, ": its shape without stress, which is up to ",
                        number_text(100 * share, 2), " % of the radius away, was found in ", steps,
                        " steps, as a linear displacement would be rough");
-  if (share <= far) return std::nullopt;
+  if (share <= largest_share) return std::nullopt;
   return joined_text("prestress of ", vessel, ": it is that of a linear displacement of up to ",
                      number_text(100 * share, 2),
                      " % of the radius; beyond 10 % this is rough, though the shape as seen is in "
@@ -68,18 +70,17 @@ std::optional<std::string> large_prestress(const std::string& vessel, double sha
 
 namespace {
 
-ScanDisplacement displacement_of(const PredictedVessel& vessel, const Scene& scene,
-                                 const std::function<bool()>& stop) {
-  const PreparedVessel& prepared = vessel.prepared;
+void prestress_wall(PredictedVessel& vessel, Prediction& prediction,
+                    const std::function<bool()>& stop) {
+  const Scene& scene = *prediction.scene;
+  PreparedVessel& prepared = vessel.prepared;
+  ScanDisplacement found;
   try {
-    return displacement_of_scan(prepared, vessel.conditions, is_opened(scene, prepared.spec.name),
-                                largest_linear_prestress(scene, vessel), stop);
+    found = displacement_of_scan(prepared, vessel.conditions, is_opened(scene, prepared.spec.name),
+                                 largest_linear_prestrain(scene, vessel), stop);
   } catch (const InputError& error) {  // which names the vessel
     throw InputError(place_in(scene, prepared.spec.line) + ": " + error.what());
   }
-}
-
-void prestress_wall(PreparedVessel& prepared, ScanDisplacement found, Prediction& prediction) {
   prepared.prestress_displacement = std::move(found.points);
   prepared.from_stress_free_shape = found.from_stress_free_shape;
   if (prepared.prestress_displacement.rows() == 0) return;
@@ -113,25 +114,16 @@ void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()
                const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
   if (lumen == LumenOf::none) return;
-  std::vector<PredictedVessel*> stressed;
   for (PredictedVessel& vessel : prediction.vessels) {
     const VesselSpec& spec = vessel.prepared.spec;
     if (vessel.prepared.obstacle() || (!spec.pressure && spec.axial_prestretch == 1)) continue;
     begin("prestress of " + spec.name);
-    if (spec.pressure) require_bearable(vessel.prepared, scene);
-    stressed.push_back(&vessel);
-  }
-  std::vector<ScanDisplacement> found(stressed.size());
-  if (lumen == LumenOf::wall)
-    in_parallel(threads(), static_cast<int>(stressed.size()), [&](int v) {
-      found[index(v)] = displacement_of(*stressed[index(v)], scene, stop);
-    });
-  for (size_t v = 0; v < stressed.size(); ++v) {
-    PredictedVessel& vessel = *stressed[v];
-    const VesselSpec& spec = vessel.prepared.spec;
-    if (spec.pressure) prediction.notes.push_back(lumen_note(spec, scene.units));
+    if (spec.pressure) {
+      require_bearable(vessel.prepared, scene);
+      prediction.notes.push_back(lumen_note(spec, scene.units));
+    }
     if (lumen == LumenOf::wall)
-      prestress_wall(vessel.prepared, std::move(found[v]), prediction);
+      prestress_wall(vessel, prediction, stop);
     else if (lumen == LumenOf::rod)
       prestress_rod(vessel, is_opened(scene, spec.name), prediction);
   }

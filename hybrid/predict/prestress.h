@@ -15,15 +15,16 @@ void require_one_pressure(const Scene& scene);
 
 /// Gives the vessels with a pressure or an axial prestretch the stress they were seen with, in what
 /// the fidelity's `lumen` says: fills PreparedVessel::prestress_displacement, or presses the rod,
-/// or leaves it to the fidelity's solver. Adds a note for each pressure. `begin` is called before
-/// each vessel. Throws InputError for a pressure that the wall cannot bear.
+/// or leaves it to the fidelity's solver. Adds a note for each pressure. `stop`: ends the search
+/// for a shape without stress. `begin` is called before each vessel. Throws InputError for a
+/// pressure that the wall cannot bear.
 void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()>& stop,
                const std::function<void(const std::string&)>& begin);
 
-/// The largest linear displacement, over the vessel's radius, whose stress is a prestress. Beyond,
-/// the wall's shape without stress is looked for. Infinite of a vessel that stays as it was seen
-/// but for what touches it: that is in equilibrium with either.
-double largest_linear_prestress(const Scene& scene, const PredictedVessel& vessel);
+/// The largest strain (WallEnergy::rms_prestrain) of a linear prestress. Beyond, the wall's shape
+/// without stress is looked for. Infinite of a vessel that stays as it was seen but for what
+/// touches it: that is in equilibrium with either.
+double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vessel);
 
 /// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
 /// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape

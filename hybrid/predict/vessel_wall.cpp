@@ -87,8 +87,7 @@ ScanDisplacement displacement_of_scan(const PreparedVessel& prepared,
     section.rest = vessel.rod.rest[index(end.node)];
     sections.push_back(std::move(section));
   }
-  return scan_displacement(wall_of(prepared), std::move(sections), pressure,
-                           largest_linear * vessel.mean_radius, stop);
+  return scan_displacement(wall_of(prepared), std::move(sections), pressure, largest_linear, stop);
 }
 
 RodPoses share_of_strain(const RodTree& rod, const RodPoses& poses, double share) {

@@ -22,8 +22,8 @@ VesselSections sections_of(const Vessel& vessel, const VesselConditions& conditi
 
 /// PreparedVessel::prestress_displacement of a vessel as it was seen: under the pressure of the
 /// scan and its axial prestretch, with the ends that have conditions held. `whole`: the others too,
-/// as of a vessel that is cut. `largest_linear`: of its linear displacement, over the vessel's
-/// radius. Empty if it has neither. Throws InputError.
+/// as of a vessel that is cut. `largest_linear`: strain of a linear prestress. Empty if it has
+/// neither. Throws InputError.
 ScanDisplacement displacement_of_scan(const PreparedVessel& vessel,
                                       const VesselConditions& conditions, bool whole,
                                       double largest_linear,

@@ -123,9 +123,10 @@ SectionEnergy::SectionEnergy(const SectionWall& wall) : space_(wall.rest.space),
 
 // `shape`: without stress but for the stretch, along and across the fibre, that leads to it.
 void SectionEnergy::set_points(Station& station, const MatrixXd& shape, const Vec2& stretch) const {
-  // The fibre follows the vessel's axis, the middle of its sections.
-  const VectorXd slope =
-      shape.middleCols(station.first, station.basis.cols()) * station.basis.row(1).transpose();
+  // The fibre follows the vessel's axis as seen, the middle of its sections, and is the same line
+  // of matter in the shape without stress.
+  const VectorXd slope = wall_.rest.coefficients.middleCols(station.first, station.basis.cols()) *
+                         station.basis.row(1).transpose();
   const Vec3 axis(slope[0], slope[space_.modes()], slope[2 * space_.modes()]);
   const double thickness = wall_.thickness(station.u),
                thinning = thinning_exponent(wall_.material) - 1;
@@ -136,7 +137,10 @@ void SectionEnergy::set_points(Station& station, const MatrixXd& shape, const Ve
     // Heights are those of the wall as seen, which is thinner than without stress.
     const double widened = area_of(seen.at(q)) / area_of(free.at(q)) * stretch.prod(),
                  thicker = std::pow(widened, -thinning);
-    station.points.emplace_back(free.at(q), axis, thicker * (wall_.mid_offset - thickness / 2),
+    const Eigen::Matrix<double, 3, 2> sides = seen.at(q).leftCols<2>();
+    const Vec3 fibre = free.at(q).leftCols<2>() * (sides.transpose() * sides).inverse() *
+                       (sides.transpose() * axis);
+    station.points.emplace_back(free.at(q), fibre, thicker * (wall_.mid_offset - thickness / 2),
                                 thicker * (wall_.mid_offset + thickness / 2), station.measure,
                                 wall_.material, stretch);
   }
@@ -165,6 +169,17 @@ void SectionEnergy::set_prestress(const MatrixXd& displacement, double axial_pre
     for (Eigen::Index q = 0; q < around_[0].rows(); ++q)
       station.points[index(q)].set_prestress(rest.at(q), moved.at(q), strain);
   }
+}
+
+double SectionEnergy::rms_prestrain() const {
+  double sum = 0, area = 0;
+  for (const Station& station : stations_)
+    for (const WallPoint& point : station.points) {
+      const Vec3 e = point.membrane_prestrain();
+      sum += point.area() * (e.squaredNorm() - e[2] * e[2] / 2);
+      area += point.area();
+    }
+  return std::sqrt(sum / area);
 }
 
 void SectionEnergy::set_stress_free_shape(const MatrixXd& displacement, double axial_prestretch) {

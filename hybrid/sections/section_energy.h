@@ -38,6 +38,8 @@ class SectionEnergy {
   /// At rest the wall carries the stress of this linear displacement, in coefficients, and of this
   /// stretch along its axis (wall/wall_energy.h).
   void set_prestress(const Eigen::MatrixXd& displacement, double axial_prestretch);
+  /// RMS over the surface of the prestress's strain: WallEnergy::rms_prestrain.
+  double rms_prestrain() const;
   /// The wall without stress has the shape at rest less this displacement, and is then shorter by
   /// the stretch along its axis: WallInput::from_stress_free_shape.
   void set_stress_free_shape(const Eigen::MatrixXd& displacement, double axial_prestretch);

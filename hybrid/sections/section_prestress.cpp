@@ -2,7 +2,6 @@
 
 #include <vasorod/error.h>
 
-#include "data/index.h"
 #include "numerics/stress_free_search.h"
 
 namespace vasorod {
@@ -32,6 +31,12 @@ class SeenWall final : public StressFreeProblem {
     for (size_t e = 0; e < 2; ++e)
       if (ends[e]) poses[e].position = ends[e]->rest.position;
     rest_ = system_.unknowns_of(wall.rest.coefficients, poses);
+  }
+
+  // The strain of its prestress where that is linear in the change.
+  double rms_prestrain(const VectorXd& change) {
+    system_.set_prestress(displacement(change), stretch_);
+    return system_.energy().rms_prestrain();
   }
 
   // Of the stress of the axial prestretch alone.
@@ -80,7 +85,6 @@ class SeenWall final : public StressFreeProblem {
 
 SeenSections seen_sections(const SectionWall& wall, const HeldEnds& ends, double scan_pressure,
                            double axial_prestretch, const std::string& name, double largest_linear,
-                           const std::function<double(const MatrixXd&)>& largest,
                            const std::function<bool()>& stop) {
   SeenWall seen(wall, ends, scan_pressure, axial_prestretch);
   if (!seen.stiffen())
@@ -89,7 +93,7 @@ SeenSections seen_sections(const SectionWall& wall, const HeldEnds& ends, double
   seen.set_stretch();
   VectorXd change = seen.step(seen.none());
   SeenSections found;
-  if (largest(seen.displacement(change)) > largest_linear)
+  if (seen.rms_prestrain(change) > largest_linear)
     found.steps = search_stress_free(seen, change, stop);
   found.displacement = seen.displacement(change);
   return found;

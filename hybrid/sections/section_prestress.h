@@ -14,12 +14,12 @@ struct SeenSections {
 };
 
 /// The displacement under the pressure of the scan and the axial prestretch, of which the wall at
-/// rest is in equilibrium with both: linear where `largest` of it is at most `largest_linear`, else
-/// from the shape without stress, if that is found. All freedoms of `ends` are held at rest. Throws
-/// InputError if nothing holds the wall; `name` begins its sentence.
+/// rest is in equilibrium with both: linear where its strain (SectionEnergy::rms_prestrain) is at
+/// most `largest_linear`, else from the shape without stress, if that is found. All freedoms of
+/// `ends` are held at rest. Throws InputError if nothing holds the wall; `name` begins its
+/// sentence.
 SeenSections seen_sections(const SectionWall& wall, const HeldEnds& ends, double scan_pressure,
                            double axial_prestretch, const std::string& name, double largest_linear,
-                           const std::function<double(const Eigen::MatrixXd&)>& largest,
                            const std::function<bool()>& stop = {});
 
 /// Gives a system of the wall that stress.

@@ -223,7 +223,7 @@ class Solver {
     // In all spaces in the same way, that of the first.
     const SeenSections seen =
         seen_sections(wall_, mine.ends, mine.pressure.scan, mine.axial_prestretch, mine.name,
-                      largest_linear_, largest, [this] { return stop_(); });
+                      largest_linear_, [this] { return stop_(); });
     largest_linear_ = seen.steps > 0 ? 0 : std::numeric_limits<double>::infinity();
     solution_.prestress_displacement = largest(seen.displacement);
     solution_.prestress_steps = seen.steps;
@@ -391,7 +391,7 @@ class Solver {
   std::optional<bool> positive_;    // of the last Hessian
   std::optional<BandMatrix> kept_;  // the present system's last factor
   int indefinite_ = 0;              // Newton steps from a negative curvature
-  double largest_linear_ = options_.largest_linear_prestress;  // of the next space
+  double largest_linear_ = options_.largest_linear_prestrain;  // of the next space
   bool buckled_ = false;  // the minimum jumped on the path, or from a space to the next
   SolvedSections solution_;
 };

@@ -50,8 +50,8 @@ struct SectionOptions : SolverOptions {
   double moment_tolerance = 1e-8;
   int max_iterations = 100;  ///< Newton's, per space
   int degree = 3;            ///< of the B-splines
-  /// The largest linear displacement, over the radius, whose stress is a prestress.
-  double largest_linear_prestress = 0.1;
+  /// The largest strain of a linear prestress (SectionEnergy::rms_prestrain).
+  double largest_linear_prestrain = 0.08;
   /// Empty when the options are valid, else one sentence.
   std::optional<std::string> is_invalid() const;
 };

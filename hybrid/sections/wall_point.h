@@ -48,7 +48,8 @@ class WallPoint {
   PointEnergy energy(const SurfaceJet& jet, bool with_hessian, double stress_share = 1) const;
   /// The principal stretches of the wall's faces.
   FaceStretches faces(const SurfaceJet& jet) const;
-  double area() const { return area_; }  ///< at rest, of the point
+  double area() const { return area_; }                             ///< at rest, of the point
+  Vec3 membrane_prestrain() const { return prestrain_.head<3>(); }  ///< 11, 22, 2*12
 
  private:
   Vec6 strains(const SurfaceJet& jet) const;

@@ -13,7 +13,8 @@
 //
 // with N the unit bisector of its triangles' normals (on a rim, the normal of the one triangle), e
 // directed from the edge's lower vertex to the higher, and xi0 chosen so that at rest (xi = 0) m is
-// the normal of the smooth surface. The normals of a glued rim belong to a rigid section; the code
+// the normal of the smooth surface, or, of a wall from its shape without stress, that of which the
+// edge is in equilibrium. The normals of a glued rim belong to a rigid section; the code
 // that moves the section sets m = R m_rest. Strains, bending and stiffness: triangle_energy.h,
 // wall_section.h.
 #pragma once
@@ -86,7 +87,7 @@ struct WallReport {
   double membrane = 0, bending = 0, coupling = 0;
   /// Per triangle, in the frame (fibre, across): strain of the given surface (11, 22, 2*12); change
   /// of the second fundamental form (1/length); the conjugate stress resultants per rest area
-  /// (force/length, force).
+  /// (force/length, force). Both count from the shape without stress, if the wall is from one.
   std::vector<Vec3> strain, bend, force, moment;
   double sharpest_fold = 0;  ///< angle between two triangles, radians
   Vec3 fold_place = Vec3::Zero();
@@ -111,6 +112,10 @@ class WallEnergy {
   const std::vector<WallEdge>& edges() const { return edges_; }  ///< sorted by (a, b)
   const std::vector<WallLean>& leans() const { return leans_; }  ///< sorted by vertex
 
+  /// RMS over the rest area of the prestress's strain of the given surface, sqrt(e_11^2 + e_22^2 +
+  /// 2 e_12^2); zero from_stress_free_shape.
+  double rms_prestrain() const;
+
   /// q at rest, the given surface: without a prestress, energy and gradient are zero.
   const Eigen::VectorXd& rest() const { return rest_; }
 
@@ -122,8 +127,8 @@ class WallEnergy {
   /// in place.
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
-  /// Replaces the material of the wall. The pattern, the rest state, all unknowns and the prestress
-  /// stay.
+  /// Replaces the material of the wall. The pattern, the rest state, all unknowns and a linear
+  /// prestress stay; a shape without stress does too, and the prestress from it follows.
   void set_material(const Material& material);
 
   /// Energies, strains and stresses at q.
@@ -162,7 +167,7 @@ class WallEnergy {
   void place_leans(const BlockPattern& pattern);
   void set_relief(double share);
   void set_prestress(const WallInput& input);
-  void move_to_seen(const TriangleSurface& seen);
+  void relax_at_rest();
   void set_stored();
   // Per triangle the derivative of y at q in the direction `change`.
   std::vector<Vec6> strain_change(const Eigen::VectorXd& q, const Eigen::VectorXd& change) const;

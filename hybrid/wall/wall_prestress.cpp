@@ -8,6 +8,8 @@
 // Verhegghe, Segers and Vierendeels, J. Comput. Appl. Math. 246, 2013): the wall at rest is that
 // shape's, deformed to the given surface, with all of its law.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <vasorod/error.h>
 
@@ -52,27 +54,28 @@ void WallEnergy::set_prestress(const WallInput& input) {
 
 void WallEnergy::set_stress_free_shape(const WallInput& input) {
   std::fill(lean_rest_.begin(), lean_rest_.end(), 0);
-  partner_.clear();
   for (TriangleRest& rest : triangle_rest_) rest.relief = 0;
   set_rest(input);
-  move_to_seen(input.rest);
+  relax_at_rest();
 }
 
-void WallEnergy::move_to_seen(const TriangleSurface& seen) {
-  for (int i = 0; i < vertices_; ++i) rest_.segment<3>(3 * i) = seen.points.row(i).transpose();
-  // The normals of free edges and the leans follow in equilibrium; there their unknowns are zero.
-  // One stiffness serves where the law is quadratic; elsewhere it is made again where it must.
+// The normals of free edges and the leans follow from the shape without stress in equilibrium;
+// there their unknowns are zero. One stiffness serves where the law is quadratic; elsewhere it is
+// made again where it must.
+void WallEnergy::relax_at_rest() {
   constexpr int most_steps = 40;
-  constexpr double tolerance = 1e-14, slow = 0.1;
+  // Of the last change: none is smaller for rounding; enough where they do not become smaller.
+  constexpr double tolerance = 1e-14, enough = 1e-10, slow = 0.1;
   const Eigen::Index first = 3 * Eigen::Index{vertices_};
   const Eigen::Index following = free_edges_ + std::ssize(leans_);
   bool is_kept = following_ != nullptr;
   if (!is_kept) following_ = std::make_shared<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>();
   Eigen::VectorXd force;
-  double before = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double before = none;
+  for (int step = 0; step < most_steps && before > tolerance; ++step) {
     gradient(rest_, force);
-    Eigen::VectorXd change;
+    double now = none;
     for (const bool anew : {false, true}) {
       if (anew || !is_kept) {
         const Eigen::SparseMatrix<double> stiffness =
@@ -80,14 +83,18 @@ void WallEnergy::move_to_seen(const TriangleSurface& seen) {
         following_->compute(stiffness);
         is_kept = true;
       }
-      change = following_->solve(force.segment(first, following));
-      if (step == 0 || !(change.lpNorm<Eigen::Infinity>() > slow * before)) break;
+      const Eigen::VectorXd change = following_->solve(force.segment(first, following));
+      now = change.allFinite() ? change.lpNorm<Eigen::Infinity>() : none;
+      if (now == none || (!anew && now > slow * before)) continue;
+      rest_.segment(first, following) -= change;
+      break;
     }
-    rest_.segment(first, following) -= change;
-    before = change.lpNorm<Eigen::Infinity>();
-    if (!(before > tolerance)) break;
+    const bool is_rounding = before <= enough && now > slow * before;
+    if (is_rounding) break;
+    before = now;
+    if (now == none) break;
   }
-  if (!rest_.allFinite())
+  if (!(before <= enough))
     throw InputError(name_ + ": found a shape without stress from which its edges cannot be " +
                      "brought to the shape as seen, expected a smaller displacement");
   for (size_t e = 0; e < edges_.size(); ++e)
@@ -95,6 +102,16 @@ void WallEnergy::move_to_seen(const TriangleSurface& seen) {
   for (const WallLean& lean : leans_)
     lean_rest_[static_cast<size_t>(lean.vertex)] = rest_[lean.unknown];
   rest_.segment(first, following).setZero();
+}
+
+double WallEnergy::rms_prestrain() const {
+  double sum = 0, area = 0;
+  for (const TriangleRest& rest : triangle_rest_) {
+    const Vec3 e = prestrain(rest).head<3>();  // 11, 22, 2*12
+    sum += rest.area * (e.squaredNorm() - e[2] * e[2] / 2);
+    area += rest.area;
+  }
+  return std::sqrt(sum / area);
 }
 
 void WallEnergy::set_stored() {

@@ -120,7 +120,7 @@ WallEnergy::WallEnergy(const WallInput& input)
     set_prestress(input);
     return;
   }
-  move_to_seen(input.rest);
+  relax_at_rest();
   following_.reset();
 }
 
@@ -210,10 +210,10 @@ void WallEnergy::set_rest(const WallInput& input) {
       refuse(input.name, "triangle ", t, ": area = ", area.norm() / 2,
              ", expected a triangle with an area");
     const Vec3 normal = area.normalized();
-    Vec3 axis = input.axis[static_cast<size_t>(t)];
-    if (by_shape) axis = carried(axis, input.rest, t, d1, d2);
+    const Vec3& seen_axis = input.axis[static_cast<size_t>(t)];
+    const Vec3 axis = by_shape ? carried(seen_axis, input.rest, t, d1, d2) : seen_axis;
     const Vec3 in_plane = axis - axis.dot(normal) * normal;
-    if (!(in_plane.norm() > 1e-9 * axis.norm()))
+    if (!(in_plane.norm() > 1e-9 * seen_axis.norm()))
       refuse(input.name, "triangle ", t,
              ": its axis is normal to it, expected one that runs along the wall");
     auto& f = frame[static_cast<size_t>(t)];
@@ -266,13 +266,17 @@ void WallEnergy::set_rest(const WallInput& input) {
     sections_.push_back(section);
     if (leans_.empty()) continue;
     Eigen::Matrix<double, 2, 3> directions;
+    const Vec3 x0 = point(rest_, v[0]), d1 = point(rest_, v[1]) - x0, d2 = point(rest_, v[2]) - x0;
     for (int k = 0; k < 3; ++k) {
-      const Vec3 d = input.lean.row(v[k]);
+      const Vec3 seen = input.lean.row(v[k]);
+      const Vec3 d = by_shape ? carried(seen, input.rest, t, d1, d2) : seen;
       const Vec2 in_plane = f.transpose() * d;
       directions.col(k) = in_plane.isZero(0) ? in_plane : in_plane.normalized();
     }
     lean_directions_.push_back(directions);
   }
+  for (int i = 0; i < vertices_; ++i)
+    rest_.segment<3>(3 * i) = input.rest.points.row(i).transpose();
   set_material(input.material);
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
 #include "numerics/threads.h"
 
@@ -28,6 +29,25 @@ TEST(Threads, TheFirstFailureIsThrownAfterAllHaveEnded) {
     EXPECT_THROW(in_parallel(threads, 1000000, task), std::runtime_error);
     EXPECT_EQ(working, 0);
     EXPECT_LT(most, 999999) << "the rest is not begun";
+  }
+}
+
+// Whichever fails first in time.
+TEST(Threads, TheFirstFailureInOrderIsThrown) {
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    std::atomic<bool> second = false;
+    const auto task = [&](int k) {
+      if (k == 0)
+        while (!second) std::this_thread::yield();
+      second = second || k == 1;
+      throw std::runtime_error(std::to_string(k));
+    };
+    try {
+      in_parallel(2, 2, task);
+      ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "0");
+    }
   }
 }
 

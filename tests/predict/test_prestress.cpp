@@ -140,6 +140,22 @@ TEST(Prestress, AFarShapeWithoutStressIsNamed) {
   EXPECT_LT(apart, 2e-3 * 3.3);
 }
 
+// A curved vessel bows far when it is stretched, by a small strain: its stress is linear and called
+// rough.
+TEST(Prestress, OfASmallStrainItIsLinear) {
+  for (const char* fidelity : {"coupled", "section"}) {
+    Scene scene = held_tube({5 * mmhg, 12 * mmhg}, 1.05);
+    scene.fidelity = fidelity;
+    scene.vessels[0].tube->bend_deg = 60;
+    const Result result = predict(scene);
+    EXPECT_EQ(result.status, Status::converged) << fidelity;
+    int linear = 0;
+    for (const std::string& note : result.certificate.notes)
+      linear += note.find("prestress of svc: it is that of a linear displacement") == 0;
+    EXPECT_EQ(linear, 1) << fidelity;
+  }
+}
+
 TEST(Prestress, ALargeLinearDisplacementIsNamed) {
   EXPECT_FALSE(large_prestress("svc", 0.1, 0));
   EXPECT_EQ(large_prestress("svc", 0.204, 0)

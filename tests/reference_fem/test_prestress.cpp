@@ -65,7 +65,7 @@ Tube make(bool solid, const TubeShape& shape, const MaterialLaw& law, bool soft,
 /// Its wall balances the pressure and the stretch of the scan.
 SeenDisplacement see(Tube& tube, const SeenState& seen, double largest_linear = 1) {
   SeenDisplacement found = seen_displacement(*tube.model, seen, tube.supports, largest_linear, {});
-  give_prestress(*tube.model, seen, found);
+  give_prestress(*tube.model, seen, found, {});
   tube.model->set_pressure(seen.pressure);
   return found;
 }
@@ -117,6 +117,28 @@ TEST(Prestress, ItsForcesAreTheStiffnessTimesTheDisplacement) {
         EXPECT_NEAR(after.energy, 0.5 * own.dot(force), 1e-12 * after.energy);
       }
     }
+}
+
+// Its strain in the wall's surface, by which it is judged, is that of the displacement and the
+// stretch.
+TEST(Prestress, ItsStrainIsThatOfItsDisplacement) {
+  Mat3 gradient;
+  gradient << 0.02, 0, 0, 0, 0.02, 0, 0.03, 0, 0.01;
+  const double around = 0.02 - 0.4 * 0.04, along = 0.01 + 0.04, shear = 0.015,
+               expected = std::sqrt(around * around + along * along + shear * shear);
+  for (const bool solid : {true, false}) {
+    const Tube tube = make(solid, straight(), laws()[0], false, 3, 6, 3);
+    const VesselModel& model = *tube.model;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dof_count());
+    for (int node = 0; node < tube.rest.rows(); ++node) {
+      const int first = model.components() * node;
+      u.segment<3>(first) = gradient * tube.rest.row(node).transpose();
+      if (!solid)
+        u.segment<3>(first + 3) =
+            gradient * static_cast<const Shell&>(model).directors().row(node).transpose();
+    }
+    EXPECT_NEAR(model.rms_prestrain(1.04, u, {}), expected, 1e-5) << solid;
+  }
 }
 
 // A wall at the pressure and the stretch of the scan stays where it was seen.

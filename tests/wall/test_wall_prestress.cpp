@@ -129,13 +129,27 @@ TEST(WallPrestress, IsTheWallOfTheShapeWithoutStress) {
   }
 }
 
-// Where the shape without stress lies does not count: its fibres turn with it.
-TEST(WallPrestress, ATurnedShapeWithoutStressIsTheSame) {
+// A short tube with fibres, directions of leans and one glued rim, from a shape without stress.
+WallInput leaning_tube() {
   Material material = Material::isotropic(2, 0.3);
   material.shear_axial = 0.3;
-  WallInput input = tube_wall(tube(8, 3, 9, 5), 0.3, material, false);
+  WallInput input = tube_wall(tube(8, 3, 9, 5), 0.3, material, true);
+  input.lean.setZero(input.rest.points.rows(), 3);
+  for (int v = 0; v < input.rest.points.rows(); ++v) {
+    const double z = input.rest.points(v, 2);
+    if (z > 4) input.glued[static_cast<size_t>(v)] = 0;
+    if (z < 2) input.lean.row(v) = Vec3(0.1, 0, 1);
+  }
   input.from_stress_free_shape = true;
   input.axial_prestretch = 1.2;
+  return input;
+}
+
+// Where the shape without stress lies does not count: its fibres and the directions of its leans
+// turn with it.
+TEST(WallPrestress, ATurnedShapeWithoutStressIsTheSame) {
+  WallInput input = leaning_tube();
+  input.glued.clear();  // whose normals are kept as seen
   const WallEnergy straight(input);
   const Pose motion{exp_rotation(Vec3(0.5, -0.3, 0.9)), Vec3(2, 1, -3)};
   input.prestress_displacement.resize(input.rest.points.rows(), 3);
@@ -149,6 +163,45 @@ TEST(WallPrestress, ATurnedShapeWithoutStressIsTheSame) {
   const double energy = straight.gradient(q, one);
   EXPECT_NEAR(turned.gradient(q, other), energy, 1e-12 * energy);
   EXPECT_LT((one - other).norm(), 1e-12 * one.norm());
+}
+
+// From one shape to another the wall becomes that of the other.
+TEST(WallPrestress, AnotherShapeIsThatOfAFreshWall) {
+  for (const Law law : {Law::biot, Law::neo_hookean}) {
+    WallInput input = leaning_tube();
+    if (law == Law::neo_hookean) input.material = Material::isotropic(2, 0.3, law);
+    WallEnergy wall(input);
+    for (const unsigned seed : {4u, 5u}) {
+      const VectorXd random = noise(input.rest.points.size(), seed);
+      input.prestress_displacement =
+          0.1 * Eigen::Map<const Points>(random.data(), input.rest.points.rows(), 3);
+      input.axial_prestretch = 1 + 0.02 * seed;
+      wall.set_stress_free_shape(input);
+      WallEnergy fresh(input);
+      const VectorXd q = fresh.rest() + 0.1 * noise(fresh.unknowns(), 6);
+      VectorXd one, other;
+      const double energy = fresh.gradient(q, one);
+      EXPECT_LT((wall.rest() - fresh.rest()).norm(), 1e-13) << to_string(law);
+      EXPECT_NEAR(wall.gradient(q, other), energy, 1e-11 * energy) << to_string(law);
+      EXPECT_LT((one - other).norm(), 1e-11 * one.norm()) << to_string(law);
+      const Eigen::MatrixXd of_fresh = fresh.hessian(q), of_wall = wall.hessian(q);
+      EXPECT_LT((of_fresh - of_wall).norm(), 1e-11 * of_fresh.norm()) << to_string(law);
+    }
+  }
+}
+
+// The strain of a linear prestress is the one that its displacement has.
+TEST(WallPrestress, ItsStrainIsThatOfItsDisplacement) {
+  WallInput input = tube_wall(tube(8, 3, 96, 40), 0.3, Material::isotropic(2, 0), false);
+  EXPECT_EQ(WallEnergy(input).rms_prestrain(), 0);
+  Mat3 gradient;
+  gradient << 0.02, 0, 0, 0, 0.02, 0, 0.03, 0, 0.01;
+  input.prestress_displacement = input.rest.points * gradient.transpose();
+  input.axial_prestretch = 1.04;
+  // Around e = 0.02; along 0.05; their shear is half of 0.03 times the cosine of the angle around,
+  // of whose square the mean is a half.
+  const double expected = std::sqrt(0.02 * 0.02 + 0.05 * 0.05 + 2 * 0.015 * 0.015 / 2);
+  EXPECT_NEAR(WallEnergy(input).rms_prestrain(), expected, 1e-4 * expected);
 }
 
 // A tube stretched along its fibre pulls at its ends with E t times the strain.

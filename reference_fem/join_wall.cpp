@@ -100,7 +100,10 @@ SeenShare prestress_wall(const JoinProblem& problem, const JoinWall& wall, Plane
                         found.steps > 0 ? 0 : any, processes);
   };
   SeenDisplacement found = seen(largest_linear_prestrain);
-  if (share.steps > 0 && found.steps == 0) found = seen(any);  // none beside the hole
+  if (share.steps > 0 && !(found.steps > 0)) {  // none beside the hole
+    found = seen(any);
+    share.steps = 0;
+  }
   give_prestress(model, wall.seen, found, processes);
   return share;
 }

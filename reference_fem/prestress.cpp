@@ -62,7 +62,7 @@ class SeenVessel final : public StressFreeProblem {
   double length(const Eigen::VectorXd& unknowns) const override {
     State moved = rest_;
     system_.add(moved, unknowns);
-    return moved.u.norm();
+    return largest_displacement(moved.u, model_.components());
   }
 
   Eigen::VectorXd displacement(const Eigen::VectorXd& unknowns) const { return state(unknowns).u; }
@@ -107,7 +107,7 @@ SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, S
 
 void give_prestress(VesselModel& model, const SeenState& seen, const SeenDisplacement& found,
                     const Processes& processes) {
-  if (found.steps == 0) {
+  if (!(found.steps > 0)) {
     model.set_prestress(seen.axial_stretch, found.u);
     return;
   }

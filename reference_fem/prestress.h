@@ -11,6 +11,8 @@
 // of that shape is in equilibrium where it was seen.
 #pragma once
 
+#include <optional>
+
 #include "reference_fem/system.h"
 #include "reference_fem/vessel_model.h"
 
@@ -31,19 +33,20 @@ inline constexpr double largest_linear_prestrain = 0.08;
 struct SeenDisplacement {
   Eigen::VectorXd u;   ///< per degree of freedom
   double largest = 0;  ///< length of the largest at a node
-  int steps = 0;       ///< in which the shape without stress was found; 0: u is linear
+  /// In which the shape without stress was found; 0: it was not; empty: it was not looked for.
+  std::optional<int> steps;
 };
 
 /// The same in a result.
 struct SeenShare {
   double largest = 0;  ///< over the vessel's radius
-  int steps = 0;
+  std::optional<int> steps;
 };
 
 /// The displacement of a vessel as it was seen: linear if its strain is at most `largest_linear`,
-/// else from the shape without stress, if that is found. `supports`: of the
-/// intact vessel; all its sections are held, their motions and loads are ignored. Prescribed values
-/// are those of u. The model is left without a pressure, for give_prestress().
+/// else from the shape without stress, if that is found. `supports`: of the intact vessel; all its
+/// sections are held, their motions and loads are ignored. Prescribed values are those of u. The
+/// model is left without a pressure, for give_prestress().
 SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, Supports supports,
                                    double largest_linear, const Processes& processes);
 

@@ -70,7 +70,12 @@ void note_prestress(const std::string& vessel, const SeenShare& seen, Result& re
     result.certificate.notes.push_back(
         begin + text("its shape without stress, which is up to %.2g %% of the radius away, was "
                      "found in %d steps, as a linear displacement would be rough",
-                     100 * seen.largest, seen.steps));
+                     100 * seen.largest, *seen.steps));
+  else if (seen.steps)
+    result.certificate.notes.push_back(
+        begin +
+        "its shape without stress was not found; it is that of a linear displacement, "
+        "which is rough, though the shape as seen is in equilibrium with it");
   else if (seen.largest > rough_share)
     result.certificate.notes.push_back(
         begin + text("it is that of a linear displacement of up to %.2g %% of the radius; beyond "

@@ -1,5 +1,6 @@
 #include "coupled/scan_displacement.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -60,13 +61,11 @@ class SeenWall final : public StressFreeProblem {
   bool stiffen() {
     system_.set_time(0);
     const Eigen::SparseMatrix<double> stiffness = system_.hessian(z_);
-    system_.set_time(share_);
     factor_.analyse(stiffness);
     return factor_.factorise(stiffness);
   }
 
   bool set(double share, const VectorXd& u) override {
-    share_ = share;
     WallInput stressed = wall_;
     stressed.from_stress_free_shape = true;
     stressed.axial_prestretch = 1 + share * (wall_.axial_prestretch - 1);
@@ -76,7 +75,7 @@ class SeenWall final : public StressFreeProblem {
         energy_->set_stress_free_shape(stressed);
       else
         become(stressed);
-    } catch (const InputError&) {  // a triangle of the shape has no area
+    } catch (const InputError&) {  // a triangle has no area there, or edges no equilibrium
       become(wall_);
       return false;
     }
@@ -138,7 +137,6 @@ class SeenWall final : public StressFreeProblem {
   CoupledSystem system_;
   VectorXd z_;
   Cholesky factor_;
-  double share_ = 1;
   bool is_shaped_ = false;  // the energy is one from a shape without stress
 };
 
@@ -154,7 +152,8 @@ ScanDisplacement scan_displacement(const WallInput& given, std::vector<HeldSecti
   wall.set_stretch();
   VectorXd u = wall.step(wall.no_displacement());
   ScanDisplacement found;
-  if (wall.rms_prestrain(u) > largest_linear) found.steps = search_stress_free(wall, u, stop);
+  if (std::isfinite(largest_linear) && wall.rms_prestrain(u) > largest_linear)
+    found.steps = search_stress_free(wall, u, stop);
   found.from_stress_free_shape = found.steps > 0;
   found.points = wall.points_of(u) * wall.unit();
   return found;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "coupled/coupled_problem.h"
 
@@ -10,7 +11,8 @@ namespace vasorod {
 struct ScanDisplacement {
   Points points;                        ///< n x 3, length
   bool from_stress_free_shape = false;  ///< as in WallInput
-  int steps = 0;  ///< of the search for the shape without stress; 0: none was made
+  /// In which the shape without stress was found; 0: it was not; empty: it was not looked for.
+  std::optional<int> steps;
 };
 
 /// Under the pressure of the scan and the wall's axial prestretch. All freedoms of `sections` are

@@ -1,5 +1,6 @@
 #include "numerics/stress_free_search.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,11 +18,12 @@ constexpr int most_steps = 80, memory = 20;
 // Steps over the displacement at which the search ends, and at which a share is reached of which
 // others follow.
 constexpr double tolerance = 1e-11, rough = 1e-2;
+// Displacements are at least this long there: a prestretch of a straight tube needs none.
+constexpr double least_length = 0.1;
 
 bool reach(StressFreeProblem& problem, double share, double until, VectorXd& x, int& steps,
            const std::function<bool()>& stop) {
   Anderson accelerated(memory);
-  const double size = problem.length(x);
   for (int own = 0; own < most_steps; ++own) {
     if (stop && stop()) return false;
     ++steps;
@@ -29,7 +31,7 @@ bool reach(StressFreeProblem& problem, double share, double until, VectorXd& x, 
     const VectorXd step = problem.step(x);
     if (!step.allFinite()) return false;
     x = accelerated.next(x, step);
-    if (problem.length(step) <= until * size) return true;
+    if (problem.length(step) <= until * std::max(problem.length(x), least_length)) return true;
   }
   return false;
 }

@@ -20,7 +20,7 @@ class StressFreeProblem {
   virtual bool set(double share, const Eigen::VectorXd& x) = 0;
   /// The step from the x that is set: minus K^-1 times the forces.
   virtual Eigen::VectorXd step(const Eigen::VectorXd& x) = 0;
-  /// The length of a displacement, of any norm.
+  /// The length of a displacement, of any norm; 1 is a large one.
   virtual double length(const Eigen::VectorXd& x) const = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 // The largest strain of a linear prestress, RMS: some 0.1 away from the held ends. A tube is then
 // 1 % of its radius off once its pressure is gone.
-constexpr double largest_strain = 0.08;
+constexpr double largest_prestrain = 0.08;
 // Over the radius: a displacement beyond this, mostly of a wall that bends, is rough all the same.
 constexpr double largest_share = 0.1;
 
@@ -53,14 +53,19 @@ double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vesse
   const bool changes = (joined && ((*joined)[0] == spec.name || (*joined)[1] == spec.name)) ||
                        (spec.pressure && spec.pressure->scan != spec.pressure->after) ||
                        vessel.conditions.acts;
-  return changes ? largest_strain : std::numeric_limits<double>::infinity();
+  return changes ? largest_prestrain : std::numeric_limits<double>::infinity();
 }
 
-std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps) {
+std::optional<std::string> large_prestress(const std::string& vessel, double share,
+                                           std::optional<int> steps) {
   if (steps > 0)
     return joined_text("prestress of ", vessel, ": its shape without stress, which is up to ",
-                       number_text(100 * share, 2), " % of the radius away, was found in ", steps,
+                       number_text(100 * share, 2), " % of the radius away, was found in ", *steps,
                        " steps, as a linear displacement would be rough");
+  if (steps)
+    return joined_text("prestress of ", vessel, ": its shape without stress was not found; it is ",
+                       "that of a linear displacement, which is rough, though the shape as seen ",
+                       "is in equilibrium with it");
   if (share <= largest_share) return std::nullopt;
   return joined_text("prestress of ", vessel, ": it is that of a linear displacement of up to ",
                      number_text(100 * share, 2),
@@ -114,14 +119,14 @@ void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()
                const std::function<void(const std::string&)>& begin) {
   const Scene& scene = *prediction.scene;
   if (lumen == LumenOf::none) return;
+  for (const PredictedVessel& vessel : prediction.vessels)
+    if (!vessel.prepared.obstacle() && vessel.prepared.spec.pressure)
+      require_bearable(vessel.prepared, scene);
   for (PredictedVessel& vessel : prediction.vessels) {
     const VesselSpec& spec = vessel.prepared.spec;
     if (vessel.prepared.obstacle() || (!spec.pressure && spec.axial_prestretch == 1)) continue;
     begin("prestress of " + spec.name);
-    if (spec.pressure) {
-      require_bearable(vessel.prepared, scene);
-      prediction.notes.push_back(lumen_note(spec, scene.units));
-    }
+    if (spec.pressure) prediction.notes.push_back(lumen_note(spec, scene.units));
     if (lumen == LumenOf::wall)
       prestress_wall(vessel, prediction, stop);
     else if (lumen == LumenOf::rod)

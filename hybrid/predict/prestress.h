@@ -28,7 +28,8 @@ double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vesse
 
 /// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
 /// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape
-/// without stress was found, 0: it was not.
-std::optional<std::string> large_prestress(const std::string& vessel, double share, int steps);
+/// without stress was found; 0: it was not; empty: it was not looked for.
+std::optional<std::string> large_prestress(const std::string& vessel, double share,
+                                           std::optional<int> steps);
 
 }  // namespace vasorod

@@ -47,7 +47,6 @@ class SeenWall final : public StressFreeProblem {
   }
 
   bool set(double share, const VectorXd& change) override {
-    share_ = share;
     system_.set_stress_free_shape(displacement(change), 1 + share * (stretch_ - 1));
     system_.set_time(share);
     return true;
@@ -56,7 +55,6 @@ class SeenWall final : public StressFreeProblem {
   bool stiffen() {
     system_.set_time(0);
     stiffness_.emplace(system_.hessian(rest_, system_.gradient(rest_)));
-    system_.set_time(share_);
     return stiffness_->factorise();
   }
 
@@ -75,7 +73,7 @@ class SeenWall final : public StressFreeProblem {
   VectorXd none() const { return VectorXd::Zero(rest_.size()); }
 
  private:
-  double stretch_, share_ = 1;  // of the load
+  double stretch_;
   SectionSystem system_;
   VectorXd rest_;
   std::optional<BandMatrix> stiffness_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "sections/section_system.h"
 
@@ -10,7 +11,7 @@ namespace vasorod {
 
 struct SeenSections {
   Eigen::MatrixXd displacement;  ///< in coefficients
-  int steps = 0;  ///< of the search for the shape without stress; 0: the displacement is linear
+  std::optional<int> steps;      ///< as in ScanDisplacement
 };
 
 /// The displacement under the pressure of the scan and the axial prestretch, of which the wall at

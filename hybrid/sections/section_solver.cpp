@@ -220,13 +220,13 @@ class Solver {
     const auto largest = [&](const MatrixXd& displacement) {
       return points_of(SectionShape{space, displacement}, mine.at).rowwise().norm().maxCoeff();
     };
-    // In all spaces in the same way, that of the first.
+    // In all spaces in the same way, that of the first; linear from one on where no shape is found.
     const SeenSections seen =
         seen_sections(wall_, mine.ends, mine.pressure.scan, mine.axial_prestretch, mine.name,
                       largest_linear_, [this] { return stop_(); });
     largest_linear_ = seen.steps > 0 ? 0 : std::numeric_limits<double>::infinity();
     solution_.prestress_displacement = largest(seen.displacement);
-    solution_.prestress_steps = seen.steps;
+    if (seen.steps) solution_.prestress_steps = seen.steps;
     give_prestress(seen, mine.axial_prestretch, *system);
   }
 

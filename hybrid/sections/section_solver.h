@@ -72,7 +72,7 @@ struct SolvedSections {
   double fit_error = 0;
   /// The largest displacement whose stress is the wall's prestress, over the radius.
   double prestress_displacement = 0;
-  int prestress_steps = 0;  ///< in which the shape without stress was found; 0: it is linear
+  std::optional<int> prestress_steps;  ///< as in SeenSections
   Work work;
   std::vector<std::string> notes;
 };

@@ -102,7 +102,8 @@ class WallEnergy {
 
   /// The same wall with another stress at rest: of `input`, only its prestress_displacement and
   /// axial_prestretch may differ from the constructor's, and both must be from_stress_free_shape.
-  /// Throws InputError where a triangle of that shape has no area; this must not be used then.
+  /// Throws InputError where a triangle of that shape has no area, or edges cannot be brought from
+  /// it to rest; this must not be used then.
   void set_stress_free_shape(const WallInput& input);
 
   int vertices() const { return vertices_; }

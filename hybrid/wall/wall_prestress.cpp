@@ -81,7 +81,8 @@ void WallEnergy::relax_at_rest() {
         const Eigen::SparseMatrix<double> stiffness =
             hessian(rest_).block(first, first, following, following);
         following_->compute(stiffness);
-        is_kept = true;
+        is_kept = following_->info() == Eigen::Success;
+        if (!is_kept) continue;
       }
       const Eigen::VectorXd change = following_->solve(force.segment(first, following));
       now = change.allFinite() ? change.lpNorm<Eigen::Infinity>() : none;
@@ -96,7 +97,8 @@ void WallEnergy::relax_at_rest() {
   }
   if (!(before <= enough))
     throw InputError(name_ + ": found a shape without stress from which its edges cannot be " +
-                     "brought to the shape as seen, expected a smaller displacement");
+                     "brought to the shape as seen, expected less pressure and axial_prestretch " +
+                     "when it was seen");
   for (size_t e = 0; e < edges_.size(); ++e)
     if (!edges_[e].glued) xi_rest_[e] += rest_[edges_[e].unknown];
   for (const WallLean& lean : leans_)

@@ -270,7 +270,7 @@ void WallEnergy::set_rest(const WallInput& input) {
     for (int k = 0; k < 3; ++k) {
       const Vec3 seen = input.lean.row(v[k]);
       const Vec3 d = by_shape ? carried(seen, input.rest, t, d1, d2) : seen;
-      const Vec2 in_plane = f.transpose() * d;
+      const Vec2 in_plane = stretch.cwiseInverse().asDiagonal() * (f.transpose() * d);
       directions.col(k) = in_plane.isZero(0) ? in_plane : in_plane.normalized();
     }
     lean_directions_.push_back(directions);

@@ -191,6 +191,26 @@ TEST(Prestress, NothingMovesFromAFarShapeWithoutStress) {
         }
 }
 
+// A stretch alone displaces little, but by its strain: that is enough for a shape, and its length
+// is the shape's when the ends are let go.
+TEST(Prestress, OfALargeStretchItIsFromTheShapeWithoutStress) {
+  for (const bool solid : {true, false})
+    for (MaterialLaw law : laws()) {
+      if (solid && law.kind() == LawKind::neo_hookean) law = MaterialLaw::split(0.4, 200);
+      SCOPED_TRACE(::testing::Message() << solid << to_string(law.kind()));
+      Tube tube = make(solid, straight(), law, true);
+      const SeenDisplacement found = see(tube, {{}, 1.2}, largest_linear_prestrain);
+      EXPECT_GT(found.steps, 0);
+      EXPECT_LT(found.steps, 30);
+      EXPECT_LT(follow(tube, tube.supports).state.u.cwiseAbs().maxCoeff(), 1e-9);
+      Supports released = tube.supports;
+      released.sections[1].fixed[2] = false;
+      const Path path = follow(tube, released);
+      EXPECT_NEAR(path.state.pose[1].position[2], 4 / 1.2, 1e-3);
+      EXPECT_LT(path.assembly.energy, 1e-5);  // of 0.1; the shell: AReleasedEndSpringsBack
+    }
+}
+
 // Where the shape without stress lies does not count: its fibres turn with it.
 TEST(Prestress, ATurnedShapeWithoutStressIsTheSame) {
   const Mat3 turn = exp_rotation(Vec3(0.5, -0.3, 0.9));

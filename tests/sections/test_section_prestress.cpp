@@ -7,7 +7,7 @@ namespace vasorod {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
-using testing::disturbed, testing::straight_shape, testing::wall_of_shape;
+using testing::disturbed, testing::moved, testing::straight_shape, testing::wall_of_shape;
 
 const SectionSpace space{2, AxialBasis(7, 3)};
 constexpr double length = 5;
@@ -93,6 +93,23 @@ TEST_P(SectionPrestressOf, TheSeenShapeIsInEquilibriumFromAFarOne) {
         system.gradient(as_seen(wall, ends, system, seen.displacement));
     EXPECT_NEAR(free.value, 0, 1e-24) << rigid;
   }
+}
+
+// Where the shape without stress lies does not count: its fibres turn with it.
+TEST(SectionPrestress, ATurnedShapeWithoutStressIsTheSame) {
+  const SectionShape rest = disturbed(straight_shape(space, 1, length), 0.03);
+  SectionWall wall = wall_of_shape(rest, 0.1, Law::biot, 0.02);
+  wall.material.shear_axial *= 0.3;
+  const MatrixXd turned = moved(rest, {exp_rotation(Vec3(0.5, -0.3, 0.9)), Vec3(2, 1, -3)});
+  SectionEnergy energy(wall);
+  const SectionShape now = disturbed(rest, 0.05);
+  MatrixXd one, other;
+  double size = 0;
+  energy.set_stress_free_shape(MatrixXd::Zero(turned.rows(), turned.cols()), 1.2);
+  const double value = energy.gradient(now.coefficients, one, size);
+  energy.set_stress_free_shape(rest.coefficients - turned, 1.2);
+  EXPECT_NEAR(energy.gradient(now.coefficients, other, size), value, 1e-12 * value);
+  EXPECT_LT((one - other).norm(), 1e-11 * one.norm());
 }
 
 // Between soft ends held apart a straight tube of nu 0 widens by p r_i R^2 / (E t R) in all its

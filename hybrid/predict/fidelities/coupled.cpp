@@ -196,9 +196,28 @@ class Attempt {
   }
 
   // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
-  // and each itself.
-  CoupledSolution parted(const CoupledSolution& crossed, bool folds) {
-    return parted(crossed, folds, 0);
+  // and each itself. `inflation`: pressure in which they found it, to be let out.
+  CoupledSolution parted(const CoupledSolution& crossed, bool folds, double inflation = 0) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem);
+    feel_themselves(prediction_, problem.surfaces);
+    problem.meet_up_to_seams = true;
+    inflate(prediction_, inflation, problem);
+    problem.lets_out = inflation > 0;
+    CoupledStart& start = problem.start.emplace();
+    // Walls that begin to press from inside each other are far from a positive definite Hessian;
+    // but walls that fold would snap into other folds.
+    start.rough = !folds;
+    start.buckled = crossed.status == Status::buckled;
+    for (const BodySolution& body : crossed.surface.bodies) {
+      start.bodies.emplace_back();
+      start.pressure.push_back(body.pressure);
+      if (body.modelled) start.bodies.back().points = body.positions;
+    }
+    for (size_t v = 0; v < start.bodies.size(); ++v)
+      for (const SectionSolution& section : crossed.sections[v])
+        start.bodies[v].sections.push_back({section.rotation, section.center});
+    return CoupledSolver(std::move(problem), of_folding(most_per_stage)).solve();
   }
 
   // Inflated vessels stay round, so that little of a vein that folds lies in other walls; then they
@@ -249,30 +268,6 @@ class Attempt {
   }
 
  private:
-  // `inflation`: pressure in which the crossed walls found their minimum, to be let out.
-  CoupledSolution parted(const CoupledSolution& crossed, bool folds, double inflation) {
-    CoupledProblem problem = problem_of(prediction_, sections_);
-    start_closed(prediction_, sections_, problem);
-    feel_themselves(prediction_, problem.surfaces);
-    problem.meet_up_to_seams = true;
-    inflate(prediction_, inflation, problem);
-    problem.lets_out = inflation > 0;
-    CoupledStart& start = problem.start.emplace();
-    // Walls that begin to press from inside each other are far from a positive definite Hessian;
-    // but walls that fold would snap into other folds.
-    start.rough = !folds;
-    start.buckled = crossed.status == Status::buckled;
-    for (const BodySolution& body : crossed.surface.bodies) {
-      start.bodies.emplace_back();
-      start.pressure.push_back(body.pressure);
-      if (body.modelled) start.bodies.back().points = body.positions;
-    }
-    for (size_t v = 0; v < start.bodies.size(); ++v)
-      for (const SectionSolution& section : crossed.sections[v])
-        start.bodies[v].sections.push_back({section.rotation, section.center});
-    return CoupledSolver(std::move(problem), of_folding(most_per_stage)).solve();
-  }
-
   // Of walls that crumple; 0: as many factorisations as they need.
   CoupledOptions of_folding(int factorisations = 0) const {
     CoupledOptions coupled = coupled_;

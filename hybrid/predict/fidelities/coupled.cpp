@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "coupled/coupled_problem.h"
@@ -26,9 +27,9 @@ constexpr int updates_from_closed = 40;
 // Factorisations. Walls of the study's shunts that can be parted, joined inflated or let out are so
 // in fewer; others go on without end, and to try something else is cheaper.
 constexpr int most_per_stage = 150;
-// Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated; the high one at
-// last, as the way from rest leads to a minimum more often.
-constexpr double low_inflation = 0.02, high_inflation = 0.05;
+// Hoop strains p R / (E t) to which the vessels of a vein that folds are inflated, the second where
+// the first leads nowhere.
+constexpr std::array inflations{0.02, 0.05};
 // Of coarse walls: on the residual; on gaps of the seam and imbalances; on changes of pressures; on
 // penetrations and slips over the edge.
 constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0.1,
@@ -297,8 +298,8 @@ class Attempt {
 // barrier takes their place. A vein that has to fold may end at a minimum from a closed seam, which
 // is cheap to try. Walls that pass through something there are parted; where that fails, and first
 // where they lie in each other by more than an edge, too deep for contact to tell the sides apart,
-// a vein that folds is joined inflated, then one goes the way from rest, and at last it is joined
-// inflated more. A minimum is better than none, whatever passes through it.
+// a vein that folds is joined inflated, and at last one goes the way from rest. A minimum is better
+// than none, whatever passes through it.
 void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   Attempt attempt(prediction, options);
   const std::optional<SharpVein> vein = sharp_vein(prediction);
@@ -336,13 +337,10 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
     }
   } else {
     if (!deep) part();
-    const auto inflate = [&](double strain) {
+    for (const double strain : inflations)
       if (folds && goes_on())
         if (const auto found = attempt.inflated(strain)) take_if_better(*found);
-    };
-    inflate(low_inflation);
     if (goes_on()) take_if_better(attempt.on_its_way());
-    inflate(high_inflation);
     if (deep) part();
   }
   best.state.work = prediction.work;

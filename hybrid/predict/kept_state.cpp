@@ -55,7 +55,7 @@ void keep_rods(const Prediction& prediction, const SolveOptions& options) {
     // Those of the rods say nothing about the surfaces.
     result.certificate.relative_residual = std::numeric_limits<double>::quiet_NaN();
     result.certificate.smallest_curvature_positive.reset();
-    result.certificate.notes.push_back(
+    result.certificate.notes.emplace_back(
         "stopped before the first step on the surfaces: every section is carried rigidly by its "
         "rod, and a seam is not closed");
     return result;

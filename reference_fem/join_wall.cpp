@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/stress_free_search.h"
 #include "reference_fem/prestress.h"
 #include "reference_fem/tube_ends.h"
 

@@ -27,9 +27,6 @@ struct SeenState {
   bool stressed() const { return pressure.scan != 0 || axial_stretch != 1; }
 };
 
-/// The largest strain of a linear prestress (VesselModel::rms_prestrain).
-inline constexpr double largest_linear_prestrain = 0.08;
-
 struct SeenDisplacement {
   Eigen::VectorXd u;   ///< per degree of freedom
   double largest = 0;  ///< length of the largest at a node
@@ -43,10 +40,10 @@ struct SeenShare {
   std::optional<int> steps;
 };
 
-/// The displacement of a vessel as it was seen: linear if its strain is at most `largest_linear`,
-/// else from the shape without stress, if that is found. `supports`: of the intact vessel; all its
-/// sections are held, their motions and loads are ignored. Prescribed values are those of u. The
-/// model is left without a pressure, for give_prestress().
+/// The displacement of a vessel as it was seen: linear if its strain (VesselModel::rms_prestrain)
+/// is at most `largest_linear`, else from the shape without stress, if that is found. `supports`:
+/// of the intact vessel; all its sections are held, their motions and loads are ignored. Prescribed
+/// values are those of u. The model is left without a pressure, for give_prestress().
 SeenDisplacement seen_displacement(VesselModel& intact, const SeenState& seen, Supports supports,
                                    double largest_linear, const Processes& processes);
 

@@ -7,6 +7,7 @@
 
 #include <vasorod/error.h>
 
+#include "numerics/stress_free_search.h"
 #include "reference_fem/clock.h"
 #include "reference_fem/mesh_file.h"
 

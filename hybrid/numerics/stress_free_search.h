@@ -11,6 +11,10 @@
 
 namespace vasorod {
 
+/// The largest strain of a linear prestress, RMS over a wall: some 0.1 away from its held ends.
+/// Beyond, the shape without stress is looked for.
+inline constexpr double largest_linear_prestrain = 0.08;
+
 /// The body. Its unknowns are those of a linear solve.
 class StressFreeProblem {
  public:

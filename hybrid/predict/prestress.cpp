@@ -9,15 +9,13 @@
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
+#include "numerics/stress_free_search.h"
 #include "predict/rod_lumen.h"
 #include "predict/vessel_wall.h"
 
 namespace vasorod {
 namespace {
 
-// The largest strain of a linear prestress, RMS: some 0.1 away from the held ends. A tube is then
-// 1 % of its radius off once its pressure is gone.
-constexpr double largest_prestrain = 0.08;
 // Over the radius: a displacement beyond this, mostly of a wall that bends, is rough all the same.
 constexpr double largest_share = 0.1;
 
@@ -47,13 +45,13 @@ void require_one_pressure(const Scene& scene) {
                    ", expected one pressure, as the operation joins them to one lumen");
 }
 
-double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vessel) {
+double linear_prestrain_up_to(const Scene& scene, const PredictedVessel& vessel) {
   const VesselSpec& spec = vessel.prepared.spec;
   const auto joined = scene.joined();
   const bool changes = (joined && ((*joined)[0] == spec.name || (*joined)[1] == spec.name)) ||
                        (spec.pressure && spec.pressure->scan != spec.pressure->after) ||
                        vessel.conditions.acts;
-  return changes ? largest_prestrain : std::numeric_limits<double>::infinity();
+  return changes ? largest_linear_prestrain : std::numeric_limits<double>::infinity();
 }
 
 std::optional<std::string> large_prestress(const std::string& vessel, double share,
@@ -82,7 +80,7 @@ void prestress_wall(PredictedVessel& vessel, Prediction& prediction,
   ScanDisplacement found;
   try {
     found = displacement_of_scan(prepared, vessel.conditions, is_opened(scene, prepared.spec.name),
-                                 largest_linear_prestrain(scene, vessel), stop);
+                                 linear_prestrain_up_to(scene, vessel), stop);
   } catch (const InputError& error) {  // which names the vessel
     throw InputError(place_in(scene, prepared.spec.line) + ": " + error.what());
   }

@@ -21,10 +21,10 @@ void require_one_pressure(const Scene& scene);
 void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()>& stop,
                const std::function<void(const std::string&)>& begin);
 
-/// The largest strain (WallEnergy::rms_prestrain) of a linear prestress. Beyond, the wall's shape
-/// without stress is looked for. Infinite of a vessel that stays as it was seen but for what
-/// touches it: that is in equilibrium with either.
-double largest_linear_prestrain(const Scene& scene, const PredictedVessel& vessel);
+/// The strain (WallEnergy::rms_prestrain) up to which the vessel's prestress is linear:
+/// largest_linear_prestrain, or infinite of a vessel that stays as it was seen but for what touches
+/// it, which is in equilibrium with either.
+double linear_prestrain_up_to(const Scene& scene, const PredictedVessel& vessel);
 
 /// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
 /// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape

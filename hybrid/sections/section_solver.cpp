@@ -391,7 +391,7 @@ class Solver {
   std::optional<bool> positive_;    // of the last Hessian
   std::optional<BandMatrix> kept_;  // the present system's last factor
   int indefinite_ = 0;              // Newton steps from a negative curvature
-  double largest_linear_ = options_.largest_linear_prestrain;  // of the next space
+  double largest_linear_ = options_.linear_prestrain_up_to;  // of the next space
   bool buckled_ = false;  // the minimum jumped on the path, or from a space to the next
   SolvedSections solution_;
 };

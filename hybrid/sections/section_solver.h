@@ -10,6 +10,7 @@
 #include <vasorod/status.h>
 
 #include "numerics/solver_options.h"
+#include "numerics/stress_free_search.h"
 #include "numerics/work.h"
 #include "sections/fit_sections.h"
 #include "sections/section_system.h"
@@ -50,8 +51,8 @@ struct SectionOptions : SolverOptions {
   double moment_tolerance = 1e-8;
   int max_iterations = 100;  ///< Newton's, per space
   int degree = 3;            ///< of the B-splines
-  /// The largest strain of a linear prestress (SectionEnergy::rms_prestrain).
-  double largest_linear_prestrain = 0.08;
+  /// The strain (SectionEnergy::rms_prestrain) up to which the prestress is linear.
+  double linear_prestrain_up_to = largest_linear_prestrain;
   /// Empty when the options are valid, else one sentence.
   std::optional<std::string> is_invalid() const;
 };

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "geometry/rigid_motion.h"
+#include "numerics/stress_free_search.h"
 #include "reference_fem/finite_differences.h"
 #include "reference_fem/prestress.h"
 #include "reference_fem/stepper.h"

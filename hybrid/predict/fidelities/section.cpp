@@ -171,7 +171,7 @@ void solve_section(Prediction& prediction, const SolveOptions& options) {
       problem.times = times_of(prediction, vessel);
       SectionOptions how;
       how.stop = options.stop;
-      how.largest_linear_prestrain = largest_linear_prestrain(*prediction.scene, vessel);
+      how.linear_prestrain_up_to = linear_prestrain_up_to(*prediction.scene, vessel);
       options.progress("sections of " + name);
       SolvedSections found = solve_sections(problem, how);
       prediction.notes.push_back(resolution(name, found));

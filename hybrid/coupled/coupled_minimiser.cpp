@@ -24,6 +24,7 @@ constexpr int patience_on_branch = 3;
 constexpr double smooth_enough = 1e-2;
 constexpr int patience_with_convex = 20;
 constexpr int inverse_iterations = 12;
+constexpr int halvings_of_prediction = 4;
 // Negative curvature below this fraction of the rest Hessian's curvature in the same direction is
 // rounding.
 constexpr double neutral_curvature = 1e-6;
@@ -44,15 +45,38 @@ CoupledMinimiser::CoupledMinimiser(CoupledSystem& system, Work& work)
 void CoupledMinimiser::renew_rest() {
   ++work_.counts.hessians;
   rest_ = system_.rest_hessian();
+  weigh(rest_);
+}
+
+// Sets the scale of the forces.
+void CoupledMinimiser::weigh(const Matrix& rest) {
   double sum = 0;
   int count = 0;
   for (const CoupledWall& wall : system_.walls())
     for (int i = 0; i < 3 * wall.energy->vertices(); ++i)
       if (const int u = wall.unknown[static_cast<size_t>(i)]; u >= 0) {
-        sum += rest_.coeff(u, u);
+        sum += rest.coeff(u, u);
         ++count;
       }
   mean_stiffness_ = count > 0 ? sum / count : 1;
+}
+
+// Of a modulus G that grows, the minimum z is nearly a line in 1/G: with g the gradient of what was
+// raised, dz = -(1/G' - 1/G) dz/d(1/G) = -H^-1 g G / G', H being the Hessian before.
+void CoupledMinimiser::follow_stiffer(VectorXd& z, double growth) {
+  ++work_.counts.hessians;
+  weigh(system_.rest_hessian());
+  VectorXd g, step(z.size());
+  double ignored = 0;
+  const double before = counted(z, g, ignored);
+  factor_.solve(g.data(), step.data(), 1);
+  step *= -1 / growth;
+  if (!step.allFinite() || (system_.guarded() && system_.longest_share(z, step) < 1)) return;
+  for (int k = 0; k < halvings_of_prediction; ++k, step /= 2)
+    if (counted(z + step, g, ignored) < before) {
+      z += step;
+      return;
+    }
 }
 
 void CoupledMinimiser::set_turns(GroupTurns turns) {
@@ -232,6 +256,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   };
   LbfgsOptions inner;
   inner.largest_step = options.largest_step;
+  inner.by_slopes = options.by_slopes;
   inner.stop = summary.counting(options.stop);
   if (system_.guarded())
     inner.longest_share = [this](const VectorXd& at, const VectorXd& direction) {

@@ -30,6 +30,7 @@ struct CoupledMinimiserOptions {
   /// Iterations with one true Hessian; an iteration costs a tenth of a factorisation.
   int per_hessian = 6;
   double largest_step = 0;  ///< LbfgsOptions::largest_step
+  bool by_slopes = false;   ///< LbfgsOptions::by_slopes
   /// A shift that made one Hessian positive definite is this many times larger than the first that
   /// is tried for the next. Less spares factorisations where most Hessians need a shift.
   double release_shift = 25;
@@ -79,6 +80,10 @@ class CoupledMinimiser {
   /// To be called when the material of a wall changed: evaluates K0 again. The old factor remains
   /// the preconditioner.
   void renew_rest();
+  /// To be called when shear moduli of walls were raised, at most `growth` times, at the minimum z
+  /// that minimise() found last: moves z towards the new minimum. K0 stays that of the softer
+  /// walls: as the metric of shifts that of the stiffer ones would hold back what is left to move.
+  void follow_stiffer(Eigen::VectorXd& z, double growth);
 
   /// Minimises from z; on return z is the best point found.
   CoupledMinimiserSummary minimise(Eigen::VectorXd& z, const CoupledMinimiserOptions& options);
@@ -93,6 +98,7 @@ class CoupledMinimiser {
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual) const;
   double counted(const Eigen::VectorXd& z, Eigen::VectorXd& g, double& residual);
   double rounding_of_forces(const Eigen::VectorXd& z) const;
+  void weigh(const Eigen::SparseMatrix<double>& rest);
   void by_rest(const Eigen::VectorXd& g, Eigen::VectorXd& direction);
   // Both may end in an Interruption.
   struct Breaks {

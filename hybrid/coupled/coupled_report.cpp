@@ -112,7 +112,9 @@ Sums sums_of(const CoupledSystem& system, int w, const CoupledState& s,
   const CoupledWall& wall = system.walls()[index(w)];
   const int vertices = wall.energy->vertices();
   Sums sums;
+  double largest = 0;
   for (const SectionSolution& section : sections) {
+    largest = std::max(largest, section.force.norm());
     sums.load += section.load;
     sums.support += section.force - section.load;
   }
@@ -127,8 +129,8 @@ Sums sums_of(const CoupledSystem& system, int w, const CoupledState& s,
   // both sums with opposite signs, and the wall's own forces sum to zero.
   const double net =
       (sums.support + sums.load + sums.joining + sums.contact + sums.pressure).norm();
-  const double largest = std::max({sums.support.norm(), sums.load.norm(), sums.joining.norm(),
-                                   sums.contact.norm(), sums.pressure.norm()});
+  largest = std::max({largest, sums.support.norm(), sums.load.norm(), sums.joining.norm(),
+                      sums.contact.norm(), sums.pressure.norm()});
   const double rounding =
       1e-12 *
           Eigen::Map<const Points>(f.wall[index(w)].data(), vertices, 3).rowwise().norm().sum() +

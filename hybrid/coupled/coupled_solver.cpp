@@ -30,6 +30,8 @@ constexpr int patience_with_contact = 40;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
+// What rounding may leave out of balance of the largest force.
+constexpr double rounding_imbalance = 1e-3;
 // A state on the path that is no result is only a start.
 constexpr double passable_residual = 1e-5;
 // This many consecutive minimisations without a minimum end the solve.
@@ -52,9 +54,17 @@ constexpr double seam_step = 0.3;
 // Where it needs more than this, or so many of Hessians that are not positive definite, another
 // start is better.
 constexpr int most_from_start = 35, most_shifted_from_start = 15;
+// Wrinkles of walls that become stiffer rearrange in some thousand short steps.
+constexpr int more_to_stiffen = 30;
 // Least seconds between two calls of CoupledOptions::keep, and the largest share of the time that
 // they may take: the report that each needs costs a few iterations.
 constexpr double between_kept = 1, share_of_keeping = 0.01;
+
+// A state to go on from.
+bool is_equilibrium(Status status) {
+  return status == Status::converged || status == Status::equilibrium_only ||
+         status == Status::not_unique;
+}
 
 }  // namespace
 
@@ -71,6 +81,7 @@ class CoupledSolver::Data {
     solution_ = {};
     stack_.work = {};
     stack_.begin_stage();
+    stack_.ease();
     if (stack_.any_modelled()) {
       follow_path();
     } else {
@@ -82,7 +93,8 @@ class CoupledSolver::Data {
                    stack_.first_wall, stack_.z, stack_.stacked, *stack_.contacts, solution_);
     solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     solution_.surface.work = work_so_far();
-    note_inflation(solution_);
+    note_other_walls(solution_);
+    stack_.end_easing();
     return std::move(solution_);
   }
 
@@ -120,19 +132,29 @@ class CoupledSolver::Data {
                    stack_.first_wall, z, stack_.stacked, *stack_.contacts, state, false);
     state.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     state.surface.work = work_so_far();
-    note_inflation(state);
+    note_other_walls(state);
     stack_.options.keep(std::move(state));
     const double ended = stop_->seconds();
     keep_next_ = ended + std::max(between_kept, (ended - began) / share_of_keeping);
     return false;
   }
 
-  void note_inflation(CoupledSolution& state) const {
+  // On the way walls may be others than the scene's.
+  void note_other_walls(CoupledSolution& state) const {
     if (stack_.is_inflated())
       state.notes.emplace_back(
           "the vessels are still inflated, by a pressure that is not the scene's");
+    if (stack_.is_eased())
+      state.notes.emplace_back("the walls' shear modulus is still lower than the scene's");
   }
 
+  bool has_jumped(const Points& from) const {
+    return from.rows() == stack_.system->vertex_count() &&
+           (positions() - from).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
+  }
+  double imbalance() const {
+    return worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall, stack_.z);
+  }
   Points positions() const { return stack_.system->state(stack_.z).positions; }
 
   void follow_path() {
@@ -167,8 +189,7 @@ class CoupledSolver::Data {
       const bool passable = possible && t < 1 && solution_.status == Status::iteration_limit &&
                             !stack_.contacts->pressing() &&
                             solution_.surface.residual <= passable_residual;
-      if (!passable && solution_.status != Status::converged &&
-          solution_.status != Status::equilibrium_only && solution_.status != Status::not_unique) {
+      if (!passable && !is_equilibrium(solution_.status)) {
         // Walls that crumple snap from one minimum to the next: shorter steps follow them.
         const bool shorter = kept && solution_.status == Status::iteration_limit &&
                              stack_.goes_on_in_shorter_steps() && steps.halve();
@@ -183,13 +204,12 @@ class CoupledSolver::Data {
         continue;
       }
       buckled |= left_saddle_;
-      if (stepped && predicted.rows() == stack_.system->vertex_count())
-        buckled |=
-            (positions() - predicted).rowwise().norm().maxCoeff() > jump * stack_.ring_radius();
+      buckled |= stepped && has_jumped(predicted);
       if (t < 1) solution_.notes.resize(notes);  // of a state on the way
       solution_.reached = t;
       steps.go_on();
     }
+    if (!stiffen_walls(buckled)) return;
     if (solution_.status == Status::not_unique)
       solution_.notes.emplace_back(
           "a direction is left that costs nothing, as when wrinkles may turn about the axis: the "
@@ -200,6 +220,21 @@ class CoupledSolver::Data {
           "the smooth branch from rest lost its stability on the way; the result is the minimum "
           "below it");
     }
+  }
+
+  // Takes eased walls to their own materials. False: no equilibrium was found on the way.
+  bool stiffen_walls(bool& buckled) {
+    stiffening_ = stack_.is_eased();
+    while (stack_.is_eased()) {
+      const Points softer = positions();
+      stack_.stiffen();
+      solution_.notes.clear();  // of the softer walls
+      solution_.status = settle(1, false);
+      if (!is_equilibrium(solution_.status)) return false;
+      buckled |= left_saddle_ || has_jumped(softer);
+    }
+    stiffening_ = false;
+    return true;
   }
 
   SeamClosing seam_closing() {
@@ -255,6 +290,11 @@ class CoupledSolver::Data {
     };
     inner.stop_inside = [this] { return (*stop_)(); };
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
+    if (stiffening_) {
+      inner.by_slopes = true;
+      inner.max_iterations *= more_to_stiffen;
+      inner.max_factorisations *= more_to_stiffen;
+    }
     if (stack_.feels_itself()) {
       inner.follow = [this](const VectorXd& z) { return stack_.follow(z) < closing_gap; };
       inner.closing_step = path_step * stack_.ring_radius();
@@ -363,10 +403,11 @@ class CoupledSolver::Data {
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;
       std::optional<double> late_overlap;  // in mean edges
+      const bool rounded = good && (tolerance <= finest_tolerance || stalled);
       bool settled =
-          good && (tolerance <= finest_tolerance || stalled ||
-                   worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall,
-                                         stack_.z) <= options.balance_tolerance);
+          good && ((rounded && t < 1) ||
+                   imbalance() <= (rounded ? rounding_imbalance : options.balance_tolerance));
+      const bool hidden = rounded && !settled;
       if (settled && options.certify && !inner.certify) {
         inner.tolerance = tolerance = std::min(tolerance, options.tolerance);
         inner.certify = true;
@@ -377,26 +418,26 @@ class CoupledSolver::Data {
         if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
         good = settled = !summary.left_saddle;  // below it multipliers change again
       }
-      if (settled) {
-        if (options.certify && !summary.positive)
-          return summary.neutral ? Status::not_unique : Status::unstable;
-        if (!search) {
-          late_overlap = stack_.contacts->refresh(stack_.scaled).penetration;
-          good = settled = *late_overlap <= LateContacts::largest_overlap;
-        }
+      if (settled && !search) {
+        late_overlap = stack_.contacts->refresh(stack_.scaled).penetration;
+        good = settled = *late_overlap <= LateContacts::largest_overlap;
       }
       if (settled) {
         if (!is_settled(contact, options) || tie > options.tie_tolerance)
           solution_.notes.push_back(LateContacts::note(late_overlap));
+        if (const double left = imbalance(); left > options.balance_tolerance)
+          solution_.notes.push_back("rounding leaves " + number_text(left, 2) +
+                                    " of the largest force out of balance, expected at most " +
+                                    number_text(options.balance_tolerance, 2));
+        if (options.certify && !summary.positive)
+          return summary.neutral ? Status::not_unique : Status::unstable;
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
-      if (outer >= options.max_outer || failures > most_failures || stack_.spent() ||
+      if (outer >= options.max_outer || failures > most_failures || stack_.spent() || hidden ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
-        if (stack_.minimiser->load_is_hidden(stack_.z))
-          solution_.notes.emplace_back(
-              "the loads are smaller than what rounding leaves of the walls' forces: the result is "
-              "not theirs");
+        for (std::string& sentence : stack_.hidden_by_rounding())
+          solution_.notes.push_back(std::move(sentence));
         UnmetCriteria unmet;
         unmet.require("residual", summary.residual, options.tolerance);
         if (!seam_closed)
@@ -407,10 +448,7 @@ class CoupledSolver::Data {
           unmet.require("change of a turning load's moment",
                         moment_change / stack_.system->largest_moment(), options.moment_tolerance);
         require_contact(contact, options, unmet);
-        unmet.require(
-            "imbalance of a vessel's forces",
-            worst_coupled_balance(stack_.scaled, *stack_.system, stack_.first_wall, stack_.z),
-            options.balance_tolerance);
+        unmet.require("imbalance of a vessel's forces", imbalance(), options.balance_tolerance);
         if (summary.unfactorised) unmet.add("the walls' Hessian could not be factorised");
         if (failures > most_failures)
           unmet.add("no minimum in " + std::to_string(failures) + " minimisations in a row");
@@ -439,40 +477,9 @@ class CoupledSolver::Data {
   std::optional<StopCheck> stop_;  // of the present solve
   double keep_next_ = 0;           // when the state is kept again, seconds since the start
   bool left_saddle_ = false;
+  bool stiffening_ = false;
   CoupledSolution solution_;
 };
-
-CoupledOptions::CoupledOptions() {
-  // Newton's last step is quadratic, so one more digit costs nothing.
-  tolerance = 1e-9;
-  // One multiplier update reaches it.
-  seam_tolerance = 1e-4;
-  slip_tolerance = 1e-3;
-  // Each update gains a factor of the penalty over the wall's stiffness.
-  pressure_tolerance = 1e-4;
-  contact_stiffness = 10;
-  max_factorisations = 100;
-  // The true Hessian is factorised anyway.
-  certify = true;
-}
-
-std::optional<std::string> CoupledOptions::is_invalid() const {
-  if (auto fault = SurfaceOptions::is_invalid()) return fault;
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
-  const bool rising =
-      !times.empty() && times.front() > 0 && times.back() == 1 &&
-      std::adjacent_find(times.begin(), times.end(), [](double before, double after) {
-        return !(before < after);
-      }) == times.end();
-  return first_fault({
-      {positive(tie_tolerance), "tie_tolerance: expected a number above 0"},
-      {positive(moment_tolerance), "moment_tolerance: expected a number above 0"},
-      {positive(tie_stiffness), "tie_stiffness: expected a number above 0"},
-      {hold_after >= 0, "hold_after: expected 0 or more"},
-      {most_per_stage >= 0, "most_per_stage: expected 0 or more"},
-      {rising, "times: expected rising numbers above 0, the last of them 1"},
-  });
-}
 
 std::string CoupledSolution::brief_report() const {
   SurfaceSolution whole = surface;

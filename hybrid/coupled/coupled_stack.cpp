@@ -9,6 +9,7 @@
 
 #include "bodies/seam.h"
 #include "coupled/free_motions.h"
+#include "coupled/stiffening.h"
 #include "coupled/wall_lumen.h"
 #include "data/index.h"
 #include "numerics/threads.h"
@@ -99,15 +100,53 @@ void CoupledStack::set_sections(int b, const std::vector<HeldSection>& sections)
 }
 
 void CoupledStack::set_material(int b, const Material& material) {
-  problem.vessels[index(b)]->wall.material = material;
-  const std::unique_ptr<WallEnergy> before = std::move(energies_[index(b)]);
-  if (!system || first_wall[index(b)] < 0) return;
-  if (energy_of(index(b)).leans() != before->leans()) {
-    system.reset();  // other unknowns
-    return;
+  if (put_material(index(b), material)) minimiser->renew_rest();
+}
+
+// Whether the system has its wall, with the unknowns that it had.
+bool CoupledStack::put_material(size_t b, const Material& material) {
+  problem.vessels[b]->wall.material = material;
+  const std::unique_ptr<WallEnergy> before = std::move(energies_[b]);
+  if (!system || first_wall[b] < 0) return false;
+  if (energy_of(b).leans() != before->leans()) {
+    system.reset();
+    return false;
   }
-  system->set_energy(first_wall[index(b)], energy_of(index(b)));
-  minimiser->renew_rest();
+  system->set_energy(first_wall[b], energy_of(b));
+  return true;
+}
+
+void CoupledStack::ease() {
+  own_.assign(problem.vessels.size(), std::nullopt);
+  for (size_t b = 0; b < own_.size(); ++b) {
+    if (!problem.vessels[b]) continue;
+    const Material own = problem.vessels[b]->wall.material, softer = eased(own);
+    if (softer.shear_axial == own.shear_axial) continue;
+    own_[b] = own;
+    set_material(static_cast<int>(b), softer);
+  }
+}
+
+bool CoupledStack::is_eased() const {
+  return std::any_of(own_.begin(), own_.end(), [](const auto& own) { return own.has_value(); });
+}
+
+void CoupledStack::stiffen() {
+  double growth = 1;
+  for (size_t b = 0; b < own_.size(); ++b) {
+    if (!own_[b]) continue;
+    const Material now = problem.vessels[b]->wall.material, next = stiffened(now, *own_[b]);
+    growth = std::max(growth, next.shear_axial / now.shear_axial);
+    put_material(b, next);
+    if (next.shear_axial == own_[b]->shear_axial) own_[b].reset();
+  }
+  minimiser->follow_stiffer(z, growth);
+}
+
+void CoupledStack::end_easing() {
+  for (size_t b = 0; b < own_.size(); ++b)
+    if (own_[b]) put_material(b, *own_[b]);
+  own_.clear();
 }
 
 WallInput CoupledStack::scaled_wall(size_t b) const {
@@ -236,6 +275,20 @@ void CoupledStack::update_seams() {
   update_join_multipliers(system->k_j, system->joins, system->state(z).positions);
   for (size_t i = 0; i < system->joins.size(); ++i)
     seam_multipliers_[i] = system->joins[i].multiplier;
+}
+
+std::vector<std::string> CoupledStack::hidden_by_rounding() const {
+  std::vector<std::string> hidden;
+  if (minimiser->load_is_hidden(z))
+    hidden.emplace_back(
+        "the loads are smaller than what rounding leaves of the walls' forces: the result is not "
+        "theirs");
+  for (size_t b = 0; b < problem.vessels.size(); ++b)
+    if (first_wall[b] >= 0 && hides_forces(problem.vessels[b]->wall.material))
+      hidden.push_back("vessel " + problem.surfaces.bodies[b].name +
+                       ": its shear modulus lies more than 1e10 times from that of an isotropic "
+                       "wall: rounding of the larger stresses hides the smaller forces");
+  return hidden;
 }
 
 bool CoupledStack::any_modelled() const {

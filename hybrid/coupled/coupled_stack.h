@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bodies/body_contacts.h"
@@ -25,6 +26,15 @@ class CoupledStack {
 
   void set_sections(int body, const std::vector<HeldSection>& sections);
   void set_material(int body, const Material& material);
+  /// Gives walls the materials with which they go their way (stiffening.h).
+  void ease();
+  /// Whether some are still softer than their own.
+  bool is_eased() const;
+  /// A step of the eased walls to their own materials, from the minimum z, which is moved towards
+  /// the next one.
+  void stiffen();
+  /// Gives eased walls their own materials, wherever they are.
+  void end_easing();
 
   /// Numbers the contacts found last for the system.
   void stack_contacts();
@@ -51,6 +61,8 @@ class CoupledStack {
   void update_seams();
 
   bool any_modelled() const;
+  /// A sentence for each that rounding hides: loads, forces of a wall.
+  std::vector<std::string> hidden_by_rounding() const;
   /// From here on CoupledOptions::most_per_stage are counted anew.
   void begin_stage() { before_stage_ = work.counts.factorisations; }
   /// Whether they are used up.
@@ -84,6 +96,7 @@ class CoupledStack {
   std::vector<HeldSection> scaled_sections(size_t body) const;
   WallInput scaled_wall(size_t body) const;
   WallEnergy& energy_of(size_t body);
+  bool put_material(size_t body, const Material& material);
   WallLumen lumen_of(size_t body) const;
   void guard_walls();
 
@@ -91,7 +104,8 @@ class CoupledStack {
   std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
   std::vector<Vec3> seam_multipliers_, seam_offsets_;
   double inflation_ = 1;
-  long before_stage_ = 0;  // factorisations
+  std::vector<std::optional<Material>> own_;  // per body; of eased walls
+  long before_stage_ = 0;                     // factorisations
 };
 
 }  // namespace vasorod

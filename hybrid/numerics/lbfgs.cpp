@@ -18,6 +18,8 @@ constexpr int most_backtracks = 30;
 // is the rounding of the sum itself. `cancelled` applies where large forces cancel in a small
 // energy. In both cases the residual decides: it must fall, in the second case to less than half.
 constexpr double last_digits = 1e-14, cancelled = 1e-8;
+// The same with LbfgsOptions::by_slopes.
+constexpr double lost_to_stiffness = 1e-5;
 
 // The last steps s and gradient changes y with the two-loop recursion over them. The products
 // s_i . y_j are stored, so that each of the four sweeps over the pairs is one matrix product. With
@@ -90,6 +92,34 @@ class Pairs {
   VectorXd along_;                   // s_i . the last gradient
   std::deque<Eigen::Index> order_;   // columns in use, oldest first
   bool pending_ = false;             // products of the newest pair are not computed yet
+};
+
+// Steps along a line to where its slope is flatter, by regula falsi; the first is 1.
+class SlopeSearch {
+ public:
+  explicit SlopeSearch(double slope) : first_(slope), slope_below_(slope) {}
+
+  double step() const { return step_; }
+
+  /// Takes the slope at step(). False: it is no flatter, and there is another step.
+  bool flattens(double slope) {
+    if (std::abs(slope) <= flatter * std::abs(first_)) return true;
+    if (slope < 0) {
+      if (step_ == 1) return true;  // no step beyond that of a Newton iteration
+      below_ = step_;
+      slope_below_ = slope;
+    } else {
+      above_ = step_;
+      slope_above_ = slope;
+    }
+    const double zero = slope_below_ / (slope_below_ - slope_above_);
+    step_ = below_ + (above_ - below_) * (std::isfinite(zero) ? std::clamp(zero, 0.1, 0.9) : 0.1);
+    return false;
+  }
+
+ private:
+  static constexpr double flatter = 0.9;  // of the slope at the beginning
+  double first_, step_ = 1, below_ = 0, slope_below_, above_ = 1, slope_above_ = 0;
 };
 
 }  // namespace
@@ -169,6 +199,20 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       const double curvature = 2 * (new_energy - energy - step * slope) / (step * step);
       const double minimum = std::isfinite(curvature) && curvature > 0 ? -slope / curvature : 0;
       step = std::clamp(minimum, 0.1 * step, 0.5 * step);
+    }
+    if (!accepted && pairs.empty() && options.by_slopes) {
+      SlopeSearch search(slope);
+      bool flatter = false;
+      for (int k = 0; k < most_backtracks && !flatter; ++k) {
+        step = search.step();
+        new_x = x + step * direction;
+        new_energy = evaluate(new_x, new_gradient, new_residual);
+        ++summary.evaluations;
+        flatter = search.flattens(new_gradient.dot(direction));
+      }
+      const double change = std::max(new_energy - energy, -step * slope);
+      accepted =
+          flatter && std::isfinite(new_residual) && change <= lost_to_stiffness * std::abs(energy);
     }
     if (!accepted) {
       if (pairs.empty()) return finish(LbfgsStatus::stalled);

@@ -3,7 +3,8 @@
 //
 // Sources: Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant
 // matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods
-// for real-time simulation, 2017.
+// for real-time simulation, 2017. Slopes in place of energies lost to rounding: Hager, Zhang, A new
+// conjugate gradient method with guaranteed descent and an efficient line search, 2005.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,6 +26,9 @@ struct LbfgsOptions {
   /// Bound on the change of any unknown in one iteration; 0: no bound. A bound keeps the iteration
   /// near the closest minimum.
   double largest_step = 0;
+  /// Where no step is seen to lower the energy, but by less than its rounding, steps end where the
+  /// slope along them is flatter: for energies of which a stiff part takes digits.
+  bool by_slopes = false;
   /// The longest share, in (0, 1], of a step along `direction` from x. May be empty: 1.
   std::function<double(const Eigen::VectorXd& x, const Eigen::VectorXd& direction)> longest_share;
   /// Called once per iteration; returning true interrupts. May be empty.

@@ -92,6 +92,25 @@ TEST(Lbfgs, AStepIsNoLongerThanItMayBe) {
   EXPECT_GT(smallest, 0);
 }
 
+// A quadratic with a dent of the size of rounding, in which no step is seen to lower the energy,
+// and a preconditioner that overshoots twenty times.
+TEST(Lbfgs, BySlopesItGoesOnWhereEnergiesHaveNoDigitsLeft) {
+  const VectorXd diagonal = VectorXd::LinSpaced(20, 1, 3), start = VectorXd::Constant(20, 1e-6);
+  const auto dented = [&](const VectorXd& at, VectorXd& g, double& residual) {
+    g = diagonal.cwiseProduct(at);
+    residual = g.norm();
+    return 1 + 0.5 * at.dot(g) - ((at - start).norm() < 1e-15 ? 1e-9 : 0);
+  };
+  const Preconditioner overshoots = [](const VectorXd& g, VectorXd& d) { d = 20 * g; };
+  LbfgsOptions options;
+  options.tolerance = 1e-9;
+  VectorXd x = start;
+  EXPECT_EQ(lbfgs(dented, overshoots, x, options).status, LbfgsStatus::stalled);
+  options.by_slopes = true;
+  EXPECT_EQ(lbfgs(dented, overshoots, x, options).status, LbfgsStatus::converged);
+  EXPECT_LT(x.norm(), 1e-9);
+}
+
 TEST(Lbfgs, NamesEveryOtherEnd) {
   LbfgsOptions options;
   options.max_iterations = 3;

@@ -14,7 +14,7 @@ namespace vasorod {
 struct SurfaceOptions : SolverOptions {
   /// On the solver's own residual, which the solver's options define.
   double tolerance = 1e-8;
-  /// On |sum of forces| / largest resultant, per body.
+  /// On BodySolution::residual.
   double balance_tolerance = 5e-7;
   /// On the largest seam gap over the radius of the mouth.
   double seam_tolerance = 1e-3;

@@ -29,7 +29,8 @@ struct BodySolution {
        contact = Vec3::Zero();
   /// Of the pressure in the lumen on the wall, without the lids over its ends, force.
   Vec3 lumen = Vec3::Zero();
-  /// |sum of the five| / the largest of them; 0 where all are rounding errors.
+  /// |sum of the five| / the largest of them, in `coupled` also of the forces of sections; 0 where
+  /// all are rounding errors.
   double residual = 0;
   double contact_area = 0, largest_pressure = 0;
 };

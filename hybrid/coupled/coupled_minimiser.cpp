@@ -66,6 +66,7 @@ void CoupledMinimiser::weigh(const Matrix& rest) {
 void CoupledMinimiser::follow_stiffer(VectorXd& z, double growth) {
   ++work_.counts.hessians;
   weigh(system_.rest_hessian());
+  if (!factor_.factorised()) return;
   VectorXd g, step(z.size());
   double ignored = 0;
   const double before = counted(z, g, ignored);

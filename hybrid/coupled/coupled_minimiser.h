@@ -8,7 +8,8 @@
 //
 // Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
 // convergence slows down: Newton's method with as few factorisations as possible. Cholesky decides
-// definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy never rises.
+// definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy rises by no more
+// than lbfgs() lets it.
 #pragma once
 
 #include <limits>

@@ -7,7 +7,8 @@
 
 namespace vasorod {
 
-/// Largest |sum of forces| / largest resultant over the walls; 0 where all are rounding errors.
+/// Largest |sum of forces| / largest resultant or force of a section over the walls; 0 where all
+/// are rounding errors.
 double worst_coupled_balance(const ScaledBodies& scaled, const CoupledSystem& system,
                              const std::vector<int>& first_wall, const Eigen::VectorXd& z);
 

@@ -30,8 +30,6 @@ constexpr int patience_with_contact = 40;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
-// What rounding may leave out of balance of the largest force.
-constexpr double rounding_imbalance = 1e-3;
 // A state on the path that is no result is only a start.
 constexpr double passable_residual = 1e-5;
 // This many consecutive minimisations without a minimum end the solve.
@@ -81,7 +79,8 @@ class CoupledSolver::Data {
     solution_ = {};
     stack_.work = {};
     stack_.begin_stage();
-    stack_.ease();
+    stiffening_ = false;
+    const Easing easing{stack_};
     if (stack_.any_modelled()) {
       follow_path();
     } else {
@@ -94,11 +93,16 @@ class CoupledSolver::Data {
     solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
     solution_.surface.work = work_so_far();
     note_other_walls(solution_);
-    stack_.end_easing();
     return std::move(solution_);
   }
 
  private:
+  // Whatever ends a solve, the walls are the scene's after it.
+  struct Easing {
+    CoupledStack& stack;
+    ~Easing() { stack.end_easing(); }
+  };
+
   static CoupledProblem checked(CoupledProblem problem, const CoupledOptions& options) {
     if (const auto fault = options.is_invalid()) throw InputError("options of coupled: " + *fault);
     check_contacts(problem.surfaces);
@@ -158,6 +162,7 @@ class CoupledSolver::Data {
   Points positions() const { return stack_.system->state(stack_.z).positions; }
 
   void follow_path() {
+    stack_.ease();
     if (!stack_.system) stack_.build();
     path_.restart();
     stack_.set_inflation(1);
@@ -224,16 +229,15 @@ class CoupledSolver::Data {
 
   // Takes eased walls to their own materials. False: no equilibrium was found on the way.
   bool stiffen_walls(bool& buckled) {
-    stiffening_ = stack_.is_eased();
     while (stack_.is_eased()) {
-      const Points softer = positions();
+      stiffening_ = true;
       stack_.stiffen();
+      const Points expected = positions();
       solution_.notes.clear();  // of the softer walls
       solution_.status = settle(1, false);
       if (!is_equilibrium(solution_.status)) return false;
-      buckled |= left_saddle_ || has_jumped(softer);
+      buckled |= left_saddle_ || has_jumped(expected);
     }
-    stiffening_ = false;
     return true;
   }
 
@@ -315,6 +319,11 @@ class CoupledSolver::Data {
       inner.largest_step = seam_step;
     }
     return inner;
+  }
+
+  void name_hidden() {
+    for (std::string& sentence : stack_.hidden_by_rounding())
+      solution_.notes.push_back(std::move(sentence));
   }
 
   void count(const CoupledMinimiserSummary& summary) {
@@ -403,11 +412,8 @@ class CoupledSolver::Data {
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;
       std::optional<double> late_overlap;  // in mean edges
-      const bool rounded = good && (tolerance <= finest_tolerance || stalled);
-      bool settled =
-          good && ((rounded && t < 1) ||
-                   imbalance() <= (rounded ? rounding_imbalance : options.balance_tolerance));
-      const bool hidden = rounded && !settled;
+      bool settled = good && (tolerance <= finest_tolerance || stalled ||
+                              imbalance() <= options.balance_tolerance);
       if (settled && options.certify && !inner.certify) {
         inner.tolerance = tolerance = std::min(tolerance, options.tolerance);
         inner.certify = true;
@@ -425,19 +431,20 @@ class CoupledSolver::Data {
       if (settled) {
         if (!is_settled(contact, options) || tie > options.tie_tolerance)
           solution_.notes.push_back(LateContacts::note(late_overlap));
-        if (const double left = imbalance(); left > options.balance_tolerance)
+        if (const double left = imbalance(); left > options.balance_tolerance) {
+          name_hidden();
           solution_.notes.push_back("rounding leaves " + number_text(left, 2) +
                                     " of the largest force out of balance, expected at most " +
                                     number_text(options.balance_tolerance, 2));
+        }
         if (options.certify && !summary.positive)
           return summary.neutral ? Status::not_unique : Status::unstable;
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
-      if (outer >= options.max_outer || failures > most_failures || stack_.spent() || hidden ||
+      if (outer >= options.max_outer || failures > most_failures || stack_.spent() ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
-        for (std::string& sentence : stack_.hidden_by_rounding())
-          solution_.notes.push_back(std::move(sentence));
+        name_hidden();
         UnmetCriteria unmet;
         unmet.require("residual", summary.residual, options.tolerance);
         if (!seam_closed)

@@ -103,7 +103,7 @@ void CoupledStack::set_material(int b, const Material& material) {
   if (put_material(index(b), material)) minimiser->renew_rest();
 }
 
-// Whether the system has its wall, with the unknowns that it had.
+// Returns whether the system has the body's wall, with the unknowns that it had.
 bool CoupledStack::put_material(size_t b, const Material& material) {
   problem.vessels[b]->wall.material = material;
   const std::unique_ptr<WallEnergy> before = std::move(energies_[b]);
@@ -118,8 +118,9 @@ bool CoupledStack::put_material(size_t b, const Material& material) {
 
 void CoupledStack::ease() {
   own_.assign(problem.vessels.size(), std::nullopt);
+  if (problem.start || !problem.surfaces.seams.empty()) return;
   for (size_t b = 0; b < own_.size(); ++b) {
-    if (!problem.vessels[b]) continue;
+    if (!problem.vessels[b] || !scaled.bodies[b].modelled) continue;
     const Material own = problem.vessels[b]->wall.material, softer = eased(own);
     if (softer.shear_axial == own.shear_axial) continue;
     own_[b] = own;
@@ -137,15 +138,19 @@ void CoupledStack::stiffen() {
     if (!own_[b]) continue;
     const Material now = problem.vessels[b]->wall.material, next = stiffened(now, *own_[b]);
     growth = std::max(growth, next.shear_axial / now.shear_axial);
-    put_material(b, next);
+    put_material(b, next);  // a wall so stiff in shear has no leans, eased or not
     if (next.shear_axial == own_[b]->shear_axial) own_[b].reset();
   }
   minimiser->follow_stiffer(z, growth);
 }
 
-void CoupledStack::end_easing() {
-  for (size_t b = 0; b < own_.size(); ++b)
-    if (own_[b]) put_material(b, *own_[b]);
+void CoupledStack::end_easing() noexcept {
+  for (size_t b = 0; b < own_.size(); ++b) {
+    if (!own_[b]) continue;
+    problem.vessels[b]->wall.material = *own_[b];
+    system.reset();
+    energies_[b].reset();
+  }
   own_.clear();
 }
 
@@ -284,7 +289,7 @@ std::vector<std::string> CoupledStack::hidden_by_rounding() const {
         "the loads are smaller than what rounding leaves of the walls' forces: the result is not "
         "theirs");
   for (size_t b = 0; b < problem.vessels.size(); ++b)
-    if (first_wall[b] >= 0 && hides_forces(problem.vessels[b]->wall.material))
+    if (first_wall[b] >= 0 && hides_forces(own_[b].value_or(problem.vessels[b]->wall.material)))
       hidden.push_back("vessel " + problem.surfaces.bodies[b].name +
                        ": its shear modulus lies more than 1e10 times from that of an isotropic "
                        "wall: rounding of the larger stresses hides the smaller forces");

@@ -26,15 +26,16 @@ class CoupledStack {
 
   void set_sections(int body, const std::vector<HeldSection>& sections);
   void set_material(int body, const Material& material);
-  /// Gives walls the materials with which they go their way (stiffening.h).
+  /// Gives modelled walls the materials with which they go their way (stiffening.h): in a problem
+  /// without seams or a start, which have other ways.
   void ease();
   /// Whether some are still softer than their own.
   bool is_eased() const;
   /// A step of the eased walls to their own materials, from the minimum z, which is moved towards
   /// the next one.
   void stiffen();
-  /// Gives eased walls their own materials, wherever they are.
-  void end_easing();
+  /// Gives walls that are still eased their own materials; the system is to be built again then.
+  void end_easing() noexcept;
 
   /// Numbers the contacts found last for the system.
   void stack_contacts();

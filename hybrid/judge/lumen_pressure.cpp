@@ -1,5 +1,7 @@
 #include "judge/lumen_pressure.h"
 
+#include <cmath>
+
 #include <vasorod/error.h>
 
 #include "data/mmhg.h"
@@ -32,11 +34,14 @@ void require_bearable(const PreparedVessel& vessel, const Scene& scene) {
   for (const auto& [key, pressure] :
        {std::pair("scan", vessel.spec.pressure->scan), {"after", vessel.spec.pressure->after}}) {
     const double stretch = pressure / per_stretch;
-    if (stretch <= largest_stretch) continue;
+    if (std::abs(stretch) <= largest_stretch) continue;
+    const bool inflates = stretch > 0;
     throw InputError(place_of(scene, vessel.spec) + "pressure." + key + ": found " +
-                     mmhg_text(pressure, units) + ", which would stretch the wall by " +
-                     number_text(100 * stretch, 3) + " %, expected at most " +
-                     mmhg_text(largest_stretch * per_stretch, units) +
+                     mmhg_text(pressure, units) + ", which would " +
+                     (inflates ? "stretch" : "shorten") + " the wall by " +
+                     number_text(100 * std::abs(stretch), 3) + " %, expected at " +
+                     (inflates ? "most " : "least ") +
+                     mmhg_text(std::copysign(largest_stretch * per_stretch, stretch), units) +
                      ": are its unit (units.pressure) and the wall's right?");
   }
 }

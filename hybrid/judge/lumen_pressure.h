@@ -17,8 +17,8 @@ double collapse_pressure(const Material& material, double thickness, double radi
 /// "12 mmHg (0.0016 MPa)".
 std::string mmhg_text(double pressure, const Units& units);
 
-/// Throws InputError (one sentence) for a pressure that would stretch the wall by more than half:
-/// it is beyond what vessels bear, or its unit is another.
+/// Throws InputError (one sentence) for a pressure that would stretch or shorten the wall by more
+/// than half: it is beyond what vessels bear, or its unit is another.
 void require_bearable(const PreparedVessel& vessel, const Scene& scene);
 
 /// A sentence with the vessel's two pressures, for the result's notes.

@@ -76,6 +76,11 @@ FibreFactors fibre_factors(const VesselSpec& spec) {
           std::pow(across, 0.625)};
 }
 
+// Of the axial tension p R / (2 t) that a pressure from inside holds against bending's compression.
+double tension_strain(double pressure, double t, double r, const Material& material) {
+  return std::max(0.0, pressure) * r / (2 * t * material.young_axial);
+}
+
 }  // namespace
 
 void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const JudgedState& state,
@@ -86,7 +91,7 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const Jud
   const double t = vessel.spec.wall->thickness,
                root = std::sqrt(1 - material.poisson_tt * material.poisson_tt),
                length = length_scale(rod);
-  const double pressure = vessel.spec.pressure ? vessel.spec.pressure->after : 0;
+  const double pressure = state.pressed && vessel.spec.pressure ? vessel.spec.pressure->after : 0;
   Extreme brazier, wrinkling, twist, strain, softening;
   const auto changes = element_changes(rod, poses);
   std::vector<char> at_fork = fork_elements(vessel.vessel);
@@ -118,7 +123,9 @@ void add_validity(const PreparedVessel& vessel, const RodPoses& poses, const Jud
       brazier.see(
           element.bending() * r * r * root / (0.471 * t * fibre.bending * std::sqrt(1 + inflated)),
           element.middle);
-    wrinkling.see(element.bending() * r * r / (0.605 * t * fibre.wrinkling), element.middle);
+    wrinkling.see(element.bending() * r /
+                      (0.605 * t / r * fibre.wrinkling + tension_strain(pressure, t, r, material)),
+                  element.middle);
     const double critical_shear =
         0.747 * material.young_axial * fibre.twist * std::pow(t / r, 1.25) * std::sqrt(r / length);
     twist.see(material.shear_axial * r * std::abs(element.twist()) / critical_shear,

@@ -24,6 +24,8 @@ struct JudgedState {
   /// Whether the model's sections flatten when it bends: the softening of tubes curved at rest is
   /// in its answer.
   bool sections_flatten = false;
+  /// Whether the pressure in the lumen counts.
+  bool pressed = true;
 };
 
 /// Adds one vessel to the scene's validity. Within the reach of a fork (vessel/fork_reach.h)
@@ -35,8 +37,10 @@ struct JudgedState {
 /// A pressure p in the lumen (after the operation) holds the section open: k_cr is multiplied by
 /// (1 + p / p_c)^(1/2), p_c of judge/lumen_pressure.h.
 ///
-/// wrinkling_ratio: k R^2 / (0.605 t), with the axial buckling strain of a cylinder without
-/// pressure, which raises it. All vessels; for short vessels, this ratio is the relevant one.
+/// wrinkling_ratio: k R / (0.605 t / R + p R / (2 t E)), with the axial buckling strain of a
+/// cylinder and the axial tension of a pressure p from inside (p pi R^3 / 2 in the moment of NASA
+/// SP-8007; its gain in the buckling strain itself, which makes up for imperfections, is left out).
+/// All vessels; for short vessels, this ratio is the relevant one.
 ///
 /// twist_ratio: G R |u3 - u3^0| / tau_cr, tau_cr = 0.747 E (t/R)^1.25 (R/L)^0.5.
 ///

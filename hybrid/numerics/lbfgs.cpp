@@ -101,7 +101,8 @@ class SlopeSearch {
 
   double step() const { return step_; }
 
-  /// Takes the slope at step(). False: it is no flatter, and there is another step.
+  /// Takes the slope at step(). True: it is flatter, or step() is 1 and still leads down. False:
+  /// there is another step.
   bool flattens(double slope) {
     if (std::abs(slope) <= flatter * std::abs(first_)) return true;
     if (slope < 0) {

@@ -1,5 +1,6 @@
 // Limited-memory BFGS with a given preconditioner as the initial inverse Hessian and Armijo line
-// search starting at step length 1. The energy never rises by more than its rounding error.
+// search starting at step length 1. The energy never rises by more than its rounding error, which
+// LbfgsOptions::by_slopes takes for larger.
 //
 // Sources: Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant
 // matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods
@@ -26,8 +27,8 @@ struct LbfgsOptions {
   /// Bound on the change of any unknown in one iteration; 0: no bound. A bound keeps the iteration
   /// near the closest minimum.
   double largest_step = 0;
-  /// Where no step is seen to lower the energy, but by less than its rounding, steps end where the
-  /// slope along them is flatter: for energies of which a stiff part takes digits.
+  /// Where no step is seen to lower the energy, but one would by less than 1e-5 of it, a step ends
+  /// where the slope along it is flatter: for energies of which a stiff part takes digits.
   bool by_slopes = false;
   /// The longest share, in (0, 1], of a step along `direction` from x. May be empty: 1.
   std::function<double(const Eigen::VectorXd& x, const Eigen::VectorXd& direction)> longest_share;

@@ -38,21 +38,32 @@ std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
   std::vector<CheckedBody> bodies;
   std::vector<std::string> names;
   CheckedSeam seam;
-  for (const PredictedVessel& vessel : prediction.vessels) {
-    if (vessel.positions.rows() == 0) continue;  // fidelity rod, bare rods
+  std::vector<Points> carried(prediction.vessels.size());  // in fidelity rod
+  bool joined = prediction.operation.has_value();
+  for (size_t v = 0; v < carried.size(); ++v) {
+    const PredictedVessel& vessel = prediction.vessels[v];
+    if (vessel.prepared.vessel.surface.triangles.rows() == 0) continue;  // a bare rod
+    const bool has_wall = vessel.positions.rows() > 0;
+    if (!has_wall) carried[v] = carried_surface(vessel);
+    joined &= has_wall;
     const std::string& name = vessel.prepared.spec.name;
     if (prediction.operation && prediction.operation->vessels[0].name == name)
       seam.a = static_cast<int>(bodies.size());
     if (prediction.operation && prediction.operation->vessels[1].name == name)
       seam.b = static_cast<int>(bodies.size());
-    bodies.push_back({&vessel.prepared.vessel.surface, &vessel.positions,
+    bodies.push_back({&vessel.prepared.vessel.surface, has_wall ? &vessel.positions : &carried[v],
                       vessel.prepared.obstacle() ? 0 : vessel.prepared.vessel.mean_radius});
     names.push_back(name);
   }
   if (prediction.operation) seam.pairs = prediction.operation->pairs;
   std::vector<NamedCrossing> named;
-  for (const Crossing& crossing : crossings(bodies, seam))
+  for (const Crossing& crossing : crossings(bodies, seam)) {
+    const bool at_seam = prediction.operation && crossing.a != crossing.b &&
+                         std::min(crossing.a, crossing.b) == std::min(seam.a, seam.b) &&
+                         std::max(crossing.a, crossing.b) == std::max(seam.a, seam.b);
+    if (at_seam && !joined) continue;  // nothing closed the seam
     named.push_back({names[index(crossing.a)], names[index(crossing.b)], crossing});
+  }
   return named;
 }
 

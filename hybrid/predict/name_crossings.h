@@ -17,7 +17,8 @@ struct NamedCrossing {
   Crossing crossing;
 };
 
-/// Where the predicted surfaces pass through themselves or each other.
+/// Where the predicted surfaces pass through themselves or each other; in fidelity rod those that
+/// the rods carry, without what two joined vessels do, whose seam nothing closed.
 std::vector<NamedCrossing> named_crossings(const Prediction& prediction);
 
 /// Fills `self_intersections` from the predicted surfaces, with a warning for each, and puts the

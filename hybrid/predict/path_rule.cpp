@@ -50,7 +50,7 @@ double share_of_limit(const Prediction& prediction) {
     if (!vessel.rod_solved) continue;
     Validity validity;
     add_validity(vessel.prepared, vessel.rod.poses,
-                 {.rigid_nodes = rigid_nodes(prediction, vessel)}, validity);
+                 {.rigid_nodes = rigid_nodes(prediction, vessel), .pressed = false}, validity);
     const double nu = vessel.prepared.spec.wall->material.poisson_tt;
     const double own = std::max(validity.twist_ratio,
                                 validity.wrinkling_ratio * 0.605 / 0.471 * std::sqrt(1 - nu * nu));

@@ -42,6 +42,16 @@ TEST(LumenPressure, OneBeyondTheWallIsRefusedWithTheUnit) {
     EXPECT_NE(said.find("stretch the wall by 269 %"), std::string::npos) << said;
     EXPECT_NE(said.find("units.pressure"), std::string::npos) << said;
   }
+  try {
+    require_bearable(infant_vein({0, -1300 * 133.322387415e-6}), scene);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("found -1300 mmHg (-0.1733 MPa), which would shorten the wall by 269 %, "
+                        "expected at least -"),
+              std::string::npos)
+        << said;
+  }
 }
 
 TEST(LumenPressure, AVesselUnderItsCollapsePressureIsNamed) {

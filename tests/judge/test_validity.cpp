@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "infant_anatomy.h"
@@ -43,6 +44,34 @@ TEST(Validity, ShortTubesAreMeasuredAgainstLocalWrinkling) {
   const Validity validity = judged(tube, change_of(0, Vec3(0, 0.004, 0)));
   EXPECT_EQ(validity.brazier_ratio, 0);
   EXPECT_NEAR(validity.wrinkling_ratio, 0.004 * 100 / 0.605, 1e-8);
+}
+
+// At p_c Brazier's curvature is raised by the root of 2; the moment pi R^3 t E k at which the inner
+// side wrinkles by p pi R^3 / 2 (NASA SP-8007).
+TEST(Validity, APressureFromInsideHoldsTheSectionOpenAndTheWallStretched) {
+  PreparedVessel tube = judged_tube(300);
+  const Material& material = tube.spec.wall->material;
+  const double collapse = 3 * material.young_transverse / 12 / 0.91 / 1000;
+  const Vec6 bent = change_of(0, Vec3(0.003, 0, 0));
+  const Validity without = judged(tube, bent);
+  const auto under = [&](double pressure) {
+    tube.spec.pressure = LumenPressure{0, pressure};
+    return judged(tube, bent);
+  };
+  EXPECT_NEAR(under(collapse).brazier_ratio, without.brazier_ratio / std::sqrt(2.0), 1e-8);
+  EXPECT_NEAR(under(5 * collapse).brazier_ratio, without.brazier_ratio / std::sqrt(6.0), 1e-8);
+  const double pressure = 0.002 * material.young_axial;
+  const double moment = std::numbers::pi * 1000 * material.young_axial * 0.003,
+               critical = std::numbers::pi * 100 * material.young_axial * 0.605 / 10;
+  EXPECT_NEAR(under(pressure).wrinkling_ratio,
+              moment / (critical + pressure * std::numbers::pi * 1000 / 2), 1e-8);
+  EXPECT_NEAR(under(-0.5 * collapse).wrinkling_ratio, without.wrinkling_ratio, 1e-12);
+  JudgedState unpressed;
+  unpressed.pressed = false;
+  Validity judged_without;
+  add_validity(tube, strained(tube.vessel.rod, bent), unpressed, judged_without);
+  EXPECT_EQ(judged_without.wrinkling_ratio, without.wrinkling_ratio);
+  EXPECT_NEAR(under(-0.5 * collapse).brazier_ratio, without.brazier_ratio * std::sqrt(2.0), 1e-8);
 }
 
 TEST(Validity, AFoldPastTheRangeOfALinearLawIsNamed) {

@@ -55,7 +55,11 @@ TEST(NameCrossings, ACarriedWallIsOnlyWarnedOf) {
   EXPECT_TRUE(warns(result));
   EXPECT_FALSE(result.validity.in_range);
   EXPECT_TRUE(warning(result).ends_with("fidelity skin models no contact")) << warning(result);
-  EXPECT_TRUE(predict(folded("rod")).self_intersections.empty());  // no surface, no wall
+  const Result rods = predict(folded("rod"));  // the same walls, carried by its rods
+  EXPECT_EQ(rods.status, Status::converged);
+  ASSERT_EQ(rods.self_intersections.size(), 1U);
+  EXPECT_EQ(rods.self_intersections[0].depth, result.self_intersections[0].depth);
+  EXPECT_TRUE(warning(rods).ends_with("fidelity rod models no contact")) << warning(rods);
 }
 
 // Mid-wall radius 6, axes 14 apart; one moves by 4: walls 2 deep in each other.
@@ -76,7 +80,7 @@ TEST(NameCrossings, OfTwoVesselsWithoutContactThatIsTheReason) {
 }
 
 TEST(NameCrossings, ABendIsNone) {
-  for (const std::string fidelity : {"skin", "paper", "coupled"}) {
+  for (const std::string fidelity : {"rod", "skin", "paper", "coupled"}) {
     const Result result = predict(turned(fidelity, 10, {3, 0, -0.3}));
     EXPECT_TRUE(result.self_intersections.empty()) << fidelity;
     EXPECT_FALSE(warns(result)) << fidelity;

@@ -69,7 +69,7 @@ struct Balance {
       load = Vec3::Zero(),      ///< of the dead loads
       join = Vec3::Zero(),      ///< of the seam
       contact = Vec3::Zero();   ///< of the contacts
-  double residual = 0;          ///< length of the sum over the largest of the forces
+  double residual = 0;          ///< length of the sum over the largest force, an end's too
   /// Of the pressure in the lumen on the wall, up to where the vessel ends; empty: none.
   std::optional<Vec3> pressure;
   /// Fidelity `paper` only: force of the rod on the surface through the binding.

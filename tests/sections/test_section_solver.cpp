@@ -199,19 +199,20 @@ TEST(SectionSolver, ARingCollapsesAtItsPressure) {
 }
 
 // Bent to a fifth of Brazier's curvature, seen at the pressure: a section flattens 1 + p / p_c
-// times less than without one.
+// times less than without one. Soft ends flatten more, by less than a hundredth in the middle of
+// twenty radii.
 TEST(SectionSolver, PressureKeepsABentTubeRound) {
   const double nu = 0.5, critical = 3 * thickness * thickness * thickness / (12 * (1 - nu * nu));
-  const double curvature = 0.2 * 0.471 * thickness / std::sqrt(1 - nu * nu), angle = 10 * curvature;
+  const double curvature = 0.2 * 0.471 * thickness / std::sqrt(1 - nu * nu), angle = 20 * curvature;
   double empty = 0;
   for (const double ratio : {0.0, 1.0, 5.0}) {
-    Tube tube;
+    Tube tube(1, 1, 20, 48);
     tube.problem.material = Material::isotropic(1, nu);
     tube.problem.pressure = {ratio * critical, ratio * critical};
     for (auto& end : tube.problem.ends) end->rigid = false;
     tube.end().motion.rotate = {0, angle, 0};
     tube.end().motion.move = {(1 - std::cos(angle)) / curvature, 0,
-                              std::sin(angle) / curvature - 10};
+                              std::sin(angle) / curvature - 20};
     const SolvedSections found = solve_sections(tube.problem);
     EXPECT_EQ(found.status, Status::converged);
     // Of the section in the middle: its height in the plane of the bend against its width.
@@ -219,7 +220,7 @@ TEST(SectionSolver, PressureKeepsABentTubeRound) {
     const Vec3 center((1 - std::cos(angle / 2)) / curvature, 0, std::sin(angle / 2) / curvature);
     const Vec3 across(std::cos(angle / 2), 0, -std::sin(angle / 2));
     for (Eigen::Index v = 0; v < found.positions.rows(); ++v) {
-      if (std::abs(tube.problem.rest(v, 2) - 5) > 1e-6) continue;
+      if (std::abs(tube.problem.rest(v, 2) - 10) > 1e-6) continue;
       const Vec3 p = Vec3(found.positions.row(v)) - center;
       low = std::min(low, p.dot(across));
       high = std::max(high, p.dot(across));
@@ -227,7 +228,7 @@ TEST(SectionSolver, PressureKeepsABentTubeRound) {
     }
     const double flattening = 1 - (high - low) / wide;
     if (ratio == 0) empty = flattening;
-    EXPECT_NEAR(flattening / empty, 1 / (1 + ratio), 0.04) << ratio;
+    EXPECT_NEAR(flattening / empty * (1 + ratio), 1, 0.01) << ratio;
   }
   EXPECT_GT(empty, 0.01);
 }

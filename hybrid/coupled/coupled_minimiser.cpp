@@ -62,7 +62,7 @@ void CoupledMinimiser::weigh(const Matrix& rest) {
 }
 
 // Of a modulus G that grows, the minimum z is nearly a line in 1/G: with g the gradient of what was
-// raised, dz = -(1/G' - 1/G) dz/d(1/G) = -H^-1 g G / G', H being the Hessian before.
+// raised, dz = (1/G' - 1/G) dz/d(1/G) = -H^-1 g G / G', H being the Hessian before.
 void CoupledMinimiser::follow_stiffer(VectorXd& z, double growth) {
   ++work_.counts.hessians;
   weigh(system_.rest_hessian());

@@ -83,7 +83,8 @@ class CoupledMinimiser {
   void renew_rest();
   /// To be called when shear moduli of walls were raised, at most `growth` times, at the minimum z
   /// that minimise() found last: moves z towards the new minimum. K0 stays that of the softer
-  /// walls: as the metric of shifts that of the stiffer ones would hold back what is left to move.
+  /// walls until the system is built again: as the metric of shifts that of the stiffer ones would
+  /// hold back what is left to move.
   void follow_stiffer(Eigen::VectorXd& z, double growth);
 
   /// Minimises from z; on return z is the best point found.

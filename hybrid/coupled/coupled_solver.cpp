@@ -30,6 +30,9 @@ constexpr int patience_with_contact = 40;
 // A stalled minimisation (no step lowers the energy) counts as limited by rounding if its residual
 // is below this value.
 constexpr double rounding_residual = 1e-6;
+// Of the largest force of walls whose moduli lie too far apart, what rounding may leave out of
+// balance.
+constexpr double largest_rounding = 1e-3;
 // A state on the path that is no result is only a start.
 constexpr double passable_residual = 1e-5;
 // This many consecutive minimisations without a minimum end the solve.
@@ -412,8 +415,9 @@ class CoupledSolver::Data {
       bool good = (summary.residual <= options.tolerance || stalled) && seam_closed && tied &&
                   turned && pressed_right;
       std::optional<double> late_overlap;  // in mean edges
-      bool settled = good && (tolerance <= finest_tolerance || stalled ||
-                              imbalance() <= options.balance_tolerance);
+      const bool finest = tolerance <= finest_tolerance || stalled;
+      const bool lost = good && t == 1 && stack_.hides_forces() && imbalance() > largest_rounding;
+      bool settled = good && !lost && (finest || imbalance() <= options.balance_tolerance);
       if (settled && options.certify && !inner.certify) {
         inner.tolerance = tolerance = std::min(tolerance, options.tolerance);
         inner.certify = true;
@@ -442,6 +446,7 @@ class CoupledSolver::Data {
         return stack_.system->has_potential() ? Status::converged : Status::equilibrium_only;
       }
       if (outer >= options.max_outer || failures > most_failures || stack_.spent() ||
+          (lost && finest) ||
           (summary.status == LbfgsStatus::iteration_limit && tolerance <= options.tolerance &&
            !updates)) {
         name_hidden();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <vasorod/error.h>
 
@@ -103,16 +104,25 @@ void CoupledStack::set_material(int b, const Material& material) {
   if (put_material(index(b), material)) minimiser->renew_rest();
 }
 
-// Returns whether the system has the body's wall, with the unknowns that it had.
+// Returns whether the system has the body's wall, with the unknowns that it had. Where the material
+// is refused nothing changes.
 bool CoupledStack::put_material(size_t b, const Material& material) {
-  problem.vessels[b]->wall.material = material;
-  const std::unique_ptr<WallEnergy> before = std::move(energies_[b]);
+  Material& own = problem.vessels[b]->wall.material;
+  const Material before = std::exchange(own, material);
+  std::unique_ptr<WallEnergy> energy;
+  try {
+    energy = std::make_unique<WallEnergy>(scaled_wall(b));
+  } catch (...) {
+    own = before;
+    throw;
+  }
+  std::swap(energies_[b], energy);
   if (!system || first_wall[b] < 0) return false;
-  if (energy_of(b).leans() != before->leans()) {
+  if (energies_[b]->leans() != energy->leans()) {
     system.reset();
     return false;
   }
-  system->set_energy(first_wall[b], energy_of(b));
+  system->set_energy(first_wall[b], *energies_[b]);
   return true;
 }
 
@@ -282,6 +292,17 @@ void CoupledStack::update_seams() {
     seam_multipliers_[i] = system->joins[i].multiplier;
 }
 
+bool CoupledStack::hides_forces(size_t b) const {
+  return first_wall[b] >= 0 &&
+         vasorod::hides_forces(own_[b].value_or(problem.vessels[b]->wall.material));
+}
+
+bool CoupledStack::hides_forces() const {
+  for (size_t b = 0; b < problem.vessels.size(); ++b)
+    if (hides_forces(b)) return true;
+  return false;
+}
+
 std::vector<std::string> CoupledStack::hidden_by_rounding() const {
   std::vector<std::string> hidden;
   if (minimiser->load_is_hidden(z))
@@ -289,7 +310,7 @@ std::vector<std::string> CoupledStack::hidden_by_rounding() const {
         "the loads are smaller than what rounding leaves of the walls' forces: the result is not "
         "theirs");
   for (size_t b = 0; b < problem.vessels.size(); ++b)
-    if (first_wall[b] >= 0 && hides_forces(own_[b].value_or(problem.vessels[b]->wall.material)))
+    if (hides_forces(b))
       hidden.push_back("vessel " + problem.surfaces.bodies[b].name +
                        ": its shear modulus lies more than 1e10 times from that of an isotropic "
                        "wall: rounding of the larger stresses hides the smaller forces");

@@ -27,7 +27,7 @@ class CoupledStack {
   void set_sections(int body, const std::vector<HeldSection>& sections);
   void set_material(int body, const Material& material);
   /// Gives modelled walls the materials with which they go their way (stiffening.h): in a problem
-  /// without seams or a start, which have other ways.
+  /// without seams or a start, which have other ways. One that is touched on the way keeps its own.
   void ease();
   /// Whether some are still softer than their own.
   bool is_eased() const;
@@ -62,6 +62,8 @@ class CoupledStack {
   void update_seams();
 
   bool any_modelled() const;
+  /// Whether there is a wall that hides_forces() (stiffening.h).
+  bool hides_forces() const;
   /// A sentence for each that rounding hides: loads, forces of a wall.
   std::vector<std::string> hidden_by_rounding() const;
   /// From here on CoupledOptions::most_per_stage are counted anew.
@@ -97,6 +99,7 @@ class CoupledStack {
   std::vector<HeldSection> scaled_sections(size_t body) const;
   WallInput scaled_wall(size_t body) const;
   WallEnergy& energy_of(size_t body);
+  bool hides_forces(size_t body) const;
   bool put_material(size_t body, const Material& material);
   WallLumen lumen_of(size_t body) const;
   void guard_walls();

@@ -39,8 +39,8 @@ struct JudgedState {
 ///
 /// wrinkling_ratio: k R / (0.605 t / R + p R / (2 t E)), with the axial buckling strain of a
 /// cylinder and the axial tension of a pressure p from inside (p pi R^3 / 2 in the moment of NASA
-/// SP-8007; its gain in the buckling strain itself, which makes up for imperfections, is left out).
-/// All vessels; for short vessels, this ratio is the relevant one.
+/// SP-8007; its gain in the buckling strain itself, which makes up for imperfections, is left out;
+/// so are other axial strains). All vessels; for short vessels, this ratio is the relevant one.
 ///
 /// twist_ratio: G R |u3 - u3^0| / tau_cr, tau_cr = 0.747 E (t/R)^1.25 (R/L)^0.5.
 ///

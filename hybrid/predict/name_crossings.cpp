@@ -55,7 +55,7 @@ std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
                       vessel.prepared.obstacle() ? 0 : vessel.prepared.vessel.mean_radius});
     names.push_back(name);
   }
-  if (prediction.operation) seam.pairs = prediction.operation->pairs;
+  if (prediction.operation && joined) seam.pairs = prediction.operation->pairs;
   std::vector<NamedCrossing> named;
   for (const Crossing& crossing : crossings(bodies, seam)) {
     const bool at_seam = prediction.operation && crossing.a != crossing.b &&

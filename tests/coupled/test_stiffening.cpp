@@ -111,17 +111,24 @@ TEST(Stiffening, ASolverIsAsGoodAsNewAfterIt) {
 // A state on the way is not the scene's, and says so; the solver goes on from the scene's walls.
 TEST(Stiffening, StoppedOnTheWayItSaysThatTheWallsAreSofter) {
   CoupledSolver solver(twisted(tube_of(stiff_in_shear())));
+  int calls = 0;
+  solver.options().stop = [&] { return ++calls < 0; };
   const double energy = energy_of(solver.solve());
-  bool stops = true;
-  for (const int calls : {0, 60}) {  // at once, and among the steps to the own shear modulus
-    int left = calls;
-    solver.options().stop = [&] { return stops && --left < 0; };
+  bool at_once = false, while_stiffened = false;
+  for (int last = calls / 2; !at_once; last = last * 4 / 5) {
+    calls = 0;
+    solver.options().stop = [&] { return ++calls > last; };
     const CoupledSolution stopped = solver.solve();
     EXPECT_EQ(stopped.status, Status::interrupted);
-    ASSERT_FALSE(stopped.notes.empty()) << calls;
-    EXPECT_EQ(stopped.notes.back(), "the walls' shear modulus is still lower than the scene's");
+    const bool softer =
+        !stopped.notes.empty() &&
+        stopped.notes.back() == "the walls' shear modulus is still lower than the scene's";
+    EXPECT_TRUE(softer || stopped.reached == 1) << last;  // else in the last step
+    at_once = last == 0;
+    while_stiffened |= softer && stopped.reached == 1;
   }
-  stops = false;
+  EXPECT_TRUE(while_stiffened);
+  solver.options().stop = [] { return false; };
   const CoupledSolution whole = solver.solve();
   expect_minimum(whole);
   EXPECT_NEAR(energy_of(whole), energy, 1e-4 * energy);
@@ -161,18 +168,31 @@ TEST(Stiffening, ARigidMotionOfSuchAWallIsAMinimum) {
   }
 }
 
-// A vessel that nothing moves keeps its wall.
+// A vessel that nothing moves beside one that is moved.
 TEST(Stiffening, AVesselAtRestIsNotEased) {
-  const HeldTube tube = tube_of(stiff_in_shear());
-  const CoupledSolution solution =
-      CoupledSolver(bent(tube, Vec6::Zero(), tube.start(), tube.end())).solve();
-  EXPECT_EQ(solution.status, Status::converged);
-  EXPECT_TRUE(solution.notes.empty());
+  CoupledProblem problem = twisted(tube_of(ordinary()));
+  const CoupledSolution alone = CoupledSolver(twisted(tube_of(ordinary()))).solve();
+  HeldTube far = tube_of(stiff_in_shear());
+  far.surface.points.col(0).array() += 30;
+  far.wall.rest = far.surface;
+  HeldSection start = far.start(), end = far.end();
+  start.rest.position.x() += 30;
+  end.rest.position.x() += 30;
+  CoupledProblem other = bent(far, Vec6::Zero(), start, end);
+  problem.surfaces.bodies.push_back(other.surfaces.bodies[0]);
+  problem.vessels.push_back(std::move(other.vessels[0]));
+  problem.carried = [first = problem.carried](double time) {
+    return std::vector<CarriedBody>{first(time)[0], CarriedBody()};
+  };
+  const CoupledSolution solution = CoupledSolver(std::move(problem)).solve();
+  expect_minimum(solution);
+  EXPECT_EQ(solution.surface.work.counts.hessians, alone.surface.work.counts.hessians);
 }
 
 // E and G 1e12 apart: what rounding leaves of the forces is stated.
 TEST(Stiffening, WhereRoundingHidesForcesTheResultSaysSo) {
   const CoupledSolution solution = CoupledSolver(twisted(tube_of(stiff_in_shear(1e12)))).solve();
+  EXPECT_EQ(solution.status, Status::iteration_limit) << to_string(solution.status);
   const auto says = [&](const std::string& text) {
     return std::any_of(solution.notes.begin(), solution.notes.end(), [&](const std::string& note) {
       return note.find(text) != std::string::npos;

@@ -66,11 +66,13 @@ TEST(Validity, APressureFromInsideHoldsTheSectionOpenAndTheWallStretched) {
   EXPECT_NEAR(under(pressure).wrinkling_ratio,
               moment / (critical + pressure * std::numbers::pi * 1000 / 2), 1e-8);
   EXPECT_NEAR(under(-0.5 * collapse).wrinkling_ratio, without.wrinkling_ratio, 1e-12);
+  under(pressure);
   JudgedState unpressed;
   unpressed.pressed = false;
   Validity judged_without;
   add_validity(tube, strained(tube.vessel.rod, bent), unpressed, judged_without);
   EXPECT_EQ(judged_without.wrinkling_ratio, without.wrinkling_ratio);
+  EXPECT_EQ(judged_without.brazier_ratio, without.brazier_ratio);
   EXPECT_NEAR(under(-0.5 * collapse).brazier_ratio, without.brazier_ratio * std::sqrt(2.0), 1e-8);
 }
 

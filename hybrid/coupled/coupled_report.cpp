@@ -236,4 +236,10 @@ void report_coupled(const CoupledProblem& problem, const ScaledBodies& scaled,
   if (system) report_seam(scaled, system->joins, s.positions, surface);
 }
 
+std::string CoupledSolution::brief_report() const {
+  SurfaceSolution whole = surface;
+  whole.status = status;
+  return whole.brief_report();
+}
+
 }  // namespace vasorod

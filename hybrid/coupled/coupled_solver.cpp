@@ -337,21 +337,6 @@ class CoupledSolver::Data {
     left_saddle_ |= summary.left_saddle;
   }
 
-  // A state that stays valid when the reference rotations of its rotation vectors change.
-  struct Kept {
-    VectorXd z;
-    std::vector<std::vector<SectionPlacement>> placements;  // per wall and section
-  };
-
-  void restore(const Kept& kept) {
-    stack_.z = kept.z;
-    for (size_t w = 0; w < kept.placements.size(); ++w)
-      for (size_t k = 0; k < kept.placements[w].size(); ++k)
-        stack_.system->put_pose(static_cast<int>(w), static_cast<int>(k),
-                                kept.placements[w][k].rotation, kept.placements[w][k].position,
-                                stack_.z);
-  }
-
   // Finds the minimum at the present time t.
   Status settle(double t, bool stepped) {
     left_saddle_ = false;
@@ -365,7 +350,7 @@ class CoupledSolver::Data {
     int failures = 0;
     const int patience = options.hold_after > 0 ? 2 * options.hold_after : patience_with_contact;
     LateContacts late(patience);
-    Kept best;  // the last minimum found
+    CoupledStack::Placed best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
@@ -384,9 +369,8 @@ class CoupledSolver::Data {
       const bool stalled =
           summary.status == LbfgsStatus::stalled && summary.residual <= rounding_residual;
       failures = minimum ? 0 : failures + 1;
-      if (minimum || best.z.size() != stack_.z.size())
-        best = {stack_.z, stack_.system->state(stack_.z).placements};
-      if (failures > most_failures) restore(best);
+      if (minimum || best.z.size() != stack_.z.size()) best = stack_.placed();
+      if (failures > most_failures) stack_.place(best);
       stack_.unstack();
       if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
       if (is_near_start() && outer == 1 && !minimum && !stalled) {
@@ -492,12 +476,6 @@ class CoupledSolver::Data {
   bool stiffening_ = false;
   CoupledSolution solution_;
 };
-
-std::string CoupledSolution::brief_report() const {
-  SurfaceSolution whole = surface;
-  whole.status = status;
-  return whole.brief_report();
-}
 
 CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& options)
     : data_(std::make_unique<Data>(std::move(problem), options)) {}

@@ -317,6 +317,18 @@ std::vector<std::string> CoupledStack::hidden_by_rounding() const {
   return hidden;
 }
 
+CoupledStack::Placed CoupledStack::placed() const {
+  return {z, system->state(z).placements};
+}
+
+void CoupledStack::place(const Placed& state) {
+  z = state.z;
+  for (size_t w = 0; w < state.placements.size(); ++w)
+    for (size_t k = 0; k < state.placements[w].size(); ++k)
+      system->put_pose(static_cast<int>(w), static_cast<int>(k), state.placements[w][k].rotation,
+                       state.placements[w][k].position, z);
+}
+
 bool CoupledStack::any_modelled() const {
   return std::any_of(scaled.bodies.begin(), scaled.bodies.end(),
                      [](const ScaledBody& body) { return body.modelled; });

@@ -61,6 +61,14 @@ class CoupledStack {
   /// Updates the multipliers of the seam after a minimisation.
   void update_seams();
 
+  /// A state that stays valid when the reference rotations of its rotation vectors change.
+  struct Placed {
+    Eigen::VectorXd z;
+    std::vector<std::vector<SectionPlacement>> placements;  ///< per wall and section
+  };
+  Placed placed() const;
+  void place(const Placed& state);
+
   bool any_modelled() const;
   /// Whether there is a wall that hides_forces() (stiffening.h).
   bool hides_forces() const;

@@ -55,12 +55,10 @@ std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
                       vessel.prepared.obstacle() ? 0 : vessel.prepared.vessel.mean_radius});
     names.push_back(name);
   }
-  if (prediction.operation && joined) seam.pairs = prediction.operation->pairs;
+  if (joined) seam.pairs = prediction.operation->pairs;
   std::vector<NamedCrossing> named;
   for (const Crossing& crossing : crossings(bodies, seam)) {
-    const bool at_seam = prediction.operation && crossing.a != crossing.b &&
-                         std::min(crossing.a, crossing.b) == std::min(seam.a, seam.b) &&
-                         std::max(crossing.a, crossing.b) == std::max(seam.a, seam.b);
+    const bool at_seam = std::minmax(crossing.a, crossing.b) == std::minmax(seam.a, seam.b);
     if (at_seam && !joined) continue;  // nothing closed the seam
     named.push_back({names[index(crossing.a)], names[index(crossing.b)], crossing});
   }

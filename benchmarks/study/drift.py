@@ -56,6 +56,8 @@ TOLERANCES = {
     **dict.fromkeys(("spans", "failure", "ending", "sentence", "crossings", "range"), EXACT),
     **dict.fromkeys(("cases", "certified", "other", "case", "load", "modulus", "model"), EXACT),
     **dict.fromkeys(("around", "law", "surface", "unknowns", "settled"), EXACT),
+    **dict.fromkeys(("stiffness", "widening", "closed_form"), VALUE),
+    "drift": Tolerance(0, 1e-9, "a point of a vessel as it was seen moves by rounding alone"),
     "factor": SAME,
     "most_iterations": ITERATIONS,
     "estimate": ESTIMATE,

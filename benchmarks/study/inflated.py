@@ -1,7 +1,5 @@
 """Tubes with a pressure in their lumen: inflated, then bent, twisted and stretched, against the
-reference's 7-parameter shell of the same law; and bends under pressure past Brazier's curvature."""
-
-import math
+reference's 7-parameter shell of the same law."""
 
 from cases import text_of
 from measure import compared, failed_of, result_of
@@ -20,17 +18,8 @@ LOADS = {
 }
 PRESSURES = (5, 10)  # mmHg, from a wall without stress
 FIDELITIES = ("section", "coupled", "skin")
-WALLS = ("section", "coupled")  # of which the bends are
 CELLS = (8, 12)  # of the shell, and those refined by 3/2
 FILE = "inflated.csv"
-
-BENT = {"radius": 10.0, "thickness": 1.0, "young": 1.0, "poisson": 0.45}
-LONG = {"soft": 100.0, "rigid": 200.0}  # lengths by the ends' sections
-# Of Brazier's curvature: without pressure (soft), at the pressure (rigid).
-SHARES = {"soft": (0.2,), "rigid": (0.4, 0.6, 0.8)}
-RATIOS = (0, 0.5, 1, 2, 5)  # of the pressure over p_c
-BENT_AROUND = 32
-BENDS = "inflated_bends.csv"
 
 
 def scene(load, pressure):
@@ -70,73 +59,9 @@ def shell_run(load, pressure):
     )
 
 
-def collapse_pressure():
-    """p_c = 3 D / R^3 of a long tube under outer pressure, in MPa."""
-    return (
-        BENT["young"] * (BENT["thickness"] / BENT["radius"]) ** 3 / (4 * (1 - BENT["poisson"] ** 2))
-    )
-
-
-def brazier_curvature(ratio):
-    """At which a long tube's moment is largest (Brazier 1927), with pressure, in 1/mm."""
-    empty = 0.471 * BENT["thickness"] / (BENT["radius"] ** 2 * math.sqrt(1 - BENT["poisson"] ** 2))
-    return empty * math.sqrt(1 + ratio)
-
-
-def bend_scene(section, share, ratio):
-    """Bent to an arc, seen at the pressure it is solved at, so that the radius stays."""
-    length = LONG[section]
-    curvature = share * brazier_curvature(0 if section == "soft" else ratio)
-    angle = curvature * length
-    around = 2 * math.pi * BENT["radius"] / BENT_AROUND
-    tube = {"length": length, "radius": BENT["radius"], "around": BENT_AROUND}
-    tube["along"] = 2 * round(length / around / 2)
-    wall = {key: BENT[key] for key in ("thickness", "young", "poisson")}
-    vessel = {"name": "tube", "tube": tube, "wall": wall}
-    if ratio:
-        pressure = ratio * collapse_pressure()
-        vessel["pressure"] = {"scan": pressure, "after": pressure}
-    arc = [(1 - math.cos(angle)) / curvature, 0, math.sin(angle) / curvature - length]
-    moved = {"rotate_deg": [0, math.degrees(angle), 0], "move": arc}
-    return {
-        "scene": f"inflated_bend_{section}_{share:g}_{ratio:g}",
-        "units": {"length": "mm", "stress": "MPa"},
-        "vessels": [vessel],
-        "ends": [
-            {"vessel": "tube", "end": "start", "hold": True, "section": section},
-            {"vessel": "tube", "end": "end", **moved, "section": section},
-        ],
-        "fidelity": "coupled",
-    }
-
-
-def bend_run(section, share, ratio, fidelity="coupled"):
-    return Run(
-        f"inflated-bend-{section}-{share:g}-q{ratio:g}/{fidelity}-{BENT_AROUND}",
-        "vasorod",
-        hybrid_arguments(fidelity),
-        {"scene.yaml": text_of(bend_scene(section, share, ratio))},
-    )
-
-
-def bends():
-    """(section, share, ratio, fidelity)"""
-    return [
-        (section, share, ratio, fidelity)
-        for section, shares in SHARES.items()
-        for share in shares
-        for fidelity in WALLS
-        for ratio in RATIOS
-    ]
-
-
 def all_runs():
-    runs = [bend_run(*bend) for bend in bends()]
-    for load in LOADS:
-        for pressure in PRESSURES:
-            runs += [hybrid_run(load, pressure, fidelity) for fidelity in FIDELITIES]
-            runs.append(shell_run(load, pressure))
-    return runs
+    runs = [run for pair in load_pairs() for run in pair[-2:]]
+    return list({run.identity: run for run in runs}.values())
 
 
 class _Tube:
@@ -146,7 +71,6 @@ class _Tube:
 
 
 COLUMNS = ("rms", "largest", "force", "moment", "flattening", "flattening_reference", "own_error")
-BEND_COLUMNS = ("flattening", "moment", "wrinkling_ratio")
 
 
 def tube_row(store, names, run, shell, columns):
@@ -182,27 +106,7 @@ def load_pairs():
                 yield names, hybrid_run(load, pressure, fidelity), shell_run(load, pressure)
 
 
-def bend_rows(store):
-    rows, records = [], []
-    for section, share, ratio, fidelity in bends():
-        run = bend_run(section, share, ratio, fidelity)
-        record = store.record(run.identity)
-        if record is None:
-            continue
-        records.append(record)
-        row = {"fidelity": fidelity, "section": section, "share": share, "ratio": ratio}
-        row |= {**dict.fromkeys(BEND_COLUMNS), "seconds": record["processor_seconds"]}
-        row["failure"] = failed_of(store, [record])
-        if row["failure"] is None:
-            result = result_of(store, run.identity)
-            row["flattening"] = result["metrics"][0]["flattening"]
-            row["moment"] = abs(result["ends"][1]["moment"][1])
-            row["wrinkling_ratio"] = result["validity"]["wrinkling_ratio"]
-        rows.append(row)
-    return rows, records
-
-
-def make_tables(store, folder):
+def make_table(store, path):
     rows, records = tube_rows(store, load_pairs(), COLUMNS)
     if rows:
         note = "Tubes from walls without stress to a pressure (mmHg) and a load, neo-hookean,"
@@ -211,9 +115,4 @@ def make_tables(store, folder):
         notes = [note, *provenance(records)]
         plan = [(load, p, name) for name in FIDELITIES for load in LOADS for p in PRESSURES]
         keys = ("load", "pressure", "fidelity")
-        write_table(folder / FILE, *extended(folder / FILE, keys, plan, rows, notes))
-    rows, records = bend_rows(store)
-    if rows:
-        note = "Long tubes bent to a share of Brazier's curvature at pressures over p_c"
-        notes, keys = [note, *provenance(records)], ("section", "share", "ratio", "fidelity")
-        write_table(folder / BENDS, *extended(folder / BENDS, keys, bends(), rows, notes))
+        write_table(path, *extended(path, keys, plan, rows, notes))

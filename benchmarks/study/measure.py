@@ -61,9 +61,8 @@ def own_error(reference):
     return {"u_shape": value("displacements"), "u_reaction": value("reactions")}
 
 
-def shapes(store, a, b, radius, length):
-    """RMS and largest distance of material points over R (None without a surface), of the
-    centerline over L."""
+def vessels_apart(store, a, b):
+    """What `vasorod compare` says of each vessel of two results of one scene."""
     done = subprocess.run(
         [
             str(store.programs["vasorod"]),
@@ -77,7 +76,13 @@ def shapes(store, a, b, radius, length):
     )
     if done.returncode != 0:
         raise SystemExit(f"{a}, {b}: {done.stderr.strip()}")
-    vessel = json.loads(done.stdout)["vessels"][0]
+    return json.loads(done.stdout)["vessels"]
+
+
+def shapes(store, a, b, radius, length):
+    """RMS and largest distance of material points over R (None without a surface), of the
+    centerline over L; of a scene's first vessel."""
+    vessel = vessels_apart(store, a, b)[0]
     surface, line = vessel["surface"], vessel["centerline"]
     to_length = vessel["radius"] / length
     return {

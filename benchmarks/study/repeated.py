@@ -12,6 +12,7 @@ import counts
 import extremes
 import glenns
 import inflated
+import inflated_bends
 import irregular
 import join
 import laws
@@ -137,7 +138,7 @@ ALONE = (
         ),
     ),
     Repeated(
-        inflated.BENDS,
+        inflated_bends.FILE,
         ("fidelity", "section", "share", "ratio"),
         (
             ("coupled", "soft", 0.2, 0),
@@ -145,9 +146,9 @@ ALONE = (
             ("coupled", "rigid", 0.4, 1),
             ("section", "soft", 0.2, 5),
         ),
-        lambda: [inflated.bend_run("soft", 0.2, 0), inflated.bend_run("soft", 0.2, 5)]
-        + [inflated.bend_run("rigid", 0.4, 1), inflated.bend_run("soft", 0.2, 5, "section")],
-        inflated.make_tables,
+        lambda: [inflated_bends.run("soft", 0.2, 0), inflated_bends.run("soft", 0.2, 5)]
+        + [inflated_bends.run("rigid", 0.4, 1), inflated_bends.run("soft", 0.2, 5, "section")],
+        with_folder(inflated_bends.make_table, inflated_bends.FILE),
         ("moment",),
     ),
     Repeated(
@@ -306,7 +307,7 @@ AGAINST = (
         tuple(("bend", 5, fidelity) for fidelity in inflated.FIDELITIES),
         lambda: [inflated.hybrid_run("bend", 5, name) for name in inflated.FIDELITIES]
         + [inflated.shell_run("bend", 5)],
-        inflated.make_tables,
+        with_folder(inflated.make_table, inflated.FILE),
     ),
     Repeated(
         join.FILE,
@@ -321,7 +322,7 @@ AGAINST = (
         ("opening", "length", "pressure", "around"),
         (UNDER_PRESSURE,),
         lambda: [pressure.hybrid_run(*UNDER_PRESSURE), pressure.shell_run(*UNDER_PRESSURE[:3])],
-        with_folder(pressure.make_table, pressure.FILE),
+        pressure.make_tables,
     ),
     Repeated(
         "sensitivity.csv",

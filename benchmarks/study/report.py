@@ -4,12 +4,12 @@ number in them is typed, and no finished run is needed. A chapter without its ta
 
 from chapters import answers, limits, limits_answers
 from chapters.accuracy import accuracy_section, cases_section
-from chapters.inflated import bends_section, loads_section
+from chapters.inflated import bends_section, kinks_section, loads_section, widening_section
 from chapters.irregular import irregular_section
 from chapters.join import join_section
 from chapters.laws import laws_section
-from chapters.pressure import pressure_section
-from chapters.prestress import joins_section, tubes_section
+from chapters.pressure import pressure_section, shells_section
+from chapters.prestress import drift_section, joins_section, tubes_section
 from chapters.promise import promise_section
 from chapters.sections import refinement_section, sections_section, speed_section
 from chapters.sensitivity import sensitivity_section
@@ -29,10 +29,14 @@ TABLES = (
     "shear_gap",
     "trade",
     "inflated",
+    "widening",
     "inflated_bends",
+    "kinks",
     "join",
     "pressure",
+    "pressure_shells",
     "prestress",
+    "prestress_drift",
     "prestress_joins",
     "extremes_rod",
     "extremes_wall",
@@ -83,10 +87,14 @@ def tables_page(tables):
     for name, section in (
         ("trade", trade_section),
         ("inflated", loads_section),
+        ("widening", widening_section),
         ("inflated_bends", bends_section),
+        ("kinks", kinks_section),
         ("prestress", tubes_section),
+        ("prestress_drift", drift_section),
         ("join", join_section),
         ("pressure", pressure_section),
+        ("pressure_shells", shells_section),
         ("prestress_joins", joins_section),
     ):
         if name in tables:

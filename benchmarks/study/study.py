@@ -23,11 +23,14 @@ import calculix  # noqa: E402
 import extremes  # noqa: E402
 import glenns  # noqa: E402
 import inflated  # noqa: E402
+import inflated_bends  # noqa: E402
 import irregular  # noqa: E402
 import join  # noqa: E402
+import kinks  # noqa: E402
 import laws  # noqa: E402
 import pressure  # noqa: E402
 import prestress  # noqa: E402
+import prestress_drift  # noqa: E402
 import promise  # noqa: E402
 import regression  # noqa: E402
 import repeated  # noqa: E402
@@ -36,6 +39,7 @@ import sensitivity  # noqa: E402
 import shear_gap  # noqa: E402
 import sizes  # noqa: E402
 import trade  # noqa: E402
+import widening  # noqa: E402
 from cases import all_cases, case_named  # noqa: E402
 from runs import accuracy_reference, accuracy_shell  # noqa: E402
 from store import REPOSITORY, Store  # noqa: E402
@@ -62,7 +66,11 @@ WHOLE = {
     "join": join.all_runs,
     "pressure": pressure.all_runs,
     "inflated": inflated.all_runs,
+    "widening": widening.all_runs,
+    "inflated-bends": inflated_bends.all_runs,
+    "kinks": kinks.all_runs,
     "prestress": prestress.all_runs,
+    "prestress-drift": prestress_drift.all_runs,
     "glenns": glenns.all_runs,
     "sizes": sizes.all_runs,
     "section-refinement": lambda: [sections.refinement_run()],
@@ -131,8 +139,9 @@ def tables(arguments):
     laws.make_table(store, arguments.baselines / "laws.csv")
     shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     join.make_table(store, arguments.baselines / join.FILE)
-    pressure.make_table(store, arguments.baselines / pressure.FILE)
-    inflated.make_tables(store, arguments.baselines)
+    pressure.make_tables(store, arguments.baselines)
+    for module in (inflated, widening, inflated_bends, kinks, prestress_drift):
+        module.make_table(store, arguments.baselines / module.FILE)
     prestress.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)
     sizes.make_table(store, arguments.baselines / sizes.FILE)

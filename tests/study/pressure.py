@@ -10,7 +10,7 @@ import yaml
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
 import pressure  # noqa: E402
-from chapters.pressure import pressure_section  # noqa: E402
+from chapters.pressure import pressure_section, shells_section  # noqa: E402
 from finished import comparing, leave  # noqa: E402
 from measure import result_of  # noqa: E402
 from store import Store  # noqa: E402
@@ -24,7 +24,10 @@ for vessel in made["vessels"]:
 assert made == unpressed
 
 runs = pressure.all_runs()
-assert len({run.identity for run in runs}) == len(runs) == 16
+# Three lengths, four pressures and three meshes, a finest and the ellipse; of the shell a run each,
+# and two finer ones.
+assert len({run.identity for run in runs}) == len(runs) == 3 * 4 * 3 + 2 + 3 * 4 + 1 + 2
+assert "pressure" not in pressure.scene("slit", 1.0, 0, 60)
 assert {run.program for run in runs} == {"vasorod", "vasorod-fem"}
 
 
@@ -52,8 +55,9 @@ with tempfile.TemporaryDirectory() as scratch:
         (pressure.hybrid_run("slit", 1.0, 10), result("coupled", "converged", 9, 0.9), 0),
     ]
     leave(store, finished)
-    pressure.make_table(store, folder / "pressure.csv")
-    rows, notes = read_table(folder / "pressure.csv")
+    pressure.make_tables(store, folder)
+    rows, notes = read_table(folder / pressure.FILE)
+    shells = read_table(folder / pressure.SHELL_FILE)
 assert [(row["pressure"], row["failure"]) for row in rows] == [
     (5, None),
     (10, "status iteration_limit"),
@@ -62,6 +66,12 @@ text = pressure_section(rows, notes)
 assert "| slit | 1 | 5 | 60 | 20.00 | 21.00 | +5.00 | 10.00 x 3.00 | +5.00 | +0.00 |" in text, text
 assert "| slit | 1 | 10 | 60 | status iteration_limit | -" in text, text
 assert "own error is at most 0.10 %" in " ".join(text.split()), text
+text = shells_section(*shells)
+assert "| 24 | status iteration_limit |" in text, text
+meshes = {"unknowns": 9, "support": 1, "energy": 1, "seconds": 1, "failure": None}
+rows = [{"cells": n, "mouth": 20 - 2 * (12 / n) ** 2, **meshes} for n in (24, 36, 48)]
+text = " ".join(shells_section(rows, shells[1]).split())
+assert "goes to 20.00 mm2 with order 2.0" in text and "| 24 | 9 | 19.500 |" in text, text
 
 # The program's answer has the keys that the study reads.
 with tempfile.TemporaryDirectory() as scratch:

@@ -3,6 +3,7 @@ and each is also in docs/comparison_tables.md."""
 
 import promise
 from chapters.accuracy import summary
+from chapters.inflated import kink_line, kinks_of, softening
 from chapters.join import over
 from chapters.sensitivity import worst_of_curves
 from chapters.trade import AIM_OF_TIME, cheapest_as_near, front_of
@@ -270,6 +271,40 @@ def pressures(inflated):
     ]
 
 
+def held_open(widening, bends, kinks):
+    """What a pressure does to a tube, by `coupled`."""
+    wide = {row["ratio"]: row for row in widening if row["model"] == "coupled"}
+    soft = {
+        row["ratio"]: row
+        for row in bends
+        if (row["fidelity"], row["section"]) == ("coupled", "soft") and not row["failure"]
+    }
+    kinked = kinks_of(kinks)
+    finest = max(around for _, around in kinked)
+    lines = []
+    for ratio in sorted({ratio for ratio, _ in kinked} & set(soft)):
+        row = wide.get(ratio)
+        lines.append([f"{ratio:g}", f"{row['widening']:.6f}" if row else "-"])
+        lines[-1] += [softening(soft[ratio], soft[0]), f"{1 / (1 + ratio):.3f}"]
+        lines[-1] += [f"{soft[ratio]['stiffness']:.4f}", kink_line(*kinked[ratio, finest])]
+    return [
+        "### What does the pressure change?\n",
+        paragraph(
+            "`coupled` tubes of t/R 0.1: how far the pressure",
+            link("widens", "how-far-a-pressure-widens-a-tube"),
+            "one without stress, how much a gentle bend flattens over one without pressure, its",
+            link("stiffness", "bends-under-pressure") + ", and between which shares of Brazier's",
+            "curvature at that pressure",
+            link("it kinks", "at-which-curvature-a-tube-kinks") + ".",
+        ),
+        markdown(
+            ("p / p_c", "widening / R", "flattening over that without", "1 / (1 + p / p_c)")
+            + ("stiffness / E I", "kinks between"),
+            lines,
+        ),
+    ]
+
+
 def seen(tubes, joined):
     near = [row for row in tubes if row["case"] not in FAR]
     far = [row for row in tubes if row["case"] in FAR]
@@ -331,6 +366,7 @@ def joins(join, pressure):
             + [f"{row['mouth']:.2f}", signed(over(row, "mouth")), percent(row["own_error"])]
             for row in pressure
             if (row["opening"], row["around"], row["length"]) == (opening, 60, 1)
+            and row["pressure"] > 0
             and not row["failure"]
         ]
     return [
@@ -366,6 +402,7 @@ def page(tables):
         (promised, "accuracy"),
         (laws_answer, "laws", "accuracy"),
         (pressures, "inflated"),
+        (held_open, "widening", "inflated_bends", "kinks"),
         (seen, "prestress", "prestress_joins"),
         (joins, "join", "pressure"),
     )

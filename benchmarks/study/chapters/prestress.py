@@ -56,6 +56,39 @@ def tubes_section(rows, notes):
     )
 
 
+DRIFTS = {
+    "straight": "tube at 12 mmHg",
+    "curved": "curved tube at 12 mmHg",
+    "stretched": "curved tube stretched by 1.2",
+    "both": "curved tube at 60 mmHg and stretched by 1.2",
+    "infant": "the infant's vein and artery",
+    "adult": "the adult's vein and artery",
+}
+
+
+def drift_section(rows, notes):
+    head = ("vessel", "law", "model", "drift / R", "s")
+    return "\n".join(
+        [
+            "## Does a vessel stay where it was seen?\n",
+            paragraph(
+                "Held at its ends, at the pressure and the axial stretch it was seen with: the",
+                "largest displacement of a point over the radius. The curved tube is bent by 40",
+                "degrees and narrows from R 3.3 to 2.8; the anatomies are those of",
+                "`infant_physiological.yaml` and `adult_physiological.yaml` before the operation.",
+                "Rounding alone is left.",
+            ),
+            outcomes(
+                head,
+                rows,
+                lambda row: [DRIFTS[row["case"]], row["law"], f"`{row['model']}`"],
+                lambda row: [f"{row['drift']:.1e}", f"{row['seconds']:.1f}"],
+            ),
+            provenance_text(notes),
+        ]
+    )
+
+
 def joins_section(rows, notes):
     seen = " and ".join(f"the {name} at {both['scan']:g}" for name, both in PRESSURES.items())
     (after,) = {both["after"] for both in PRESSURES.values()}

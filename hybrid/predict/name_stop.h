@@ -1,4 +1,4 @@
-// What a result that was interrupted says of its end.
+// What a result that was interrupted, or whose search for a better one was, says of its end.
 #pragma once
 
 #include <string>
@@ -10,8 +10,10 @@ namespace vasorod {
 /// "the time limit of 5 s"
 std::string time_limit_of(double seconds);
 
-/// Adds to an interrupted result's notes the sentence that says what it was stopped by
-/// (SolveOptions::stopped_by) and at which stage.
+/// Adds to a result's notes the sentence that says what it was stopped by
+/// (SolveOptions::stopped_by) and at which stage: an interrupted one, or one that is no solution or
+/// passes through itself, for which other ways were still being tried. Of the others nothing was
+/// cut off.
 void name_stop(const std::string& by, const std::string& stage, Result& result);
 
 }  // namespace vasorod

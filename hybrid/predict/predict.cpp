@@ -300,11 +300,13 @@ Result predict_from(const Scene& scene, const SolveOptions& options, const Fitte
   return whole_result(std::move(prediction), options.threads);
 }
 
-// As predict_from(); a result that was interrupted says by what and where.
+// As predict_from(); a result that was interrupted, or whose search for a better one was, says by
+// what and where.
 Result predict_or_say_why(const Scene& scene, const SolveOptions& given,
                           const FittedVessels* fitted) {
   SolveOptions options = checked(given);
-  std::string stage = "reading the scene", stopped_at;
+  std::string stage = "reading the scene";
+  std::optional<std::string> stopped_at;
   std::once_flag stopped;  // asked by all threads of a factorisation
   options.progress = [&, tell = options.progress](const std::string& next) {
     stage = next;
@@ -316,7 +318,7 @@ Result predict_or_say_why(const Scene& scene, const SolveOptions& given,
     return true;
   };
   Result result = predict_from(scene, options, fitted);
-  if (result.status == Status::interrupted) name_stop(options.stopped_by(), stopped_at, result);
+  if (stopped_at) name_stop(options.stopped_by(), *stopped_at, result);
   return result;
 }
 

@@ -178,8 +178,8 @@ void add_contact(const Prediction& prediction, Result& result) {
     if (pair.swallowed > 0)
       result.certificate.notes.push_back(
           "contact of " + name(pair.a) + " and " + name(pair.b) + ": " +
-          std::to_string(pair.swallowed) +
-          " points were carried past the other vessel's middle; their pressure is left out");
+          (pair.swallowed == 1 ? "1 point was" : std::to_string(pair.swallowed) + " points were") +
+          " carried past the other vessel's middle; pressure is left out there");
     result.contact.push_back({name(pair.a), name(pair.b), pair.force, pair.area,
                               pair.largest_pressure, pair.smallest_gap});
   }

@@ -1,5 +1,6 @@
 // A Glenn shunt whose walls pass through each other beside the seam in the minimum that contact
 // away from the seam leaves.
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "predict/t_glenn.h"
@@ -50,6 +51,28 @@ TEST(CrossedWalls, ArePartedBesideTheSeam) {
   const Result crossed = predict(scene, options);
   EXPECT_EQ(crossed.status, Status::self_intersecting) << to_string(crossed.status);
   EXPECT_FALSE(crossed.self_intersections.empty());
+}
+
+TEST(CrossedWalls, StayWhereTimeEndsBeforeTheyArePartedAndTheResultSaysSo) {
+  SolveOptions options;
+  options.fidelity = "coupled";
+  // The unknowns are ordered a second time where the walls are parted.
+  int ordered = 0;
+  bool parting = false, stopped = false;
+  options.progress = [&](const std::string& stage) {
+    if (stage == "walls: ordering") parting = ++ordered > 1;
+  };
+  options.stop = [&] {
+    stopped |= parting;
+    return parting;
+  };
+  const Result result = predict(crossing(), options);
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(result.status, Status::self_intersecting) << to_string(result.status);
+  const auto& notes = result.certificate.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.rfind("the search for a better state was stopped by the caller at \"walls", 0) == 0;
+  }));
 }
 
 }  // namespace

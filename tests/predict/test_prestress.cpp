@@ -68,6 +68,33 @@ TEST(Prestress, AStretchAloneIsModelled) {
   }
 }
 
+TEST(Prestress, APressureOfZeroIsNone) {
+  for (const char* fidelity : {"rod", "skin", "section", "coupled"}) {
+    Scene zero = held_tube({0, 0}, 1);
+    zero.fidelity = fidelity;
+    zero.ends[1].hold = false;
+    zero.ends[1].move = Vec3(0, 1, -0.5);
+    Scene none = zero;
+    none.vessels[0].pressure.reset();
+    const Result with = predict(zero), without = predict(none);
+    EXPECT_EQ(without.status, Status::converged) << fidelity;
+    EXPECT_EQ(with.status, without.status) << fidelity;
+    const Vec3 pull = without.ends.at(1).force;
+    EXPECT_GT(pull.norm(), 0) << fidelity;
+    EXPECT_LT((with.ends.at(1).force - pull).norm(), 1e-9 * pull.norm()) << fidelity;
+    EXPECT_LT((with.vessels[0].centerline->current - without.vessels[0].centerline->current)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-9 * 3.3)
+        << fidelity;
+    if (std::string(fidelity) != "rod") {
+      EXPECT_LT((with.vessels[0].current - without.vessels[0].current).cwiseAbs().maxCoeff(),
+                1e-9 * 3.3)
+          << fidelity;
+    }
+  }
+}
+
 TEST(Prestress, MillimetresOrMetresGiveTheSame) {
   const Result one = predict(held_tube({5 * mmhg, 15 * mmhg}, 1)),
                other = predict(held_tube({5 * mmhg, 15 * mmhg}, 1, 1e3, 1e-6));

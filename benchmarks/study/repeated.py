@@ -15,15 +15,18 @@ import inflated
 import inflated_bends
 import irregular
 import join
+import kinks
 import laws
 import pressure
 import prestress
+import prestress_drift
 import promise
 import sections
 import sensitivity
 import shear_gap
 import sizes
 import trade
+import widening
 from cases import case_named
 from drift import TOLERANCES, VALUE, Unchecked, drifts, sentence
 from regression import accepted
@@ -150,6 +153,30 @@ ALONE = (
         + [inflated_bends.run("rigid", 0.4, 1), inflated_bends.run("soft", 0.2, 5, "section")],
         with_folder(inflated_bends.make_table, inflated_bends.FILE),
         ("moment",),
+    ),
+    Repeated(
+        widening.FILE,
+        ("model", "poisson", "ratio"),
+        (("section", 0.5, 5), ("coupled", 0.5, 1)),
+        lambda: [widening.empty(0.5)]
+        + [widening.run("section", 0.5, 5), widening.run("coupled", 0.5, 1)],
+        with_folder(widening.make_table, widening.FILE),
+    ),
+    Repeated(
+        kinks.FILE,
+        ("fidelity", "section", "share", "ratio", "around"),
+        (("coupled", "rigid", 0.6, 1, 32),),
+        lambda: [inflated_bends.run("rigid", 0.6, 1)],
+        with_folder(kinks.make_table, kinks.FILE),
+        ("moment",),
+    ),
+    Repeated(
+        prestress_drift.FILE,
+        ("case", "law", "model"),
+        (("curved", "neo-hookean", "section"), ("curved", "neo-hookean", "coupled")),
+        lambda: [prestress_drift.run("curved", "neo-hookean", "coupled", seen=False)]
+        + [prestress_drift.run("curved", "neo-hookean", model) for model in prestress_drift.HYBRID],
+        with_folder(prestress_drift.make_table, prestress_drift.FILE),
     ),
     Repeated(
         "extremes_wall.csv",
@@ -322,6 +349,13 @@ AGAINST = (
         ("opening", "length", "pressure", "around"),
         (UNDER_PRESSURE,),
         lambda: [pressure.hybrid_run(*UNDER_PRESSURE), pressure.shell_run(*UNDER_PRESSURE[:3])],
+        pressure.make_tables,
+    ),
+    Repeated(
+        pressure.SHELL_FILE,
+        ("cells",),
+        ((3 * pressure.CELLS // 2,),),
+        lambda: [pressure.shell_run(*pressure.PAPERS)],
         pressure.make_tables,
     ),
     Repeated(

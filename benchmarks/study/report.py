@@ -8,7 +8,7 @@ from chapters.inflated import bends_section, kinks_section, loads_section, widen
 from chapters.irregular import irregular_section
 from chapters.join import join_section
 from chapters.laws import laws_section
-from chapters.pressure import pressure_section, shells_section
+from chapters.pressure import infant_section, pressure_section, shells_section
 from chapters.prestress import drift_section, joins_section, tubes_section
 from chapters.promise import promise_section
 from chapters.sections import refinement_section, sections_section, speed_section
@@ -38,6 +38,7 @@ TABLES = (
     "prestress",
     "prestress_drift",
     "prestress_joins",
+    "glenn_mouths",
     "extremes_rod",
     "extremes_wall",
     "sizes",
@@ -96,6 +97,7 @@ def tables_page(tables):
         ("pressure", pressure_section),
         ("pressure_shells", shells_section),
         ("prestress_joins", joins_section),
+        ("glenn_mouths", infant_section),
     ):
         if name in tables:
             text.append(section(*tables[name]))

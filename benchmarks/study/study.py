@@ -21,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accuracy  # noqa: E402
 import calculix  # noqa: E402
 import extremes  # noqa: E402
+import glenn_mouths  # noqa: E402
 import glenns  # noqa: E402
 import inflated  # noqa: E402
 import inflated_bends  # noqa: E402
@@ -72,6 +73,7 @@ WHOLE = {
     "prestress": prestress.all_runs,
     "prestress-drift": prestress_drift.all_runs,
     "glenns": glenns.all_runs,
+    "glenn-mouths": glenn_mouths.all_runs,
     "sizes": sizes.all_runs,
     "section-refinement": lambda: [sections.refinement_run()],
 }  # of no case
@@ -140,7 +142,7 @@ def tables(arguments):
     shear_gap.make_table(store, arguments.baselines / "shear_gap.csv")
     join.make_table(store, arguments.baselines / join.FILE)
     pressure.make_tables(store, arguments.baselines)
-    for module in (inflated, widening, inflated_bends, kinks, prestress_drift):
+    for module in (inflated, widening, inflated_bends, kinks, prestress_drift, glenn_mouths):
         module.make_table(store, arguments.baselines / module.FILE)
     prestress.make_tables(store, arguments.baselines)
     extremes.make_tables(store, arguments.baselines)

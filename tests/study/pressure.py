@@ -10,7 +10,7 @@ import yaml
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import join  # noqa: E402
 import pressure  # noqa: E402
-from chapters.pressure import pressure_section, shells_section  # noqa: E402
+from chapters.pressure import limit_of, pressure_section, shells_section  # noqa: E402
 from finished import comparing, leave  # noqa: E402
 from measure import result_of  # noqa: E402
 from store import Store  # noqa: E402
@@ -66,6 +66,13 @@ text = pressure_section(rows, notes)
 assert "| slit | 1 | 5 | 60 | 20.00 | 21.00 | +5.00 | 10.00 x 3.00 | +5.00 | +0.00 |" in text, text
 assert "| slit | 1 | 10 | 60 | status iteration_limit | -" in text, text
 assert "own error is at most 0.10 %" in " ".join(text.split()), text
+assert "over its meshes" not in text
+slit = dict(zip(("opening", "length", "pressure"), pressure.PAPERS))
+meshes = [
+    {**slit, "around": n, "mouth": 20 - 2 * (10 / n) ** 2, "failure": None}
+    for n in (20, 40, 60, 80)
+]
+assert limit_of(meshes).endswith("goes to 20.00 mm2 over its meshes, with order 2.0.")
 text = shells_section(*shells)
 assert "| 24 | status iteration_limit |" in text, text
 meshes = {"unknowns": 9, "support": 1, "energy": 1, "seconds": 1, "failure": None}

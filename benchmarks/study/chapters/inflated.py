@@ -133,7 +133,9 @@ def kink_line(smooth, kinked):
 
 def kinks_section(rows, notes):
     lines = []
-    for (ratio, around), (smooth, kinked) in kinks_of(rows).items():
+    for (ratio, around), (smooth, kinked) in sorted(
+        kinks_of(rows).items(), key=lambda pair: pair[0]
+    ):
         lines.append([f"{ratio:g}", f"{around:g}", kink_line(smooth, kinked)])
         numbers = [smooth and f"{smooth[name]:.3g}" for name in ("moment", "flattening")]
         numbers += [smooth and f"{smooth['wrinkling_ratio']:.2f}", kinked and kinked["failure"]]

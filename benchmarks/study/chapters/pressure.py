@@ -1,6 +1,7 @@
 """The join under pressure."""
 
 from chapters.join import limit_and_order, pressed_table
+from pressure import PAPERS
 from tables import outcomes, paragraph, percent, provenance_text
 
 
@@ -15,6 +16,23 @@ def mouth_table(rows):
     )
 
 
+def limit_of(rows):
+    """Where the mouth of the paper's slit goes with the mesh, a sentence; empty where there are
+    fewer than four meshes."""
+    meshes = {
+        row["around"]: row["mouth"]
+        for row in rows
+        if (row["opening"], row["length"], row["pressure"]) == PAPERS and not row["failure"]
+    }
+    if len(meshes) < 4:
+        return ""
+    limit, order = limit_and_order(meshes)
+    return (
+        f"The paper's slit at {PAPERS[2]:g} mmHg goes to {limit:.2f} mm2 over its meshes, with"
+        f" order {order:.1f}."
+    )
+
+
 def pressure_section(rows, notes):
     errors = [row["own_error"] for row in rows if not row["failure"]]
     own = f"The shell's own error is at most {percent(max(errors))} %." if errors else ""
@@ -26,6 +44,7 @@ def pressure_section(rows, notes):
                 "stress, neo-Hookean, against the reference's shell with the pressure on its inner",
                 "face.",
                 own,
+                limit_of(rows),
             ),
             mouth_table(rows),
             provenance_text(notes),
@@ -51,6 +70,38 @@ def shells_section(rows, notes):
                 lambda row: [f"{row['unknowns']:g}", f"{row['mouth']:.3f}"]
                 + [f"{row[name]:.5f}" for name in ("support", "energy")]
                 + [f"{row['seconds']:.1f}"],
+            ),
+            provenance_text(notes),
+        ]
+    )
+
+
+# One real shunt whose lumen was segmented after the operation, measured by hand.
+REAL = {"area_ratio": 1.0, "span": 1.8, "perimeter_ratio": 1.15}
+
+
+def infant_section(rows, notes):
+    def numbers(row):
+        shares = [f"{row[name]:.2f}" for name in REAL]
+        return [f"{row['mouth']:.1f}", *shares, f"{row['strain']:.2f}", f"{row['seconds']:.1f}"]
+
+    head = ("`incision_length`", "mmHg", "mouth, mm2", "over the vein's lumen", "span / diameter")
+    real = ", ".join(f"{value:g}" for value in REAL.values())
+    return "\n".join(
+        [
+            "## The mouth of the infant's shunt\n",
+            paragraph(
+                "`infant_physiological.yaml` at other pressures after the operation and other",
+                "lengths of its incision, a share of half the mouth's perimeter: the mouth's area",
+                "over the vein's lumen, its span over the diameter of a circle of that lumen, and",
+                "its perimeter over that of the cut end. One real shunt, segmented after the",
+                f"operation and measured by hand, has {real}.",
+            ),
+            outcomes(
+                (*head, "perimeter / cut end's", "largest strain", "s"),
+                rows,
+                lambda row: [f"{row['length']:g}", f"{row['pressure']:g}"],
+                numbers,
             ),
             provenance_text(notes),
         ]

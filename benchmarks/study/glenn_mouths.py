@@ -1,0 +1,75 @@
+"""The mouth of the bundled infant's Glenn shunt over the pressure after the operation and the
+length of the incision; vessels seen under pressure and stretched as in the scene."""
+
+import math
+
+import yaml
+
+from cases import text_of
+from measure import failed_of, result_of
+from runs import Run, hybrid_arguments
+from store import REPOSITORY
+from tables import provenance, write_table
+
+SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "infant_physiological.yaml"
+PRESSURES = (0, 5, 10, 15)  # mmHg after the operation, in both vessels
+LENGTHS = (1.0, 1.25, 1.5)  # over half the mouth's perimeter
+FILE = "glenn_mouths.csv"
+COLUMNS = ("mouth", "area_ratio", "span", "perimeter_ratio", "strain")
+
+
+def scene(length, pressure):
+    made = yaml.safe_load(SCENE.read_text())
+    operation = made["surgery"]["glenn"]
+    operation["incision_length"] = length
+    for vessel in made["vessels"]:
+        vessel["surface"] = str((SCENE.parent / vessel["surface"]).resolve())
+        if vessel["name"] in (operation["svc"], operation["rpa"]):
+            vessel["pressure"]["after"] = pressure
+    return made
+
+
+def run(length, pressure):
+    return Run(
+        f"glenn-mouths/infant-l{length:g}-p{pressure:g}",
+        "vasorod",
+        hybrid_arguments(),
+        {"scene.yaml": text_of(scene(length, pressure))},
+    )
+
+
+def all_runs():
+    return [run(length, pressure) for length in LENGTHS for pressure in PRESSURES]
+
+
+def numbers(result):
+    mouth = result["glenn"]["mouth"]
+    return {
+        "mouth": mouth["area"],
+        "area_ratio": mouth["area_ratio"],
+        # Over the diameter of a circle as large as the vein's lumen.
+        "span": mouth["span"] / math.sqrt(4 * mouth["lumen"] / math.pi),
+        "perimeter_ratio": mouth["perimeter_ratio"],
+        "strain": result["validity"]["largest_strain"],
+    }
+
+
+def make_table(store, path):
+    rows, records = [], []
+    for length in LENGTHS:
+        for pressure in PRESSURES:
+            one = run(length, pressure)
+            record = store.record(one.identity)
+            if record is None:
+                continue
+            records.append(record)
+            row = {"length": length, "pressure": pressure, **dict.fromkeys(COLUMNS)}
+            row |= {"seconds": record["processor_seconds"]}
+            row["failure"] = failed_of(store, [record])
+            if row["failure"] is None:
+                row |= numbers(result_of(store, one.identity))
+            rows.append(row)
+    if rows:
+        note = "The mouth of infant_physiological.yaml over the pressure after the operation (mmHg)"
+        note += " and the length of the incision: area in mm2, span over the lumen's diameter"
+        write_table(path, rows, [note, *provenance(records)])

@@ -1,0 +1,48 @@
+"""The study of the infant's mouth: scenes, table and chapter. Usage: glenn_mouths.py SOURCE_FOLDER
+VASOROD."""
+
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
+import glenn_mouths as mouths  # noqa: E402
+from chapters.pressure import infant_section  # noqa: E402
+from finished import leave  # noqa: E402
+from store import Store  # noqa: E402
+from tables import read_table  # noqa: E402
+
+made = mouths.scene(1.5, 10)
+assert made["surgery"]["glenn"]["incision_length"] == 1.5
+pressures = {one["name"]: one["pressure"] for one in made["vessels"] if "pressure" in one}
+assert pressures["svc"] == {"scan": 5, "after": 10}
+assert pressures["pulmonary_artery"] == {"scan": 15, "after": 10}
+assert pressures["aorta"] == {"scan": 50, "after": 50}  # no part of the operation
+runs = mouths.all_runs()
+assert len({run.identity for run in runs}) == len(runs) == 12
+
+
+def result(status):
+    mouth = {"area": 30.0, "lumen": 25 * math.pi, "area_ratio": 0.9, "span": 15.0}
+    mouth["perimeter_ratio"] = 1.2
+    return {
+        "status": status,
+        "glenn": {"mouth": mouth},
+        "validity": {"largest_strain": 0.21},
+    }
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    folder = Path(scratch)
+    store = Store(folder / "runs", {})
+    left = [
+        (mouths.run(1.25, 5), result("converged"), 0),
+        (mouths.run(1.5, 0), result("iteration_limit"), 1),
+    ]
+    leave(store, left)
+    mouths.make_table(store, folder / mouths.FILE)
+    rows, notes = read_table(folder / mouths.FILE)
+text = infant_section(rows, notes)
+assert "| 1.25 | 5 | 30.0 | 0.90 | 1.50 | 1.20 | 0.21 | 2.0 |" in text, text
+assert "| 1.5 | 0 | status iteration_limit | - |" in text, text

@@ -47,8 +47,8 @@ def numbers(result):
     return {
         "mouth": mouth["area"],
         "area_ratio": mouth["area_ratio"],
-        # Over the diameter of a circle as large as the vein's lumen.
-        "span": mouth["span"] / math.sqrt(4 * mouth["lumen"] / math.pi),
+        # Over the diameter of a circle around which the vein's cut end would go.
+        "span": mouth["span"] * math.pi * mouth["perimeter_ratio"] / mouth["perimeter"],
         "perimeter_ratio": mouth["perimeter_ratio"],
         "strain": result["validity"]["largest_strain"],
     }
@@ -71,5 +71,5 @@ def make_table(store, path):
             rows.append(row)
     if rows:
         note = "The mouth of infant_physiological.yaml over the pressure after the operation (mmHg)"
-        note += " and the length of the incision: area in mm2, span over the lumen's diameter"
+        note += " and the length of the incision: area in mm2, span over the cut end's diameter"
         write_table(path, rows, [note, *provenance(records)])

@@ -10,6 +10,7 @@ from typing import Callable
 import accuracy
 import counts
 import extremes
+import glenn_mouths
 import glenns
 import inflated
 import inflated_bends
@@ -177,6 +178,13 @@ ALONE = (
         lambda: [prestress_drift.run("curved", "neo-hookean", "coupled", seen=False)]
         + [prestress_drift.run("curved", "neo-hookean", model) for model in prestress_drift.HYBRID],
         with_folder(prestress_drift.make_table, prestress_drift.FILE),
+    ),
+    Repeated(
+        glenn_mouths.FILE,
+        ("length", "pressure"),
+        ((1.25, 10),),
+        lambda: [glenn_mouths.run(1.25, 10)],
+        with_folder(glenn_mouths.make_table, glenn_mouths.FILE),
     ),
     Repeated(
         "extremes_wall.csv",

@@ -24,8 +24,8 @@ assert len({run.identity for run in runs}) == len(runs) == 12
 
 
 def result(status):
-    mouth = {"area": 30.0, "lumen": 25 * math.pi, "area_ratio": 0.9, "span": 15.0}
-    mouth["perimeter_ratio"] = 1.2
+    mouth = {"area": 30.0, "area_ratio": 0.9, "span": 15.0}
+    mouth |= {"perimeter": 12 * math.pi, "perimeter_ratio": 1.2}  # a cut end of diameter 10
     return {
         "status": status,
         "glenn": {"mouth": mouth},

@@ -93,9 +93,9 @@ def infant_section(rows, notes):
             paragraph(
                 "`infant_physiological.yaml` at other pressures after the operation and other",
                 "lengths of its incision, a share of half the mouth's perimeter: the mouth's area",
-                "over the vein's lumen, its span over the diameter of a circle of that lumen, and",
-                "its perimeter over that of the cut end. One real shunt, segmented after the",
-                f"operation and measured by hand, has {real}.",
+                "over the vein's lumen, its span over the diameter of a circle as long around as",
+                "the cut end, and its perimeter over that of the cut end. One real shunt,",
+                f"segmented after the operation and measured by hand, has {real}.",
             ),
             outcomes(
                 (*head, "perimeter / cut end's", "largest strain", "s"),

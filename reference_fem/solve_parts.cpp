@@ -2,6 +2,8 @@
 
 #include <vasorod/error.h>
 
+#include "data/prestress_sentence.h"
+
 namespace vasorod::fem {
 namespace {
 
@@ -61,26 +63,9 @@ void report_path(const StepperSummary& summary, Result& result) {
         text("the load passed a maximum at %.6f and came down before it went on", load));
 }
 
-// Over the radius: a linear displacement beyond this is a rough prestress.
-constexpr double rough_share = 0.1;
-
 void note_prestress(const std::string& vessel, const SeenShare& seen, Result& result) {
-  const std::string begin = "prestress of " + vessel + ": ";
-  if (seen.steps > 0)
-    result.certificate.notes.push_back(
-        begin + text("its shape without stress, which is up to %.2g %% of the radius away, was "
-                     "found in %d steps, as a linear displacement would be rough",
-                     100 * seen.largest, *seen.steps));
-  else if (seen.steps)
-    result.certificate.notes.push_back(
-        begin +
-        "its shape without stress was not found; it is that of a linear displacement, "
-        "which is rough, though the shape as seen is in equilibrium with it");
-  else if (seen.largest > rough_share)
-    result.certificate.notes.push_back(
-        begin + text("it is that of a linear displacement of up to %.2g %% of the radius; beyond "
-                     "10 %% this is rough, though the shape as seen is in equilibrium with it",
-                     100 * seen.largest));
+  if (const auto note = large_prestress(vessel, seen.largest, seen.steps))
+    result.certificate.notes.push_back(*note);
 }
 
 std::string error_note(const std::string& what, const Convergence& c, double ratio) {

@@ -96,7 +96,7 @@ void ring() {
              "length |");
   for (const auto& [around, all] :
        {std::pair{96, std::vector{3.5, 4.0, 5.0, 5.24689, 10.3360, 20.0, 40.0}},
-        {128, {5.0, 10.3360}}}) {
+        {128, {5.0, 10.3360, 40.0}}}) {
     const CollapsedRing collapsed(around);
     for (const double q : all) {
       const CoupledSolution solution = collapsed.at(q);

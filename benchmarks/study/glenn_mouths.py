@@ -9,7 +9,7 @@ from cases import text_of
 from measure import failed_of, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
 SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "infant_physiological.yaml"
 PRESSURES = (0, 5, 10, 15)  # mmHg after the operation, in both vessels
@@ -47,7 +47,7 @@ def numbers(result):
     return {
         "mouth": mouth["area"],
         "area_ratio": mouth["area_ratio"],
-        # Over the diameter of a circle around which the vein's cut end would go.
+        # Over the diameter of a circle that is as long around as the vein's cut end.
         "span": mouth["span"] * math.pi * mouth["perimeter_ratio"] / mouth["perimeter"],
         "perimeter_ratio": mouth["perimeter_ratio"],
         "strain": result["validity"]["largest_strain"],
@@ -71,5 +71,9 @@ def make_table(store, path):
             rows.append(row)
     if rows:
         note = "The mouth of infant_physiological.yaml over the pressure after the operation (mmHg)"
-        note += " and the length of the incision: area in mm2, span over the cut end's diameter"
-        write_table(path, rows, [note, *provenance(records)])
+        note += " and the length of the incision (over half the perimeter of the cut end): area of"
+        note += " the mouth in mm2, its lumen over the cut vein's, its span over the cut end's"
+        note += " diameter, its perimeter over the cut end's, largest strain of the scene"
+        plan = [(length, pressure) for length in LENGTHS for pressure in PRESSURES]
+        notes = [note, *provenance(records)]
+        write_table(path, *extended(path, ("length", "pressure"), plan, rows, notes))

@@ -20,7 +20,7 @@ ROTATIONS = ("auto", 45, 90, -60)
 FIDELITY = "paper"
 FOLDED_FILE = "glenns_coupled.csv"
 PRESSURE = 12  # mmHg after the operation
-# Seconds; the last check and the writing of a run that it stops are in 120 of processor time.
+# 115 s, so that a stopped run's last check and writing still end within 120 s of processor time.
 TIME_LIMIT = 115
 
 

@@ -6,7 +6,7 @@ import math
 from cases import text_of
 from measure import failed_of, result_of
 from runs import Run, hybrid_arguments
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
 TUBE = {"radius": 10.0, "thickness": 1.0, "young": 1.0, "poisson": 0.45}
 LONG = {"soft": 100.0, "rigid": 200.0}  # lengths by the ends' sections
@@ -28,6 +28,14 @@ def bending_stiffness():
     """E I of the tube as a ring section that keeps its shape, in N mm2."""
     outer, inner = (TUBE["radius"] + sign * TUBE["thickness"] / 2 for sign in (1, -1))
     return TUBE["young"] * math.pi / 4 * (outer**4 - inner**4)
+
+
+def compressed_stiffness(ratio):
+    """By how much the compression N of a pressurised tube between held ends, (1 - 2 nu) p pi R^2
+    (Haringx), lowers the moment at the ends of a soft bend: N L^2 / 12 E I, to first order."""
+    area = math.pi * TUBE["radius"] ** 2
+    force = (1 - 2 * TUBE["poisson"]) * ratio * collapse_pressure() * area
+    return force * LONG["soft"] ** 2 / (12 * bending_stiffness())
 
 
 def brazier_curvature(ratio):
@@ -120,4 +128,5 @@ def make_table(store, path):
     if rows:
         note = "Long tubes bent to a share of Brazier's curvature at pressures over p_c; stiffness:"
         note += " moment over curvature, over E I"
-        write_table(path, rows, [note, *provenance(records)])
+        notes, keys = [note, *provenance(records)], ("section", "share", "ratio", "fidelity")
+        write_table(path, *extended(path, keys, [one[:4] for one in plan()], rows, notes))

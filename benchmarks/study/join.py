@@ -3,14 +3,12 @@ end, against the reference's 7-parameter shell of the same law. Over thickness, 
 the incision."""
 
 import copy
-import json
-import subprocess
 
 import yaml
 
 import counts
 from cases import text_of
-from measure import converged, failed_of, result_of
+from measure import converged, failed_of, result_of, vessels_apart
 from regression import accepted
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
@@ -103,15 +101,8 @@ def all_runs():
 
 def distances(store, run, shell):
     """RMS distance of each vessel's material points over its radius, in the scene's order."""
-    folders = [str(store.folder(one.identity) / "result") for one in (run, shell)]
-    done = subprocess.run(
-        [str(store.programs["vasorod"]), "compare", *folders, "--json"],
-        capture_output=True,
-        text=True,
-    )
-    if done.returncode != 0:
-        raise SystemExit(f"{run.identity}, {shell.identity}: {done.stderr.strip()}")
-    return [vessel["surface"]["rms"] for vessel in json.loads(done.stdout)["vessels"]]
+    vessels = vessels_apart(store, run.identity, shell.identity)
+    return [vessel["surface"]["rms"] for vessel in vessels]
 
 
 def mouth_of(result):

@@ -1,8 +1,8 @@
-"""At which curvature a tube kinks, over the pressure in its lumen: bends in small steps of
-Brazier's curvature at that pressure, until the smooth branch ends."""
+"""At which curvature a tube kinks, over the pressure in its lumen: bends to ever larger shares of
+Brazier's curvature at that pressure, each from rest."""
 
 import inflated_bends
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
 SHARES = {  # of Brazier's curvature at the pressure, by p / p_c
     0: (0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05),
@@ -12,6 +12,7 @@ SHARES = {  # of Brazier's curvature at the pressure, by p / p_c
 AROUND = (32, 48)
 SECTION = "rigid"
 FILE = "kinks.csv"
+KEYS = ("section", "share", "ratio", "fidelity", "around")
 
 
 def plan():
@@ -31,6 +32,7 @@ def all_runs():
 def make_table(store, path):
     rows, records = inflated_bends.rows_of(store, plan())
     if rows:
-        note = "Long tubes with rigid ends bent to shares of Brazier's curvature at the pressure:"
-        note += " up to which they stay smooth"
-        write_table(path, rows, [note, *provenance(records)])
+        note = "Long tubes with rigid ends bent to shares of Brazier's curvature at the pressure;"
+        note += " columns as in inflated_bends.csv"
+        notes = [note, *provenance(records)]
+        write_table(path, *extended(path, KEYS, plan(), rows, notes))

@@ -14,8 +14,8 @@ PRESSURES = (0, 5, 10, 15)  # mmHg
 LENGTHS = (1.0, 1.25, 1.5)  # of a slit, over half the rim's perimeter
 AROUND = (40, 60, 80)  # points around the vein
 CELLS = 16  # of the shell around the seam, and those refined by 3/2
-PAPERS = ("slit", 1.0, 10)  # the paper's slit, of which the meshes are refined further
-FINEST = 120  # points around the vein
+FINEST = 120  # points around the vein, of the slit of length 1
+SHELL = ("slit", 1.0, 10)  # of which the shell's mesh is refined further
 SHELL_CELLS = (CELLS, 24, 32)
 FILE = "pressure.csv"
 SHELL_FILE = "pressure_shells.csv"
@@ -45,7 +45,10 @@ def hybrid_run(opening, length, pressure, around=60):
 
 
 def shell_run(opening, length, pressure, cells=CELLS):
-    """Kept when the program is rebuilt, as the tube's references are."""
+    """Kept when the program is rebuilt, as the tube's references are. Without pressure it is the
+    join's."""
+    if not pressure:
+        return join.shell_run(opening, 1.0, LAW, length)
     return Run(
         f"{name_of(opening, length, pressure)}/shell-{cells}",
         "vasorod-fem",
@@ -66,7 +69,8 @@ def pairs():
         for pressure in PRESSURES
         for around in AROUND
     ]
-    cases += [(*PAPERS, FINEST), ("ellipse", 1.0, 10, 60)]
+    cases += [("slit", 1.0, pressure, FINEST) for pressure in PRESSURES]
+    cases += [("ellipse", 1.0, 10, 60)]
     for opening, length, pressure, around in cases:
         run = hybrid_run(opening, length, pressure, around)
         yield opening, length, pressure, around, run, shell_run(opening, length, pressure)
@@ -74,7 +78,7 @@ def pairs():
 
 def all_runs():
     runs = [run for pair in pairs() for run in pair[-2:]]
-    runs += [shell_run(*PAPERS, cells) for cells in SHELL_CELLS]
+    runs += [shell_run(*SHELL, cells) for cells in SHELL_CELLS]
     return list({run.identity: run for run in runs}.values())
 
 
@@ -89,7 +93,7 @@ def solved(store, record):
 def shell_rows(store):
     rows, records = [], []
     for cells in SHELL_CELLS:
-        run = shell_run(*PAPERS, cells)
+        run = shell_run(*SHELL, cells)
         record = store.record(run.identity)
         if record is None:
             continue

@@ -4,25 +4,23 @@ pressure and the axial stretch of their scan, by every model that knows them."""
 import yaml
 
 import inflated
+import prestress
 from cases import text_of
 from measure import failed_of, vessels_apart
 from pressure import solved
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
 GLENNS = REPOSITORY / "benchmarks" / "cases" / "glenn"
 HYBRID = ("section", "coupled")
 REFERENCE = ("shell", "solid")
 LAWS = ("biot", "svk", "neo-hookean")
 TUBES = {  # shape and what it was seen with
-    "straight": ({}, {"pressure": {"scan": 12, "after": 12}}),
-    "curved": ({"bend_deg": 40, "end_radius": 2.8}, {"pressure": {"scan": 12, "after": 12}}),
-    "stretched": ({"bend_deg": 40, "end_radius": 2.8}, {"axial_prestretch": 1.2}),
-    "both": (
-        {"bend_deg": 40, "end_radius": 2.8},
-        {"pressure": {"scan": 60, "after": 60}, "axial_prestretch": 1.2},
-    ),
+    "straight": ("straight", {"pressure": {"scan": 12, "after": 12}}),
+    "curved": ("curved", {"pressure": {"scan": 12, "after": 12}}),
+    "stretched": ("curved", {"axial_prestretch": 1.2}),
+    "both": ("curved", {"pressure": {"scan": 60, "after": 60}, "axial_prestretch": 1.2}),
 }
 ANATOMIES = {"infant": "infant_physiological.yaml", "adult": "adult_physiological.yaml"}
 SEEN = ("pressure", "axial_prestretch")
@@ -32,7 +30,7 @@ FILE = "prestress_drift.csv"
 
 def tube_scene(case, law):
     shape, seen = TUBES[case]
-    tube = {**inflated.TUBE, **shape}
+    tube = {**inflated.TUBE, **prestress.SHAPES[shape]}
     return {
         "scene": f"drift_{case}",
         "units": {"length": "mm", "stress": "MPa", "pressure": "mmHg"},
@@ -125,4 +123,5 @@ def make_table(store, path):
     found, records = rows(store)
     if found:
         note = "Vessels held as they were seen: the largest displacement of a point over the radius"
-        write_table(path, found, [note, *provenance(records)])
+        notes, keys = [note, *provenance(records)], ("case", "law", "model")
+        write_table(path, *extended(path, keys, plan(), found, notes))

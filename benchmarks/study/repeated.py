@@ -165,9 +165,9 @@ ALONE = (
     ),
     Repeated(
         kinks.FILE,
-        ("fidelity", "section", "share", "ratio", "around"),
-        (("coupled", "rigid", 0.6, 1, 32),),
-        lambda: [inflated_bends.run("rigid", 0.6, 1)],
+        kinks.KEYS,
+        tuple(("rigid", share, 1, "coupled", 32) for share in (0.65, 0.7)),
+        lambda: [inflated_bends.run("rigid", share, 1) for share in (0.65, 0.7)],
         with_folder(kinks.make_table, kinks.FILE),
         ("moment",),
     ),
@@ -363,7 +363,7 @@ AGAINST = (
         pressure.SHELL_FILE,
         ("cells",),
         ((3 * pressure.CELLS // 2,),),
-        lambda: [pressure.shell_run(*pressure.PAPERS)],
+        lambda: [pressure.shell_run(*pressure.SHELL)],
         pressure.make_tables,
     ),
     Repeated(

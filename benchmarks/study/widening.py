@@ -6,15 +6,19 @@ from cases import text_of
 from measure import failed_of, vessels_apart
 from pressure import solved
 from runs import Run, hybrid_arguments
-from tables import provenance, write_table
+from tables import extended, provenance, write_table
 
-TUBE = {"length": 30, "radius": 10.0, "around": 60, "along": 28}
-THICKNESS = 1.0
+RADIUS, THICKNESS = (inflated_bends.TUBE[name] for name in ("radius", "thickness"))
+TUBE = {"length": 30, "radius": RADIUS, "around": 60, "along": 28}
 RATIOS = (1, 5)  # of the pressure over p_c
 HYBRID = ("section", "coupled")
 REFERENCE = ("shell", "solid")
-# The reference's solid needs a compressible wall.
-POISSON = {0.3: (*HYBRID, *REFERENCE), 0.5: HYBRID}
+# The reference needs a compressible wall; 0.45 is that of the bends.
+POISSON = {
+    0.3: (*HYBRID, *REFERENCE),
+    inflated_bends.TUBE["poisson"]: (*HYBRID, *REFERENCE),
+    0.5: HYBRID,
+}
 CELLS = (4, 6)
 FILE = "widening.csv"
 
@@ -71,7 +75,7 @@ def all_runs():
 
 def closed_form(poisson, ratio):
     """Of the middle surface, over R: small displacements of Lame's tube."""
-    p, r = pressure_of(poisson, ratio), TUBE["radius"]
+    p, r = pressure_of(poisson, ratio), RADIUS
     a, b = r - THICKNESS / 2, r + THICKNESS / 2
     share = (1 + poisson) * p * a * a / (b * b - a * a) / inflated_bends.TUBE["young"]
     return share * ((1 - 2 * poisson) * r + b * b / r) / r
@@ -90,7 +94,7 @@ def rows(store):
         row |= {"seconds": its[1]["processor_seconds"], "failure": failed_of(store, its, solved)}
         if row["failure"] is None:
             names = [one.identity for one in both]
-            # Every point moves by the same along its radius.
+            # Every point moves outwards by the same distance.
             row["widening"] = vessels_apart(store, *names)[0]["surface"]["rms"]
         found.append(row)
     return found, records
@@ -101,4 +105,6 @@ def make_table(store, path):
     if found:
         note = "A tube (R 10, t 1, soft ends held along the axis, Biot) widened by a pressure over"
         note += " p_c: displacement of its middle surface over R, and Lame's in plane strain"
-        write_table(path, found, [note, *provenance(records)])
+        keys = ("model", "poisson", "ratio")
+        notes = [note, *provenance(records)]
+        write_table(path, *extended(path, keys, plan(), found, notes))

@@ -6,6 +6,7 @@
 
 #include <vasorod/error.h>
 
+#include "data/prestress_sentence.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/lumen_pressure.h"
@@ -15,9 +16,6 @@
 
 namespace vasorod {
 namespace {
-
-// Over the radius: a displacement beyond this, mostly of a wall that bends, is rough all the same.
-constexpr double largest_share = 0.1;
 
 // Whether an operation opens the vessel across: at a cut, or at an end where it was held when it
 // was seen.
@@ -52,23 +50,6 @@ double linear_prestrain_up_to(const Scene& scene, const PredictedVessel& vessel)
                        (spec.pressure && spec.pressure->scan != spec.pressure->after) ||
                        vessel.conditions.acts;
   return changes ? largest_linear_prestrain : std::numeric_limits<double>::infinity();
-}
-
-std::optional<std::string> large_prestress(const std::string& vessel, double share,
-                                           std::optional<int> steps) {
-  if (steps > 0)
-    return joined_text("prestress of ", vessel, ": its shape without stress, which is up to ",
-                       number_text(100 * share, 2), " % of the radius away, was found in ", *steps,
-                       " steps, as a linear displacement would be rough");
-  if (steps)
-    return joined_text("prestress of ", vessel, ": its shape without stress was not found; it is ",
-                       "that of a linear displacement, which is rough, though the shape as seen ",
-                       "is in equilibrium with it");
-  if (share <= largest_share) return std::nullopt;
-  return joined_text("prestress of ", vessel, ": it is that of a linear displacement of up to ",
-                     number_text(100 * share, 2),
-                     " % of the radius; beyond 10 % this is rough, though the shape as seen is in "
-                     "equilibrium with it");
 }
 
 namespace {

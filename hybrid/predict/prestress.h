@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "predict/fidelity.h"
@@ -25,11 +24,5 @@ void prestress(Prediction& prediction, LumenOf lumen, const std::function<bool()
 /// largest_linear_prestrain, or infinite of a vessel that stays as it was seen but for what touches
 /// it, which is in equilibrium with either.
 double linear_prestrain_up_to(const Scene& scene, const PredictedVessel& vessel);
-
-/// The sentence about a prestress of a displacement so large that the linear one is rough; empty:
-/// it is not. `share`: its largest length over the vessel's radius. `steps`: in which the shape
-/// without stress was found; 0: it was not; empty: it was not looked for.
-std::optional<std::string> large_prestress(const std::string& vessel, double share,
-                                           std::optional<int> steps);
 
 }  // namespace vasorod

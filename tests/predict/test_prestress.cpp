@@ -183,18 +183,5 @@ TEST(Prestress, OfASmallStrainItIsLinear) {
   }
 }
 
-TEST(Prestress, ALargeLinearDisplacementIsNamed) {
-  EXPECT_FALSE(large_prestress("svc", 0.1, {}));
-  EXPECT_EQ(large_prestress("svc", 0.204, {})
-                ->find("prestress of svc: it is that of a linear "
-                       "displacement of up to 20 % of the radius"),
-            0);
-  EXPECT_EQ(large_prestress("svc", 0.01, 0)
-                ->find("prestress of svc: its shape without stress was "
-                       "not found"),
-            0);
-  EXPECT_TRUE(large_prestress("svc", 0.09, 12));  // of which the linear one was longer
-}
-
 }  // namespace
 }  // namespace vasorod

@@ -8,8 +8,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
 import glenn_mouths as mouths  # noqa: E402
+import pressure  # noqa: E402
 from chapters.pressure import infant_section  # noqa: E402
 from finished import leave  # noqa: E402
+from measure import result_of  # noqa: E402
 from store import Store  # noqa: E402
 from tables import read_table  # noqa: E402
 
@@ -46,3 +48,13 @@ with tempfile.TemporaryDirectory() as scratch:
 text = infant_section(rows, notes)
 assert "| 1.25 | 5 | 30.0 | 0.90 | 1.50 | 1.20 | 0.21 | 2.0 |" in text, text
 assert "| 1.5 | 0 | status iteration_limit | - |" in text, text
+
+# The program's answer has the keys that the study reads.
+with tempfile.TemporaryDirectory() as scratch:
+    store = Store(scratch, {"vasorod": sys.argv[2]})
+    small = pressure.hybrid_run("ellipse", 1.0, 10, 24)
+    store.ensure(small)
+    numbers = mouths.numbers(result_of(store, small.identity))
+assert set(numbers) == set(mouths.COLUMNS) and all(value > 0 for value in numbers.values()), numbers
+# The cut end of a vein of R 3.3 goes around a circle of that radius.
+assert 0.8 < numbers["span"] < 1.6 and 0.9 < numbers["perimeter_ratio"] < 1.3, numbers

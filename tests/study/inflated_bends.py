@@ -33,6 +33,10 @@ for ratio in bends.RATIOS:
     assert pressure["scan"] == pressure["after"] == ratio * bends.collapse_pressure()
 # A ring's I = pi R^3 t (1 + (t / R)^2 / 4).
 assert math.isclose(bends.bending_stiffness(), math.pi * 1000 * (1 + 0.0025))
+# A clamped column bends by itself at 4 pi^2 E I / L^2: N L^2 / 12 E I is pi^2 / 3 there.
+force = 4 * math.pi**2 * bends.bending_stiffness() / 100**2
+ratio = force / (0.1 * bends.collapse_pressure() * math.pi * 100)
+assert math.isclose(bends.compressed_stiffness(ratio), math.pi**2 / 3)
 
 
 def result(status, moment, flattening):
@@ -58,6 +62,9 @@ with tempfile.TemporaryDirectory() as scratch:
         (bends.run("rigid", 0.6, 1), result("converged", 5.0, 0.6), 0),
         (bends.run("rigid", 0.35, 5), result("buckled", 5.0, 0.6), 1),
         (bends.run("rigid", 1.05, 0, around=48), result("converged", 4.0, 0.2), 0),
+        (bends.run("rigid", 0.5, 1, around=48), result("converged", 4.0, 0.2), 0),
+        (bends.run("rigid", 0.55, 1, around=48), result("iteration_limit", 4.0, 0.2), 1),
+        (bends.run("rigid", 0.6, 1, around=48), result("buckled", 4.0, 0.2), 1),
     ]
     leave(store, left)
     bends.make_table(store, folder / bends.FILE)
@@ -71,10 +78,13 @@ assert (
 ), text
 assert "| rigid | 0.8 | 5 | status buckled | - | - | - | - | - | - | 2.0 |" in text, text
 text = kinks_section(*found)
-# What lies beyond the first kink does not count, be it smooth again.
-assert "| 1 | 32 | 0.5 to 0.55 | 4 | 0.1 | 0.30 | status buckled |" in text, text
-assert "| 5 | 32 | below 0.35 | - | - | - | status buckled |" in text, text
-assert "| 0 | 48 | beyond 1.05 | 4 | 0.2 | 0.30 | - |" in text, text
+# Over Brazier's curvature without pressure; what lies beyond the first kink does not count, be it
+# smooth again.
+assert "| 1 | 32 | 0.71 to 0.78 | 0.5 to 0.55 | 4 | 0.1 | 0.30 |" in text, text
+assert "| 5 | 32 | below 0.86 | 0.35 | - | - | - |" in text, text
+assert "| 0 | 48 | beyond 1.05 | 1.05 | 4 | 0.2 | 0.30 |" in text, text
+# A bend without an end is no kink, and neither is what comes after it.
+assert "| 1 | 48 | beyond 0.71 | 0.5 | 4 | 0.2 | 0.30 |" in text, text
 
 # The program reads the scenes, and its answer has what the study reads.
 with tempfile.TemporaryDirectory() as scratch:

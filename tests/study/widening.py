@@ -20,7 +20,7 @@ for poisson, moved in ((0.3, 0.881404), (0.5, 0.746255)):
     assert math.isclose(widening.closed_form(poisson, ratio), moved / 10, rel_tol=1e-6)
 assert math.isclose(widening.closed_form(0.5, 1), 0.0025, rel_tol=0.01)
 runs = widening.all_runs()
-assert len({run.identity for run in runs}) == len(runs) == 2 + 2 * (4 + 2)
+assert len({run.identity for run in runs}) == len(runs) == 3 + 2 * (4 + 4 + 2)
 
 with tempfile.TemporaryDirectory() as scratch:
     folder = Path(scratch)

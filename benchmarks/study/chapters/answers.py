@@ -1,6 +1,7 @@
 """docs/comparison.md: questions, answers and four figures. Each number is computed from the tables,
 and each is also in docs/comparison_tables.md."""
 
+import inflated_bends
 import promise
 from chapters.accuracy import summary
 from chapters.inflated import kink_line, kinks_of, softening
@@ -273,7 +274,12 @@ def pressures(inflated):
 
 def held_open(widening, bends, kinks):
     """What a pressure does to a tube, by `coupled`."""
-    wide = {row["ratio"]: row for row in widening if row["model"] == "coupled"}
+    poisson = inflated_bends.TUBE["poisson"]
+    wide = {
+        row["ratio"]: row["widening"]
+        for row in widening
+        if (row["model"], row["poisson"]) == ("coupled", poisson)
+    }
     soft = {
         row["ratio"]: row
         for row in bends
@@ -283,19 +289,20 @@ def held_open(widening, bends, kinks):
     finest = max(around for _, around in kinked)
     lines = []
     for ratio in sorted({ratio for ratio, _ in kinked} & set(soft)):
-        row = wide.get(ratio)
-        lines.append([f"{ratio:g}", f"{row['widening']:.6f}" if row else "-"])
+        widened = f"{wide[ratio]:.6f}" if ratio in wide else "-"
+        lines.append([f"{ratio:g}", widened if ratio else "0"])
         lines[-1] += [softening(soft[ratio], soft[0]), f"{1 / (1 + ratio):.3f}"]
         lines[-1] += [f"{soft[ratio]['stiffness']:.4f}", kink_line(*kinked[ratio, finest])]
     return [
         "### What does the pressure change?\n",
         paragraph(
-            "`coupled` tubes of t/R 0.1: how far the pressure",
+            f"`coupled` tubes of t/R 0.1 and nu {poisson:g}: how far the pressure",
             link("widens", "how-far-a-pressure-widens-a-tube"),
             "one without stress, how much a gentle bend flattens over one without pressure, its",
-            link("stiffness", "bends-under-pressure") + ", and between which shares of Brazier's",
-            "curvature at that pressure",
-            link("it kinks", "at-which-curvature-a-tube-kinks") + ".",
+            link("stiffness", "bends-under-pressure") + ", and between which curvatures, over",
+            "Brazier's without pressure, a tube with rigid ends",
+            link("kinks", "at-which-curvature-a-tube-kinks"),
+            f"({finest:g} points around).",
         ),
         markdown(
             ("p / p_c", "widening / R", "flattening over that without", "1 / (1 + p / p_c)")

@@ -1,5 +1,6 @@
 """Tubes with a pressure in their lumen."""
 
+import inflated_bends
 from tables import markdown, outcomes, paragraph, percent, provenance_text, signed
 
 
@@ -42,6 +43,10 @@ def softening(row, empty):
     return f"{row['flattening'] / empty['flattening']:.3f}"
 
 
+def compressed(ratio):
+    return f"{percent(inflated_bends.compressed_stiffness(ratio), 1)} %"
+
+
 def bends_section(rows, notes):
     soft = [row for row in rows if row["section"] == "soft"]
     empty = {
@@ -74,8 +79,11 @@ def bends_section(rows, notes):
                 "and bent to an arc: `soft` ends (L 100) to a share of Brazier's curvature",
                 "without pressure, `rigid` ends (L 200) to a share of it at that pressure, (1 + p",
                 "/ p_c)^(1/2) times as large. Stiffness: moment over curvature, over the E I of a",
-                "ring that keeps its shape. Where no equilibrium on the smooth branch was found,",
-                "the numbers are left out.",
+                "ring that keeps its shape. It is lowered by the flattening (3 / 2 of it, Brazier)",
+                "and by the compression of a pressurised tube between held ends, (1 - 2 nu) p pi",
+                f"R^2: to first order by {compressed(1)} at p_c and {compressed(5)} at 5 p_c in",
+                "the soft bends. Where no equilibrium on the smooth branch was found, the numbers",
+                "are left out.",
             ),
             markdown(head, [line(row) for row in rows]),
             provenance_text(notes),
@@ -95,9 +103,10 @@ def widening_section(rows, notes):
             paragraph(
                 "A tube (R 10, t 1, L 30 mm, E 1 MPa, Biot) from a wall without stress to a",
                 "pressure in units of p_c = 3 D / R^3, its ends soft and held along the axis:",
-                "every point moves alike along its radius. Lame's thick tube in plane strain has",
-                "small displacements; the models do not, which is what they differ by at 5 p_c.",
-                "At p_c and nu 0.5 a thin tube widens by (t / 2 R)^2 = 0.0025.",
+                "every point moves outwards by the same distance. Lame's thick tube in plane",
+                "strain is for small displacements; the reference says by how much large ones",
+                "differ from it. A thin tube widens by (t / 2 R)^2 = 0.0025 at p_c. The reference",
+                "needs a compressible wall: nu 0.5 is without it.",
             ),
             outcomes(
                 head,
@@ -112,46 +121,59 @@ def widening_section(rows, notes):
 
 def kinks_of(rows):
     """{(p / p_c, points around): (the last bend on the smooth branch, the first beyond it)}, each a
-    row, or None where the shares tried have none such."""
+    row, or None where the shares tried have none such. Only a snap into another minimum is a kink;
+    a bend that ended otherwise ends the search."""
     found = {}
     for row in sorted(rows, key=lambda row: row["share"]):
-        smooth, kinked = found.get((row["ratio"], row["around"]), (None, None))
-        if row["failure"] is None and kinked is None:
+        smooth, kinked, ended = found.get((row["ratio"], row["around"]), (None, None, False))
+        if not ended and row["failure"] is None:
             smooth = row
-        elif row["failure"] is not None and kinked is None:
+        elif not ended and row["failure"] == "status buckled":
             kinked = row
-        found[row["ratio"], row["around"]] = smooth, kinked
-    return found
+        found[row["ratio"], row["around"]] = smooth, kinked, ended or row["failure"] is not None
+    return {key: both for key, (*both, _) in sorted(found.items())}
 
 
 def kink_line(smooth, kinked):
-    """Between which shares of Brazier's curvature a tube kinks."""
-    if smooth is None or kinked is None:
-        return f"below {kinked['share']:g}" if kinked else f"beyond {smooth['share']:g}"
-    return f"{smooth['share']:g} to {kinked['share']:g}"
+    """Between which curvatures a tube kinks, over Brazier's without pressure."""
+
+    def over_empty(row):
+        return f"{row['share'] * (1 + row['ratio']) ** 0.5:.2f}"
+
+    if kinked is None:
+        return f"beyond {over_empty(smooth)}" if smooth else "-"
+    if smooth is None:
+        return f"below {over_empty(kinked)}"
+    return f"{over_empty(smooth)} to {over_empty(kinked)}"
+
+
+def share_line(smooth, kinked):
+    """The same as shares of Brazier's curvature at the pressure."""
+    return " to ".join(f"{row['share']:g}" for row in (smooth, kinked) if row) or "-"
 
 
 def kinks_section(rows, notes):
     lines = []
-    for (ratio, around), (smooth, kinked) in sorted(
-        kinks_of(rows).items(), key=lambda pair: pair[0]
-    ):
+    for (ratio, around), (smooth, kinked) in kinks_of(rows).items():
         lines.append([f"{ratio:g}", f"{around:g}", kink_line(smooth, kinked)])
-        numbers = [smooth and f"{smooth[name]:.3g}" for name in ("moment", "flattening")]
-        numbers += [smooth and f"{smooth['wrinkling_ratio']:.2f}", kinked and kinked["failure"]]
+        numbers = [share_line(smooth, kinked)]
+        numbers += [smooth and f"{smooth[name]:.3g}" for name in ("moment", "flattening")]
+        numbers += [smooth and f"{smooth['wrinkling_ratio']:.2f}"]
         lines[-1] += [one or "-" for one in numbers]
-    head = ("p / p_c", "around", "kinks between", "moment before, N mm", "flattening before")
+    head = ("p / p_c", "around", "kinks between", "of the limit at p", "moment before, N mm")
     return "\n".join(
         [
             "## At which curvature a tube kinks\n",
             paragraph(
-                "The tube of the bends above with rigid ends (L 200) at `coupled`, bent in steps",
-                "of 0.05 of Brazier's curvature at its pressure, up to where its smooth branch",
-                "ends. Brazier's limit, which pressure raises by (1 + p / p_c)^(1/2), is 1 here;",
-                "the more pressure holds the section open, the sooner the inner side wrinkles",
-                "instead, as the wrinkling ratio says.",
+                "The tube of the bends above with rigid ends (L 200) at `coupled`: bends from rest",
+                "to shares 0.05 apart of Brazier's curvature at the pressure, which is (1 + p /",
+                "p_c)^(1/2) times that without. Between the last that stays smooth and the first",
+                "that ends `buckled` it kinks: the column gives both over Brazier's curvature",
+                "without pressure. A pressure delays the kink, but by less than Brazier's limit;",
+                "before it, the ratio to the wrinkling limit is the higher the more pressure there",
+                "is.",
             ),
-            markdown((*head, "wrinkling ratio before", "beyond"), lines),
+            markdown((*head, "flattening before", "wrinkling ratio before"), lines),
             provenance_text(notes),
         ]
     )

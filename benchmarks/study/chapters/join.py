@@ -48,8 +48,12 @@ def accuracy_table(rows):
     return outcomes(head, [row for row in rows if row["length"] == 1], start, numbers)
 
 
+LEAST_ORDER, LARGEST_ORDER = 0.5, 4.0
+
+
 def limit_and_order(values):
-    """f and p of value = f + c / around^p that fit {around: value} best, p from 0.5 to 4."""
+    """f and p of value = f + c / around^p that fit {around: value} best, p between LEAST_ORDER and
+    LARGEST_ORDER; None where the best fit is not between them: the values have no such limit."""
 
     def fit(p):
         xs, ys = [around**-p for around in values], list(values.values())
@@ -58,7 +62,22 @@ def limit_and_order(values):
         misfit = sum((y - y0 - slope * (x - x0)) ** 2 for x, y in zip(xs, ys))
         return misfit, y0 - slope * x0, p
 
-    return min(fit(k / 100) for k in range(50, 401))[1:]
+    steps = range(round(100 * LEAST_ORDER), round(100 * LARGEST_ORDER) + 1)
+    _, limit, order = min(fit(k / 100) for k in steps)
+    return (limit, order) if LEAST_ORDER < order < LARGEST_ORDER else None
+
+
+OVER_MESHES = ("mouth, mm2 (points around)", "order", "limit, mm2", "limit - shell, %")
+
+
+def over_meshes(rows):
+    """The mouth of one join on its meshes, and where it goes."""
+    values = ", ".join(f"{row['mouth']:.3f} ({row['around']:g})" for row in rows)
+    found = limit_and_order({row["around"]: row["mouth"] for row in rows})
+    if found is None:
+        return [values, "-", "-", "-"]
+    limit, order = found
+    return [values, f"{order:.1f}", f"{limit:.3f}", signed(limit / rows[0]["mouth_reference"] - 1)]
 
 
 def order_table(rows):
@@ -72,14 +91,9 @@ def order_table(rows):
             and (row["fidelity"], row["length"]) == ("coupled", 1)
             and not row["failure"]
         ]
-        if len(of) < 4:
-            continue
-        limit, order = limit_and_order({row["around"]: row["mouth"] for row in of})
-        values = ", ".join(f"{row['mouth']:.3f} ({row['around']:g})" for row in of)
-        its = of[0]["mouth_reference"]
-        lines.append([opening, values, f"{order:.1f}", f"{limit:.3f}", signed(limit / its - 1)])
-    head = ("opening", "mouth, mm2 (points around)", "order", "limit, mm2", "limit - shell, %")
-    return markdown(head, lines)
+        if len(of) >= 4:
+            lines.append([opening, *over_meshes(of)])
+    return markdown(("opening", *OVER_MESHES), lines)
 
 
 def length_table(rows):

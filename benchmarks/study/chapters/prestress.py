@@ -73,10 +73,10 @@ def drift_section(rows, notes):
             "## Does a vessel stay where it was seen?\n",
             paragraph(
                 "Held at its ends, at the pressure and the axial stretch it was seen with: the",
-                "largest displacement of a point over the radius. The curved tube is bent by 40",
-                "degrees and narrows from R 3.3 to 2.8; the anatomies are those of",
+                "largest displacement of a point over the radius. The curved tube is that of the",
+                "chapter before; the anatomies are those of",
                 "`infant_physiological.yaml` and `adult_physiological.yaml` before the operation.",
-                "Rounding alone is left.",
+                "By construction nothing moves; rounding and the solvers' tolerances are left.",
             ),
             outcomes(
                 head,

@@ -5,6 +5,7 @@
 #include <vasorod/error.h>
 
 #include "data/index.h"
+#include "data/prestress_sentence.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "predict/fidelities/fidelities.h"

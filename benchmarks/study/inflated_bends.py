@@ -1,5 +1,5 @@
-"""Long tubes bent to arcs under pressure, towards Brazier's curvature and past it: how they flatten
-and how stiff they are."""
+"""Long tubes bent to arcs under pressure, towards Brazier's curvature: how they flatten and how
+stiff they are."""
 
 import math
 

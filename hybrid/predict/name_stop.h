@@ -11,9 +11,9 @@ namespace vasorod {
 std::string time_limit_of(double seconds);
 
 /// Adds to a result's notes the sentence that says what it was stopped by
-/// (SolveOptions::stopped_by) and at which stage: an interrupted one, or one that is no solution or
-/// passes through itself, for which other ways were still being tried. Of the others nothing was
-/// cut off.
+/// (SolveOptions::stopped_by) and at which stage: an interrupted one, or one that is
+/// `iteration_limit`, `unstable` or `self_intersecting`, for which other ways were still being
+/// tried. Of the others nothing was cut off.
 void name_stop(const std::string& by, const std::string& stage, Result& result);
 
 }  // namespace vasorod

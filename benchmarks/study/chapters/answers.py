@@ -4,7 +4,7 @@ and each is also in docs/comparison_tables.md."""
 import inflated_bends
 import promise
 from chapters.accuracy import summary
-from chapters.inflated import kink_line, kinks_of, softening
+from chapters.inflated import kink_line, kinks_of, softening, unsettled
 from chapters.join import over
 from chapters.sensitivity import worst_of_curves
 from chapters.trade import AIM_OF_TIME, cheapest_as_near, front_of
@@ -263,7 +263,7 @@ def pressures(inflated):
             f"A neo-Hookean tube at {mmhg} mmHg, bent, twisted and stretched: the worst of its",
             "runs against the shell with the pressure on its inner face.",
             link("Every run", "tubes-under-pressure"),
-            "and " + link("bends past Brazier's curvature", "bends-under-pressure") + ".",
+            "and " + link("bends towards Brazier's curvature", "bends-under-pressure") + ".",
         ),
         markdown(
             ("fidelity", "RMS, % R", "force, %", "moment, %", "shell's own error, %"),
@@ -278,7 +278,7 @@ def held_open(widening, bends, kinks):
     wide = {
         row["ratio"]: row["widening"]
         for row in widening
-        if (row["model"], row["poisson"]) == ("coupled", poisson)
+        if (row["model"], row["poisson"]) == ("coupled", poisson) and not row["failure"]
     }
     soft = {
         row["ratio"]: row
@@ -288,21 +288,27 @@ def held_open(widening, bends, kinks):
     kinked = kinks_of(kinks)
     finest = max(around for _, around in kinked)
     lines = []
-    for ratio in sorted({ratio for ratio, _ in kinked} & set(soft)):
+    for ratio in sorted({ratio for ratio, _ in kinked} & set(soft)) if 0 in soft else ():
         widened = f"{wide[ratio]:.6f}" if ratio in wide else "-"
         lines.append([f"{ratio:g}", widened if ratio else "0"])
         lines[-1] += [softening(soft[ratio], soft[0]), f"{1 / (1 + ratio):.3f}"]
-        lines[-1] += [f"{soft[ratio]['stiffness']:.4f}", kink_line(*kinked[ratio, finest])]
+        lines[-1] += [f"{soft[ratio]['stiffness']:.4f}"]
+        lines[-1] += [kink_line(*kinked.get((ratio, finest), (None, None)))]
     return [
         "### What does the pressure change?\n",
         paragraph(
             f"`coupled` tubes of t/R 0.1 and nu {poisson:g}: how far the pressure",
             link("widens", "how-far-a-pressure-widens-a-tube"),
-            "one without stress, how much a gentle bend flattens over one without pressure, its",
+            "one without stress, how much a bend to",
+            value_or_range([row["share"] for row in soft.values()], "{:g}".format),
+            "of Brazier's curvature flattens over one without pressure, its",
             link("stiffness", "bends-under-pressure") + ", and between which curvatures, over",
             "Brazier's without pressure, a tube with rigid ends",
             link("kinks", "at-which-curvature-a-tube-kinks"),
-            f"({finest:g} points around).",
+            f"({finest:g} points around). Pressures are over p_c = 3 D / R^3, D = E t^3 / 12 (1 -",
+            "nu^2), at which a long tube collapses from outside; 1 / (1 + p / p_c) is what theory",
+            "expects of the flattening.",
+            unsettled(kinked),
         ),
         markdown(
             ("p / p_c", "widening / R", "flattening over that without", "1 / (1 + p / p_c)")

@@ -147,14 +147,25 @@ def kink_line(smooth, kinked):
     return f"{over_empty(smooth)} to {over_empty(kinked)}"
 
 
+def unsettled(kinks):
+    """A sentence about the pressures at which two meshes kink at different curvatures; or empty."""
+    lines = {}
+    for (ratio, _), both in kinks.items():
+        lines.setdefault(ratio, set()).add(kink_line(*both))
+    apart = [f"{ratio:g} p_c" for ratio, found in lines.items() if len(found) > 1]
+    if not apart:
+        return ""
+    return f"At {', '.join(apart)} another mesh kinks elsewhere: that number is not settled."
+
+
 def share_line(smooth, kinked):
     """The same as shares of Brazier's curvature at the pressure."""
     return " to ".join(f"{row['share']:g}" for row in (smooth, kinked) if row) or "-"
 
 
 def kinks_section(rows, notes):
-    lines = []
-    for (ratio, around), (smooth, kinked) in kinks_of(rows).items():
+    lines, kinks = [], kinks_of(rows)
+    for (ratio, around), (smooth, kinked) in kinks.items():
         lines.append([f"{ratio:g}", f"{around:g}", kink_line(smooth, kinked)])
         numbers = [share_line(smooth, kinked)]
         numbers += [smooth and f"{smooth[name]:.3g}" for name in ("moment", "flattening")]
@@ -172,6 +183,7 @@ def kinks_section(rows, notes):
                 "without pressure. A pressure delays the kink, but by less than Brazier's limit;",
                 "before it, the ratio to the wrinkling limit is the higher the more pressure there",
                 "is.",
+                unsettled(kinks),
             ),
             markdown((*head, "flattening before", "wrinkling ratio before"), lines),
             provenance_text(notes),

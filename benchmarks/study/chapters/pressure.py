@@ -1,6 +1,8 @@
 """The join under pressure."""
 
 from chapters.join import OVER_MESHES, over_meshes, pressed_table
+import join
+import pressure
 from tables import markdown, outcomes, paragraph, percent, provenance_text
 
 
@@ -18,16 +20,16 @@ def mouth_table(rows):
 def mesh_table(rows):
     """The mouth of the slit of length 1 over the mesh, where there are four meshes or more."""
     lines = []
-    for pressure in dict.fromkeys(row["pressure"] for row in rows):
+    for mmhg in dict.fromkeys(row["pressure"] for row in rows):
         of = [
             row
             for row in rows
-            if (row["opening"], row["length"], row["pressure"]) == ("slit", 1, pressure)
+            if (row["opening"], row["length"], row["pressure"]) == ("slit", 1, mmhg)
             and not row["failure"]
         ]
         if len(of) >= 4:
             of.sort(key=lambda row: row["around"])
-            lines.append([f"{pressure:g}", *over_meshes(of)])
+            lines.append([f"{mmhg:g}", *over_meshes(of)])
     return markdown(("mmHg", *OVER_MESHES), lines)
 
 
@@ -58,14 +60,16 @@ def pressure_section(rows, notes):
                 "The T of the chapter before with a pressure in both lumens, from walls without",
                 "stress, neo-Hookean, against the reference's shell with the pressure on its inner",
                 "face.",
+                f"The shell has {pressure.CELLS} cells around the seam and those refined by 3 / 2,",
+                f"without pressure {join.CELLS}, as in that chapter.",
                 own_errors(rows),
             ),
             mouth_table(rows),
             "### The mouth under pressure over the mesh\n",
             paragraph(
                 "The slit of `incision_length: 1`, `coupled`; order and limit as in the chapter",
-                "before. The limit, not the mouth on a given mesh, is what the law and the",
-                "kinematics of the wall are off by.",
+                "before. The last column, not the difference on a given mesh, is what remains",
+                "between the kinematics of `coupled` and of the shell, with the shell's own error.",
             ),
             mesh_table(rows),
             provenance_text(notes),
@@ -121,7 +125,7 @@ def infant_section(rows, notes):
                 f"measured by hand, has {real} of its vein's lumen, diameter and perimeter.",
             ),
             outcomes(
-                (*head, "perimeter / cut end's", "largest strain", "s"),
+                (*head, "perimeter / cut end's", "largest strain of the scene", "s"),
                 rows,
                 lambda row: [f"{row['length']:g}", f"{row['pressure']:g}"],
                 numbers,

@@ -42,7 +42,9 @@ def tubes_section(rows, notes):
         [
             "## Seen under pressure or stretched\n",
             paragraph(
-                "The tube of the chapters before, and one bent by 40 degrees and narrowing to R",
+                "The tube of [the loads under",
+                "pressure](comparison_tables.md#tubes-under-pressure) (R 3.3, t 0.33, L 30 mm),",
+                "and one bent by 40 degrees and narrowing to R",
                 "2.8, with the stress that it carried when it was seen, against the reference's",
                 "shell with its own prestress, which is computed independently",
                 "([reference.md](reference.md#prestress)). 60 points around. Of those seen at",
@@ -73,7 +75,7 @@ def drift_section(rows, notes):
             "## Does a vessel stay where it was seen?\n",
             paragraph(
                 "Held at its ends, at the pressure and the axial stretch it was seen with: the",
-                "largest displacement of a point over the radius. The curved tube is that of the",
+                "largest displacement of a point over the radius. The tubes are those of the",
                 "chapter before; the anatomies are those of",
                 "`infant_physiological.yaml` and `adult_physiological.yaml` before the operation.",
                 "By construction nothing moves; rounding and the solvers' tolerances are left.",

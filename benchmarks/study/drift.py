@@ -58,7 +58,7 @@ TOLERANCES = {
     **dict.fromkeys(("around", "law", "surface", "unknowns", "settled"), EXACT),
     **dict.fromkeys(("stiffness", "widening", "closed_form"), VALUE),
     **dict.fromkeys(("area_ratio", "perimeter_ratio"), VALUE),
-    "drift": Tolerance(0, 1e-9, "a point of a vessel as it was seen moves by rounding alone"),
+    "drift": Tolerance(0, 1e-9, "only rounding and tolerances move a vessel as it was seen"),
     "factor": SAME,
     "most_iterations": ITERATIONS,
     "estimate": ESTIMATE,

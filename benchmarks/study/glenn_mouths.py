@@ -6,15 +6,16 @@ import math
 import yaml
 
 from cases import text_of
-from measure import failed_of, result_of
+from measure import finished_rows, result_of
 from runs import Run, hybrid_arguments
 from store import REPOSITORY
-from tables import extended, provenance, write_table
+from tables import write_extended
 
 SCENE = REPOSITORY / "benchmarks" / "cases" / "glenn" / "infant_physiological.yaml"
 PRESSURES = (0, 5, 10, 15)  # mmHg after the operation, in both vessels
-LENGTHS = (1.0, 1.25, 1.5)  # over half the mouth's perimeter
+LENGTHS = (1.0, 1.25, 1.5)  # over half the perimeter of the vein's cut end
 FILE = "glenn_mouths.csv"
+KEYS = ("length", "pressure")
 COLUMNS = ("mouth", "area_ratio", "span", "perimeter_ratio", "strain")
 
 
@@ -38,8 +39,13 @@ def run(length, pressure):
     )
 
 
+def plan():
+    """What KEYS name."""
+    return [(length, pressure) for length in LENGTHS for pressure in PRESSURES]
+
+
 def all_runs():
-    return [run(length, pressure) for length in LENGTHS for pressure in PRESSURES]
+    return [run(*one) for one in plan()]
 
 
 def numbers(result):
@@ -55,25 +61,14 @@ def numbers(result):
 
 
 def make_table(store, path):
-    rows, records = [], []
-    for length in LENGTHS:
-        for pressure in PRESSURES:
-            one = run(length, pressure)
-            record = store.record(one.identity)
-            if record is None:
-                continue
-            records.append(record)
-            row = {"length": length, "pressure": pressure, **dict.fromkeys(COLUMNS)}
-            row |= {"seconds": record["processor_seconds"]}
-            row["failure"] = failed_of(store, [record])
-            if row["failure"] is None:
-                row |= numbers(result_of(store, one.identity))
-            rows.append(row)
-    if rows:
-        note = "The mouth of infant_physiological.yaml over the pressure after the operation (mmHg)"
-        note += " and the length of the incision (over half the perimeter of the cut end): area of"
-        note += " the mouth in mm2, its lumen over the cut vein's, its span over the cut end's"
-        note += " diameter, its perimeter over the cut end's, largest strain of the scene"
-        plan = [(length, pressure) for length in LENGTHS for pressure in PRESSURES]
-        notes = [note, *provenance(records)]
-        write_table(path, *extended(path, ("length", "pressure"), plan, rows, notes))
+    note = "The mouth of infant_physiological.yaml over the pressure after the operation (mmHg) and"
+    note += " the length of the incision (over half the perimeter of the cut end): area of the"
+    note += (
+        " mouth in mm2, its lumen over the cut vein's, its span over the cut end's diameter, its"
+    )
+    note += " perimeter over the cut end's, largest strain of the scene"
+    named = ((dict(zip(KEYS, one)), run(*one)) for one in plan())
+    found = finished_rows(
+        store, named, COLUMNS, lambda one: numbers(result_of(store, one.identity))
+    )
+    write_extended(path, KEYS, plan(), *found, note)

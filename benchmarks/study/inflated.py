@@ -2,10 +2,10 @@
 reference's 7-parameter shell of the same law."""
 
 from cases import text_of
-from measure import compared, failed_of, result_of
-from runs import Run, hybrid_arguments
+from measure import compared, finished_rows, result_of
+from runs import Run, hybrid_arguments, reference_arguments
 from pressure import solved
-from tables import extended, provenance, write_table
+from tables import write_extended
 
 LAW = "neo-hookean"
 TUBE = {"length": 30, "radius": 3.3, "around": 60, "along": 96}
@@ -50,10 +50,7 @@ def shell_run(load, pressure):
     return Run(
         f"inflated-{load}-p{pressure}/shell-{CELLS[0]}x{CELLS[1]}",
         "vasorod-fem",
-        (
-            *("solve", "scene.yaml", "-o", "result", "--quiet", "--model", "shell"),
-            *("--cells", str(CELLS[0]), str(CELLS[1]), "--refine", "1"),
-        ),
+        reference_arguments("shell", CELLS, 1),
         {"scene.yaml": text_of(scene(load, pressure))},
         keep=True,
     )
@@ -73,29 +70,19 @@ class _Tube:
 COLUMNS = ("rms", "largest", "force", "moment", "flattening", "flattening_reference", "own_error")
 
 
-def tube_row(store, names, run, shell, columns):
-    """A row that begins with `names`, with these columns of the run's errors against the shell, and
-    its two records; None where one of the two runs is not there."""
-    both = [store.record(one.identity) for one in (run, shell)]
-    if None in both:
-        return None
-    row = {**names, **dict.fromkeys(columns), "seconds": both[0]["processor_seconds"]}
-    row["failure"] = failed_of(store, both, solved)
-    if row["failure"] is None:
-        mine, its = (result_of(store, one.identity) for one in (run, shell))
-        numbers = compared(store, _Tube, run, shell)
-        numbers["own_error"] = its["discretisation"]["error_estimate"]
-        if "energy" in columns:
-            numbers["energy"] = mine["energy"]["total"] / its["energy"]["total"] - 1
-        row |= {name: numbers[name] for name in columns}
-    return row, both
-
-
 def tube_rows(store, pairs, columns):
-    """Rows and records of the finished ones of `pairs`: (what a row begins with, run, shell)."""
-    found = [tube_row(store, *pair, columns) for pair in pairs]
-    found = [one for one in found if one is not None]
-    return [row for row, _ in found], [record for _, both in found for record in both]
+    """Rows and records of the finished ones of `pairs` (what a row begins with, run, shell), with
+    these columns of the run's errors against the shell."""
+
+    def numbers(run, shell):
+        mine, its = (result_of(store, one.identity) for one in (run, shell))
+        found = compared(store, _Tube, run, shell)
+        found["own_error"] = its["discretisation"]["error_estimate"]
+        if "energy" in columns:
+            found["energy"] = mine["energy"]["total"] / its["energy"]["total"] - 1
+        return {name: found[name] for name in columns}
+
+    return finished_rows(store, pairs, columns, numbers, solved)
 
 
 def load_pairs():
@@ -107,12 +94,8 @@ def load_pairs():
 
 
 def make_table(store, path):
-    rows, records = tube_rows(store, load_pairs(), COLUMNS)
-    if rows:
-        note = "Tubes from walls without stress to a pressure (mmHg) and a load, neo-hookean,"
-        note += " against the reference's shell: RMS over R, force and moment over the"
-        note += " larger reaction"
-        notes = [note, *provenance(records)]
-        plan = [(load, p, name) for name in FIDELITIES for load in LOADS for p in PRESSURES]
-        keys = ("load", "pressure", "fidelity")
-        write_table(path, *extended(path, keys, plan, rows, notes))
+    note = "Tubes from walls without stress to a pressure (mmHg) and a load, neo-hookean, against"
+    note += " the reference's shell: RMS over R, force and moment over the larger reaction"
+    plan = [(load, p, name) for name in FIDELITIES for load in LOADS for p in PRESSURES]
+    keys = ("load", "pressure", "fidelity")
+    write_extended(path, keys, plan, *tube_rows(store, load_pairs(), COLUMNS), note)

@@ -4,9 +4,9 @@ stiff they are."""
 import math
 
 from cases import text_of
-from measure import failed_of, result_of
+from measure import finished_rows, result_of
 from runs import Run, hybrid_arguments
-from tables import extended, provenance, write_table
+from tables import write_extended
 
 TUBE = {"radius": 10.0, "thickness": 1.0, "young": 1.0, "poisson": 0.45}
 LONG = {"soft": 100.0, "rigid": 200.0}  # lengths by the ends' sections
@@ -16,6 +16,7 @@ RATIOS = (0, 0.5, 1, 2, 5)  # of the pressure over p_c
 AROUND = 32
 WALLS = ("section", "coupled")
 FILE = "inflated_bends.csv"
+KEYS = ("section", "share", "ratio", "fidelity", "around")
 COLUMNS = ("flattening", "moment", "stiffness", "wrinkling_ratio")
 
 
@@ -85,7 +86,7 @@ def run(section, share, ratio, fidelity="coupled", around=AROUND):
 
 
 def plan():
-    """(section, share, ratio, fidelity, around)"""
+    """What KEYS name."""
     return [
         (section, share, ratio, fidelity, AROUND)
         for section, shares in SHARES.items()
@@ -100,33 +101,26 @@ def all_runs():
 
 
 def rows_of(store, plan):
-    """Rows and records of the finished ones of `plan`: arguments of run."""
-    rows, records = [], []
-    for section, share, ratio, fidelity, around in plan:
-        one = run(section, share, ratio, fidelity, around)
-        record = store.record(one.identity)
-        if record is None:
-            continue
-        records.append(record)
-        row = {"fidelity": fidelity, "section": section, "share": share, "ratio": ratio}
-        row["around"] = around
-        row |= {**dict.fromkeys(COLUMNS), "seconds": record["processor_seconds"]}
-        row["failure"] = failed_of(store, [record])
+    """Rows and records of the finished ones of `plan`: what KEYS name, run's arguments."""
+
+    def numbers(one):
+        result = result_of(store, one.identity)
+        return {
+            "flattening": result["metrics"][0]["flattening"],
+            "moment": abs(result["ends"][1]["moment"][1]),
+            "wrinkling_ratio": result["validity"]["wrinkling_ratio"],
+        }
+
+    named = ((dict(zip(KEYS, one)), run(*one)) for one in plan)
+    rows, records = finished_rows(store, named, COLUMNS, numbers)
+    for row in rows:
         if row["failure"] is None:
-            result = result_of(store, one.identity)
-            row["flattening"] = result["metrics"][0]["flattening"]
-            row["moment"] = abs(result["ends"][1]["moment"][1])
-            curvature = curvature_of(section, share, ratio)
+            curvature = curvature_of(*(row[name] for name in ("section", "share", "ratio")))
             row["stiffness"] = row["moment"] / curvature / bending_stiffness()
-            row["wrinkling_ratio"] = result["validity"]["wrinkling_ratio"]
-        rows.append(row)
     return rows, records
 
 
 def make_table(store, path):
-    rows, records = rows_of(store, plan())
-    if rows:
-        note = "Long tubes bent to a share of Brazier's curvature at pressures over p_c; stiffness:"
-        note += " moment over curvature, over E I"
-        notes, keys = [note, *provenance(records)], ("section", "share", "ratio", "fidelity")
-        write_table(path, *extended(path, keys, [one[:4] for one in plan()], rows, notes))
+    note = "Long tubes bent to a share of Brazier's curvature at pressures over p_c; stiffness:"
+    note += " moment over curvature, over E I"
+    write_extended(path, KEYS, plan(), *rows_of(store, plan()), note)

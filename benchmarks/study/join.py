@@ -8,11 +8,11 @@ import yaml
 
 import counts
 from cases import text_of
-from measure import converged, failed_of, result_of, vessels_apart
+from measure import converged, finished_rows, result_of, vessels_apart
 from regression import accepted
-from runs import Run, hybrid_arguments
+from runs import Run, hybrid_arguments, reference_arguments
 from store import REPOSITORY
-from tables import extended, provenance, read_table, replace_rows, write_table
+from tables import read_table, replace_rows, write_extended
 
 CASES = REPOSITORY / "benchmarks" / "cases"
 OPENINGS = {  # the scene and what is added to its surgery
@@ -66,10 +66,7 @@ def shell_run(opening, thickness, law, length=1.0):
     return Run(
         f"{name_of(opening, thickness, length)}/shell-{law}-{CELLS}",
         "vasorod-fem",
-        (
-            *("solve", "scene.yaml", "-o", "result", "--quiet", "--model", "shell"),
-            *("--cells", str(CELLS), "0", "--refine", "1"),
-        ),
+        reference_arguments("shell", (CELLS, 0), 1),
         {"scene.yaml": scene(opening, thickness, law, 60, length)},
         keep=True,
     )
@@ -149,31 +146,17 @@ COLUMNS = (
 
 def measured(store, named_pairs, solved=converged):
     """Rows and records of the finished pairs. named_pairs: (what a row begins with, run, shell)."""
-    rows, records = [], []
-    for names, run, shell in named_pairs:
-        both = [store.record(one.identity) for one in (run, shell)]
-        if None in both:
-            continue
-        records += both
-        failure = failed_of(store, both, solved)
-        found = numbers(store, run, shell) if failure is None else dict.fromkeys(COLUMNS)
-        rows.append({**names, **found, "failure": failure})
-    return rows, records
+    return finished_rows(
+        store, named_pairs, COLUMNS, lambda run, shell: numbers(store, run, shell), solved
+    )
 
 
 def make_table(store, path):
     plan = list(pairs())
-    rows, records = measured(store, ((dict(zip(KEYS, pair)), *pair[-2:]) for pair in plan))
-    if rows:
-        notes = [
-            (
-                "Joins against the reference's shell of the same law: mouth in mm2, energy"
-                " in N mm, largest support force in N, RMS over R, processor time in s;"
-                " own_error is the shell's"
-            ),
-            *provenance(records),
-        ]
-        write_table(path, *extended(path, KEYS, [pair[: len(KEYS)] for pair in plan], rows, notes))
+    note = "Joins against the reference's shell of the same law: mouth in mm2, energy in N mm,"
+    note += " largest support force in N, RMS over R, processor time in s; own_error is the shell's"
+    named = ((dict(zip(KEYS, pair)), *pair[-2:]) for pair in plan)
+    write_extended(path, KEYS, [pair[: len(KEYS)] for pair in plan], *measured(store, named), note)
 
 
 def drifts(old_rows, new_numbers, tolerance=TOLERANCE):

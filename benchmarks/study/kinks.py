@@ -2,7 +2,7 @@
 Brazier's curvature at that pressure, each from rest."""
 
 import inflated_bends
-from tables import extended, provenance, write_table
+from tables import write_extended
 
 SHARES = {  # of Brazier's curvature at the pressure, by p / p_c
     0: (0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05),
@@ -12,11 +12,10 @@ SHARES = {  # of Brazier's curvature at the pressure, by p / p_c
 AROUND = (32, 48)
 SECTION = "rigid"
 FILE = "kinks.csv"
-KEYS = ("section", "share", "ratio", "fidelity", "around")
 
 
 def plan():
-    """(section, share, ratio, fidelity, around)"""
+    """What inflated_bends.KEYS name."""
     return [
         (SECTION, share, ratio, "coupled", around)
         for ratio, shares in SHARES.items()
@@ -30,9 +29,7 @@ def all_runs():
 
 
 def make_table(store, path):
-    rows, records = inflated_bends.rows_of(store, plan())
-    if rows:
-        note = "Long tubes with rigid ends bent to shares of Brazier's curvature at the pressure;"
-        note += " columns as in inflated_bends.csv"
-        notes = [note, *provenance(records)]
-        write_table(path, *extended(path, KEYS, plan(), rows, notes))
+    note = "Long tubes with rigid ends bent to shares of Brazier's curvature at the pressure;"
+    note += " columns as in inflated_bends.csv"
+    keys = inflated_bends.KEYS
+    write_extended(path, keys, plan(), *inflated_bends.rows_of(store, plan()), note)

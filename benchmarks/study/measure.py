@@ -113,6 +113,24 @@ def failed_of(store, records, solved=converged):
     return None if failed is None else failure_of(store, failed)
 
 
+def finished_rows(store, named, columns, numbers, solved=converged):
+    """Rows and records of what is finished. named: (what a row begins with, its runs). A row has
+    `columns`, which numbers(*runs) gives where all its runs have a solution, the processor time of
+    its first run, and `failure`."""
+    rows, records = [], []
+    for names, *runs in named:
+        its = [store.record(one.identity) for one in runs]
+        if None in its:
+            continue
+        records += its
+        row = {**names, **dict.fromkeys(columns), "seconds": its[0]["processor_seconds"]}
+        row["failure"] = failed_of(store, its, solved)
+        if row["failure"] is None:
+            row |= numbers(*runs)
+        rows.append(row)
+    return rows, records
+
+
 def outcome(store, case, run, other, columns):
     """These columns of one run's errors against another's, and `failure`: where one of the two did
     not converge its sentence, and no numbers."""

@@ -5,9 +5,9 @@ import yaml
 
 import join
 from cases import text_of
-from measure import converged, failed_of, failure_of, result_of
-from runs import Run, hybrid_arguments
-from tables import provenance, write_table
+from measure import converged, failure_of, finished_rows, result_of
+from runs import Run, hybrid_arguments, reference_arguments
+from tables import write_extended
 
 LAW = "neo-hookean"
 PRESSURES = (0, 5, 10, 15)  # mmHg
@@ -18,8 +18,9 @@ FINEST = 120  # points around the vein, of the slit of length 1
 SHELL = ("slit", 1.0, 10)  # of which the shell's mesh is refined further
 SHELL_CELLS = (CELLS, 24, 32)
 FILE = "pressure.csv"
+KEYS = ("opening", "length", "pressure", "around")
 SHELL_FILE = "pressure_shells.csv"
-SHELL_COLUMNS = ("unknowns", "mouth", "support", "energy", "seconds")
+SHELL_COLUMNS = ("unknowns", "mouth", "support", "energy")
 
 
 def scene(opening, length, pressure, around):
@@ -52,10 +53,7 @@ def shell_run(opening, length, pressure, cells=CELLS):
     return Run(
         f"{name_of(opening, length, pressure)}/shell-{cells}",
         "vasorod-fem",
-        (
-            *("solve", "scene.yaml", "-o", "result", "--quiet", "--model", "shell"),
-            *("--cells", str(cells), "0", "--refine", "1"),
-        ),
+        reference_arguments("shell", (cells, 0), 1),
         {"scene.yaml": scene(opening, length, pressure, 60)},
         keep=True,
     )
@@ -91,36 +89,27 @@ def solved(store, record):
 
 
 def shell_rows(store):
-    rows, records = [], []
-    for cells in SHELL_CELLS:
-        run = shell_run(*SHELL, cells)
-        record = store.record(run.identity)
-        if record is None:
-            continue
-        records.append(record)
-        row = {"cells": 3 * cells // 2, **dict.fromkeys(SHELL_COLUMNS)}
-        row["failure"] = failed_of(store, [record], solved)
-        if row["failure"] is None:
-            result = result_of(store, run.identity)
-            row["unknowns"] = result["discretisation"]["dofs"]
-            row["mouth"] = join.mouth_of(result)["area"]
-            row["support"] = join.support(result)
-            row["energy"] = result["energy"]["total"]
-            row["seconds"] = record["processor_seconds"]
-        rows.append(row)
-    return rows, records
+    def numbers(run):
+        result = result_of(store, run.identity)
+        return {
+            "unknowns": result["discretisation"]["dofs"],
+            "mouth": join.mouth_of(result)["area"],
+            "support": join.support(result),
+            "energy": result["energy"]["total"],
+        }
+
+    named = (({"cells": 3 * cells // 2}, shell_run(*SHELL, cells)) for cells in SHELL_CELLS)
+    return finished_rows(store, named, SHELL_COLUMNS, numbers, solved)
 
 
 def make_tables(store, folder):
-    keys = ("opening", "length", "pressure", "around")
-    named = ((dict(zip(keys, pair)), *pair[-2:]) for pair in pairs())
-    rows, records = join.measured(store, named, solved)
-    if rows:
-        note = "The T-join from walls without stress to a pressure (mmHg) in both lumens,"
-        note += " neo-hookean, against the reference's shell; columns as in join.csv"
-        write_table(folder / FILE, rows, [note, *provenance(records)])
-    rows, records = shell_rows(store)
-    if rows:
-        note = "The T-join on the paper's slit at 10 mmHg by the reference's shell, over its mesh:"
-        note += " cells around the seam; units as in join.csv"
-        write_table(folder / SHELL_FILE, rows, [note, *provenance(records)])
+    plan = list(pairs())
+    named = ((dict(zip(KEYS, pair)), *pair[-2:]) for pair in plan)
+    note = "The T-join from walls without stress to a pressure (mmHg) in both lumens, neo-hookean,"
+    note += " against the reference's shell; columns as in join.csv"
+    keys_of = [pair[: len(KEYS)] for pair in plan]
+    write_extended(folder / FILE, KEYS, keys_of, *join.measured(store, named, solved), note)
+    note = "The T-join on the slit of length 1 at 10 mmHg by the reference's shell, over its mesh:"
+    note += " cells around the seam; units as in join.csv"
+    cells = [(3 * cells // 2,) for cells in SHELL_CELLS]
+    write_extended(folder / SHELL_FILE, ("cells",), cells, *shell_rows(store), note)

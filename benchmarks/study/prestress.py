@@ -7,8 +7,8 @@ import inflated
 import join
 from cases import text_of
 from pressure import solved
-from runs import Run, hybrid_arguments
-from tables import provenance, write_table
+from runs import Run, hybrid_arguments, reference_arguments
+from tables import write_extended
 
 LAW = "neo-hookean"
 HELD = {"vessel": "tube", "end": "start", "hold": True}
@@ -70,13 +70,12 @@ def join_scene(opening, length, stretch):
 def pair(name, scene, around, cells):
     """The hybrid's run and the shell's, which is kept when the program is rebuilt."""
     files = {"scene.yaml": text_of(scene)}
-    shell = ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", "shell", "--cells")
     return (
         Run(f"{name}/coupled-{around}", "vasorod", hybrid_arguments("coupled"), files),
         Run(
             f"{name}/shell-{cells[0]}x{cells[1]}",
             "vasorod-fem",
-            (*shell, str(cells[0]), str(cells[1]), "--refine", "1"),
+            reference_arguments("shell", cells, 1),
             files,
             keep=True,
         ),
@@ -122,15 +121,13 @@ def tube_rows(store):
 
 
 def make_tables(store, folder):
-    rows, records = tube_rows(store)
-    if rows:
-        note = "Tubes with a stress as they were seen, against the reference's shell: RMS over R,"
-        note += " force and moment over the larger reaction, energy over the shell's less 1"
-        write_table(folder / FILES[0], rows, [note, *provenance(records)])
-    keys = ("opening", "length", "stretch")
-    named = ((dict(zip(keys, one)), *one[-2:]) for one in join_pairs())
-    rows, records = join.measured(store, named, solved)
-    if rows:
-        note = "The T-join with a vein seen at 5 and an artery at 15 mmHg, both at 12 afterwards,"
-        note += " neo-hookean, against the reference's shell; columns as in join.csv"
-        write_table(folder / FILES[1], rows, [note, *provenance(records)])
+    note = "Tubes with a stress as they were seen, against the reference's shell: RMS over R,"
+    note += " force and moment over the larger reaction, energy over the shell's less 1"
+    keys, plan = ("case", "shape", "law"), [pair[:3] for pair in tube_pairs()]
+    write_extended(folder / FILES[0], keys, plan, *tube_rows(store), note)
+    keys, plan = ("opening", "length", "stretch"), list(join_pairs())
+    named = ((dict(zip(keys, one)), *one[-2:]) for one in plan)
+    note = "The T-join with a vein seen at 5 and an artery at 15 mmHg, both at 12 afterwards,"
+    note += " neo-hookean, against the reference's shell; columns as in join.csv"
+    found = join.measured(store, named, solved)
+    write_extended(folder / FILES[1], keys, [one[:3] for one in plan], *found, note)

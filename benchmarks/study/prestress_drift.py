@@ -6,11 +6,11 @@ import yaml
 import inflated
 import prestress
 from cases import text_of
-from measure import failed_of, vessels_apart
+from measure import finished_rows, vessels_apart
 from pressure import solved
-from runs import Run, hybrid_arguments
+from runs import Run, hybrid_arguments, reference_arguments
 from store import REPOSITORY
-from tables import extended, provenance, write_table
+from tables import write_extended
 
 GLENNS = REPOSITORY / "benchmarks" / "cases" / "glenn"
 HYBRID = ("section", "coupled")
@@ -26,6 +26,7 @@ ANATOMIES = {"infant": "infant_physiological.yaml", "adult": "adult_physiologica
 SEEN = ("pressure", "axial_prestretch")
 CELLS = (8, 12)
 FILE = "prestress_drift.csv"
+KEYS = ("case", "law", "model")
 
 
 def tube_scene(case, law):
@@ -69,7 +70,7 @@ def has(anatomy):
 
 
 def plan():
-    """(case, law, model)"""
+    """What KEYS name."""
     tubes = [
         (case, law, model)
         for case in TUBES
@@ -85,17 +86,16 @@ def run(case, law, model, seen=True):
     name = f"drift-{case}-{law}/{model}{'' if seen else '-empty'}"
     if model not in REFERENCE:
         return Run(name, "vasorod", hybrid_arguments(model), files)
-    words = ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model)
-    cells = ("--cells", str(CELLS[0]), str(CELLS[1]), "--refine", "0")
-    return Run(name, "vasorod-fem", (*words, *cells), files, keep=True)
+    return Run(name, "vasorod-fem", reference_arguments(model, CELLS, 0), files, keep=True)
 
 
 def pairs():
-    """(case, law, model, the empty vessel, the vessel as it was seen)"""
+    """(what a row begins with, the vessel as it was seen, the empty vessel)"""
     for case, law, model in plan():
         if case in ANATOMIES and not has(case):
             continue
-        yield case, law, model, run(case, law, "coupled", seen=False), run(case, law, model)
+        names = dict(zip(KEYS, (case, law, model)))
+        yield names, run(case, law, model), run(case, law, "coupled", seen=False)
 
 
 def all_runs():
@@ -103,25 +103,13 @@ def all_runs():
 
 
 def rows(store):
-    found, records = [], []
-    for case, law, model, *both in pairs():
-        its = [store.record(one.identity) for one in both]
-        if None in its:
-            continue
-        records += its
-        row = {"case": case, "law": law, "model": model, "drift": None}
-        row |= {"seconds": its[1]["processor_seconds"], "failure": failed_of(store, its, solved)}
-        if row["failure"] is None:
-            names = [one.identity for one in both]
-            vessels = vessels_apart(store, *names)
-            row["drift"] = max(vessel["surface"]["largest"] for vessel in vessels)
-        found.append(row)
-    return found, records
+    def numbers(*runs):
+        vessels = vessels_apart(store, *(one.identity for one in reversed(runs)))
+        return {"drift": max(vessel["surface"]["largest"] for vessel in vessels)}
+
+    return finished_rows(store, pairs(), ("drift",), numbers, solved)
 
 
 def make_table(store, path):
-    found, records = rows(store)
-    if found:
-        note = "Vessels held as they were seen: the largest displacement of a point over the radius"
-        notes, keys = [note, *provenance(records)], ("case", "law", "model")
-        write_table(path, *extended(path, keys, plan(), found, notes))
+    note = "Vessels held as they were seen: the largest displacement of a point over the radius"
+    write_extended(path, KEYS, plan(), *rows(store), note)

@@ -39,6 +39,13 @@ BASELINES = REPOSITORY / "benchmarks" / "baselines"
 BEND, PAST, FRESH = "bend_t1_0.5", "twist_t2_90", "fresh_bend_t0.7"
 JOIN = ("ellipse", 1.0, "biot", 1.0, "coupled", 40)
 UNDER_PRESSURE = ("slit", 1.0, 10, 40)
+BENDS = (
+    ("soft", 0.2, 0, "coupled", 32),
+    ("soft", 0.2, 5, "coupled", 32),
+    ("rigid", 0.4, 1, "coupled", 32),
+    ("soft", 0.2, 5, "section", 32),
+)
+KINK = tuple(("rigid", share, 1, "coupled", 32) for share in (0.65, 0.7))  # on both its sides
 
 
 @dataclass(frozen=True)
@@ -143,21 +150,15 @@ ALONE = (
     ),
     Repeated(
         inflated_bends.FILE,
-        ("fidelity", "section", "share", "ratio"),
-        (
-            ("coupled", "soft", 0.2, 0),
-            ("coupled", "soft", 0.2, 5),
-            ("coupled", "rigid", 0.4, 1),
-            ("section", "soft", 0.2, 5),
-        ),
-        lambda: [inflated_bends.run("soft", 0.2, 0), inflated_bends.run("soft", 0.2, 5)]
-        + [inflated_bends.run("rigid", 0.4, 1), inflated_bends.run("soft", 0.2, 5, "section")],
+        inflated_bends.KEYS,
+        BENDS,
+        lambda: [inflated_bends.run(*bend) for bend in BENDS],
         with_folder(inflated_bends.make_table, inflated_bends.FILE),
         ("moment",),
     ),
     Repeated(
         widening.FILE,
-        ("model", "poisson", "ratio"),
+        widening.KEYS,
         (("section", 0.5, 5), ("coupled", 0.5, 1)),
         lambda: [widening.empty(0.5)]
         + [widening.run("section", 0.5, 5), widening.run("coupled", 0.5, 1)],
@@ -165,15 +166,15 @@ ALONE = (
     ),
     Repeated(
         kinks.FILE,
-        kinks.KEYS,
-        tuple(("rigid", share, 1, "coupled", 32) for share in (0.65, 0.7)),
-        lambda: [inflated_bends.run("rigid", share, 1) for share in (0.65, 0.7)],
+        inflated_bends.KEYS,
+        KINK,
+        lambda: [inflated_bends.run(*bend) for bend in KINK],
         with_folder(kinks.make_table, kinks.FILE),
         ("moment",),
     ),
     Repeated(
         prestress_drift.FILE,
-        ("case", "law", "model"),
+        prestress_drift.KEYS,
         (("curved", "neo-hookean", "section"), ("curved", "neo-hookean", "coupled")),
         lambda: [prestress_drift.run("curved", "neo-hookean", "coupled", seen=False)]
         + [prestress_drift.run("curved", "neo-hookean", model) for model in prestress_drift.HYBRID],
@@ -181,7 +182,7 @@ ALONE = (
     ),
     Repeated(
         glenn_mouths.FILE,
-        ("length", "pressure"),
+        glenn_mouths.KEYS,
         ((1.25, 10),),
         lambda: [glenn_mouths.run(1.25, 10)],
         with_folder(glenn_mouths.make_table, glenn_mouths.FILE),
@@ -354,7 +355,7 @@ AGAINST = (
     ),
     Repeated(
         pressure.FILE,
-        ("opening", "length", "pressure", "around"),
+        pressure.KEYS,
         (UNDER_PRESSURE,),
         lambda: [pressure.hybrid_run(*UNDER_PRESSURE), pressure.shell_run(*UNDER_PRESSURE[:3])],
         pressure.make_tables,

@@ -43,6 +43,13 @@ def hybrid_arguments(fidelity=None):
     )
 
 
+def reference_arguments(model, cells, refine, *more):
+    return (
+        *("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model, *more),
+        *("--cells", str(cells[0]), str(cells[1]), "--refine", str(refine)),
+    )
+
+
 def hybrid(case, fidelity, around, *, tag=""):
     """vasorod on `around` points around; `tag` tells variations of one case apart."""
     return Run(
@@ -59,26 +66,8 @@ def reference(case, model, degree, cells, refine, *, law="biot", tag="", steps=(
         f"{case.name}{tag}/{model}-p{degree}-{cells[0]}x{cells[1]}-r{refine}-{law}",
         "vasorod-fem",
         (
-            "solve",
-            "scene.yaml",
-            "-o",
-            "result",
-            "--quiet",
-            "--model",
-            model,
-            "--law",
-            law,
-            "--degree",
-            str(degree),
-            "--cells",
-            str(cells[0]),
-            str(cells[1]),
-            "--refine",
-            str(refine),
-            "--first-step",
-            str(steps[0]),
-            "--largest-step",
-            str(steps[1]),
+            *reference_arguments(model, cells, refine, "--law", law, "--degree", str(degree)),
+            *("--first-step", str(steps[0]), "--largest-step", str(steps[1])),
         ),
         {"scene.yaml": case.text},
         keep=True,

@@ -89,6 +89,12 @@ def extended(path, keys, plan, rows, notes):
     return merged, [*notes, *(f"{kept} rows from before, {note}" for note in old_notes[1:] if kept)]
 
 
+def write_extended(path, keys, plan, rows, records, note):
+    """`rows` and what made them, in the table that was there before; nothing without rows."""
+    if rows:
+        write_table(path, *extended(path, keys, plan, rows, [note, *provenance(records)]))
+
+
 def replace_rows(path, keys, rows, note):
     """Puts `rows` in the place of the table's rows with the same `keys`, and `note` below its
     comment lines. Columns that only the new rows have are empty in the others."""

@@ -3,10 +3,10 @@ both reference models, beside Lame's thick tube in plane strain."""
 
 import inflated_bends
 from cases import text_of
-from measure import failed_of, vessels_apart
+from measure import finished_rows, vessels_apart
 from pressure import solved
-from runs import Run, hybrid_arguments
-from tables import extended, provenance, write_table
+from runs import Run, hybrid_arguments, reference_arguments
+from tables import write_extended
 
 RADIUS, THICKNESS = (inflated_bends.TUBE[name] for name in ("radius", "thickness"))
 TUBE = {"length": 30, "radius": RADIUS, "around": 60, "along": 28}
@@ -21,6 +21,7 @@ POISSON = {
 }
 CELLS = (4, 6)
 FILE = "widening.csv"
+KEYS = ("model", "poisson", "ratio")
 
 
 def pressure_of(poisson, ratio):
@@ -49,9 +50,8 @@ def run(model, poisson, ratio):
     files = {"scene.yaml": text_of(scene(poisson, ratio))}
     if model in HYBRID:
         return Run(name, "vasorod", hybrid_arguments(model), files)
-    words = ("solve", "scene.yaml", "-o", "result", "--quiet", "--model", model, "--law", "biot")
-    cells = ("--cells", str(CELLS[0]), str(CELLS[1]), "--refine", "0")
-    return Run(name, "vasorod-fem", (*words, *cells), files, keep=True)
+    arguments = reference_arguments(model, CELLS, 0, "--law", "biot")
+    return Run(name, "vasorod-fem", arguments, files, keep=True)
 
 
 def empty(poisson):
@@ -60,7 +60,7 @@ def empty(poisson):
 
 
 def plan():
-    """(model, poisson, ratio)"""
+    """What KEYS name."""
     return [
         (model, poisson, ratio)
         for poisson, models in POISSON.items()
@@ -82,29 +82,24 @@ def closed_form(poisson, ratio):
 
 
 def rows(store):
-    found, records = [], []
-    for model, poisson, ratio in plan():
-        both = [empty(poisson), run(model, poisson, ratio)]
-        its = [store.record(one.identity) for one in both]
-        if None in its:
-            continue
-        records += its
-        row = {"poisson": poisson, "ratio": ratio, "model": model, "widening": None}
-        row["closed_form"] = closed_form(poisson, ratio)
-        row |= {"seconds": its[1]["processor_seconds"], "failure": failed_of(store, its, solved)}
-        if row["failure"] is None:
-            names = [one.identity for one in both]
-            # Every point moves outwards by the same distance.
-            row["widening"] = vessels_apart(store, *names)[0]["surface"]["rms"]
-        found.append(row)
-    return found, records
+    named = (
+        (
+            {**dict(zip(KEYS, one)), "closed_form": closed_form(*one[1:])},
+            run(*one),
+            empty(one[1]),
+        )
+        for one in plan()
+    )
+
+    def numbers(*runs):
+        # Every point moves outwards by the same distance.
+        vessels = vessels_apart(store, *(one.identity for one in reversed(runs)))
+        return {"widening": vessels[0]["surface"]["rms"]}
+
+    return finished_rows(store, named, ("widening",), numbers, solved)
 
 
 def make_table(store, path):
-    found, records = rows(store)
-    if found:
-        note = "A tube (R 10, t 1, soft ends held along the axis, Biot) widened by a pressure over"
-        note += " p_c: displacement of its middle surface over R, and Lame's in plane strain"
-        keys = ("model", "poisson", "ratio")
-        notes = [note, *provenance(records)]
-        write_table(path, *extended(path, keys, plan(), found, notes))
+    note = "A tube (R 10, t 1, soft ends held along the axis, Biot) widened by a pressure over p_c:"
+    note += " displacement of its middle surface over R, and Lame's in plane strain"
+    write_extended(path, KEYS, plan(), *rows(store), note)

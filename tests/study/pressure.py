@@ -8,9 +8,9 @@ from pathlib import Path
 import yaml
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "benchmarks" / "study"))
+import chapters.pressure as chapter  # noqa: E402
 import join  # noqa: E402
 import pressure  # noqa: E402
-from chapters.pressure import mesh_table, own_errors, pressure_section, shells_section  # noqa: E402
 from finished import comparing, leave  # noqa: E402
 from measure import result_of  # noqa: E402
 from store import Store  # noqa: E402
@@ -63,13 +63,14 @@ assert [(row["pressure"], row["failure"]) for row in rows] == [
     (5, None),
     (10, "status iteration_limit"),
 ], rows
-text = pressure_section(rows, notes)
+text = chapter.pressure_section(rows, notes)
 assert "| slit | 1 | 5 | 60 | 20.00 | 21.00 | +5.00 | 10.00 x 3.00 | +5.00 | +0.00 |" in text, text
 assert "| slit | 1 | 10 | 60 | status iteration_limit | -" in text, text
 assert "own error is at most 0.10 % under pressure." in " ".join(text.split()), text
 errors = [{"pressure": p, "own_error": 0.01 * (1 + p), "failure": None} for p in (0, 1, 2)]
 assert (
-    own_errors(errors) == "The shell's own error is at most 3.00 % under pressure, 1.00 % without."
+    chapter.own_errors(errors)
+    == "The shell's own error is at most 3.00 % under pressure, 1.00 % without."
 )
 slit = {"opening": "slit", "length": 1, "pressure": 10, "mouth_reference": 16, "failure": None}
 
@@ -81,16 +82,20 @@ def meshes_of(order):
     ]
 
 
-assert "| 10 | 19.500 (20), " in mesh_table(meshes_of(2)), mesh_table(meshes_of(2))
-assert "| 2.0 | 20.000 | +25.00 |" in mesh_table(meshes_of(2)), mesh_table(meshes_of(2))
+assert "| 10 | 19.500 (20), " in chapter.order_table(meshes_of(2)), chapter.order_table(
+    meshes_of(2)
+)
+assert "| 2.0 | 20.000 | +25.00 |" in chapter.order_table(meshes_of(2)), chapter.order_table(
+    meshes_of(2)
+)
 # Beyond the orders that are looked for there is no limit to be read off.
-assert "| - | - | - |" in mesh_table(meshes_of(0.1)), mesh_table(meshes_of(0.1))
-assert "| 10 |" not in mesh_table(meshes_of(2)[:3])
-text = shells_section(*shells)
+assert "| - | - | - |" in chapter.order_table(meshes_of(0.1)), chapter.order_table(meshes_of(0.1))
+assert "| 10 |" not in chapter.order_table(meshes_of(2)[:3])
+text = chapter.shells_section(*shells)
 assert "| 24 | status iteration_limit |" in text, text
 meshes = {"unknowns": 9, "support": 1, "energy": 1, "seconds": 1, "failure": None}
 rows = [{"cells": n, "mouth": 20 - 2 * (12 / n) ** 2, **meshes} for n in (24, 36, 48)]
-text = " ".join(shells_section(rows, shells[1]).split())
+text = " ".join(chapter.shells_section(rows, shells[1]).split())
 assert "the mouth changes by 1.92 %" in text and "| 24 | 9 | 19.500 |" in text, text
 
 # The program's answer has the keys that the study reads.

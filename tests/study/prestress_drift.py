@@ -26,7 +26,7 @@ for vessel in drift.emptied(made)["vessels"]:
 assert made["vessels"][0]["pressure"]  # the scene itself is as it was
 
 pairs = list(drift.pairs())
-assert len({pair[:3] for pair in pairs}) == len(pairs)
+assert len({tuple(names.values()) for names, *_ in pairs}) == len(pairs)
 assert {run.program for run in drift.all_runs()} == {"vasorod", "vasorod-fem"}
 
 with tempfile.TemporaryDirectory() as scratch:

@@ -275,7 +275,7 @@ def pressures(inflated):
 def held_open(widening, bends, kinks):
     """What a pressure does to a tube, by `coupled`."""
     poisson = inflated_bends.TUBE["poisson"]
-    wide = {
+    wide = {0: 0} | {
         row["ratio"]: row["widening"]
         for row in widening
         if (row["model"], row["poisson"]) == ("coupled", poisson) and not row["failure"]
@@ -287,13 +287,18 @@ def held_open(widening, bends, kinks):
     }
     kinked = kinks_of(kinks)
     finest = max(around for _, around in kinked)
-    lines = []
-    for ratio in sorted({ratio for ratio, _ in kinked} & set(soft)) if 0 in soft else ():
-        widened = f"{wide[ratio]:.6f}" if ratio in wide else "-"
-        lines.append([f"{ratio:g}", widened if ratio else "0"])
-        lines[-1] += [softening(soft[ratio], soft[0]), f"{1 / (1 + ratio):.3f}"]
-        lines[-1] += [f"{soft[ratio]['stiffness']:.4f}"]
-        lines[-1] += [kink_line(*kinked.get((ratio, finest), (None, None)))]
+    lines = [
+        [
+            f"{ratio:g}",
+            f"{wide[ratio]:.6f}" if ratio else "0",
+            softening(row, soft[0]),
+            f"{1 / (1 + ratio):.3f}",
+            f"{row['stiffness']:.4f}",
+            kink_line(*kinked[ratio, finest]),
+        ]
+        for ratio, row in soft.items()
+        if ratio in wide and 0 in soft and (ratio, finest) in kinked
+    ]
     return [
         "### What does the pressure change?\n",
         paragraph(

@@ -67,33 +67,38 @@ def limit_and_order(values):
     return (limit, order) if LEAST_ORDER < order < LARGEST_ORDER else None
 
 
-OVER_MESHES = ("mouth, mm2 (points around)", "order", "limit, mm2", "limit - shell, %")
-
-
-def over_meshes(rows):
-    """The mouth of one join on its meshes, and where it goes."""
-    values = ", ".join(f"{row['mouth']:.3f} ({row['around']:g})" for row in rows)
-    found = limit_and_order({row["around"]: row["mouth"] for row in rows})
-    if found is None:
-        return [values, "-", "-", "-"]
-    limit, order = found
-    return [values, f"{order:.1f}", f"{limit:.3f}", signed(limit / rows[0]["mouth_reference"] - 1)]
+def mesh_table(head, joins):
+    """The mouth of each of `joins`, (its name, its rows), over its meshes, where there are four or
+    more."""
+    lines = []
+    for name, rows in joins:
+        if len(rows) < 4:
+            continue
+        rows = sorted(rows, key=lambda row: row["around"])
+        values = ", ".join(f"{row['mouth']:.3f} ({row['around']:g})" for row in rows)
+        found = limit_and_order({row["around"]: row["mouth"] for row in rows})
+        lines.append([name, values, *["-"] * 3])
+        if found is not None:
+            limit, order = found
+            off = signed(limit / rows[0]["mouth_reference"] - 1)
+            lines[-1][2:] = [f"{order:.1f}", f"{limit:.3f}", off]
+    head = (head, "mouth, mm2 (points around)", "order", "limit, mm2", "limit - shell, %")
+    return markdown(head, lines)
 
 
 def order_table(rows):
-    """The mouth over the mesh: full thickness, neo-Hookean, where there are four meshes or more."""
-    lines = []
-    for opening in dict.fromkeys(row["opening"] for row in rows):
-        of = [
-            row
-            for row in rows
-            if (row["opening"], row["thickness"], row["law"]) == (opening, 1, "neo-hookean")
-            and (row["fidelity"], row["length"]) == ("coupled", 1)
-            and not row["failure"]
-        ]
-        if len(of) >= 4:
-            lines.append([opening, *over_meshes(of)])
-    return markdown(("opening", *OVER_MESHES), lines)
+    """Full thickness, neo-Hookean."""
+    of = [
+        row
+        for row in rows
+        if (row["thickness"], row["law"]) == (1, "neo-hookean")
+        and (row["fidelity"], row["length"]) == ("coupled", 1)
+        and not row["failure"]
+    ]
+    openings = dict.fromkeys(row["opening"] for row in of)
+    return mesh_table(
+        "opening", [(name, [row for row in of if row["opening"] == name]) for name in openings]
+    )
 
 
 def length_table(rows):

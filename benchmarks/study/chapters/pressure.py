@@ -1,9 +1,9 @@
 """The join under pressure."""
 
-from chapters.join import OVER_MESHES, over_meshes, pressed_table
+from chapters.join import mesh_table, pressed_table
 import join
 import pressure
-from tables import markdown, outcomes, paragraph, percent, provenance_text
+from tables import outcomes, paragraph, percent, provenance_text
 
 
 def mouth_table(rows):
@@ -17,20 +17,15 @@ def mouth_table(rows):
     )
 
 
-def mesh_table(rows):
-    """The mouth of the slit of length 1 over the mesh, where there are four meshes or more."""
-    lines = []
-    for mmhg in dict.fromkeys(row["pressure"] for row in rows):
-        of = [
-            row
-            for row in rows
-            if (row["opening"], row["length"], row["pressure"]) == ("slit", 1, mmhg)
-            and not row["failure"]
-        ]
-        if len(of) >= 4:
-            of.sort(key=lambda row: row["around"])
-            lines.append([f"{mmhg:g}", *over_meshes(of)])
-    return markdown(("mmHg", *OVER_MESHES), lines)
+def order_table(rows):
+    """The slit of length 1."""
+    of = [
+        row for row in rows if (row["opening"], row["length"]) == ("slit", 1) and not row["failure"]
+    ]
+    pressures = dict.fromkeys(row["pressure"] for row in of)
+    return mesh_table(
+        "mmHg", [(f"{p:g}", [row for row in of if row["pressure"] == p]) for p in pressures]
+    )
 
 
 def own_errors(rows):
@@ -71,7 +66,7 @@ def pressure_section(rows, notes):
                 "before. The last column, not the difference on a given mesh, is what remains",
                 "between the kinematics of `coupled` and of the shell, with the shell's own error.",
             ),
-            mesh_table(rows),
+            order_table(rows),
             provenance_text(notes),
         ]
     )

@@ -16,6 +16,9 @@ constexpr double first_shift = 1e-3, shift_growth = 5, largest_shift = 1e10;
 constexpr double near_enough = 1e-4;
 constexpr double worn_order = 1.3;
 constexpr int most_per_hessian = 30;  // even where it converges well
+// What a Hessian and its factor cost, in iterations. A start that slides along a valley of the
+// energy gains more by steps with the one at hand.
+constexpr double worth_of_hessian = 10;
 // After this many points of negative curvature, the branch that the short steps follow no longer
 // exists.
 constexpr int patience_on_branch = 3;
@@ -155,8 +158,8 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
 
 // Factorises H or, if Cholesky fails, H + shift D K0 D^T with the smallest shift of a geometric
 // sequence for which it succeeds.
-bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factorisations, int most,
-                                 const Breaks& breaks) {
+bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double& shift,
+                                 int& factorisations, int most, const Breaks& breaks) {
   breaks.before("Hessian");
   ++work_.counts.hessians;
   hessian_ = system_.hessian(z);
@@ -170,7 +173,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
     breaks.before("factorisation");
     ++factorisations;
     if (shift == 0) {
-      if (factor_.factorise(hessian_, breaks.inside)) return true;
+      if (factor_.factorise(hessian_, breaks.inside, precision)) return true;
     } else {
       if (metric_.size() == 0) {
         metric_ = rest_;
@@ -179,7 +182,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, double& shift, int& factoris
         shifted = hessian_;
       }
       add_within(hessian_, shift, metric_, shifted);
-      if (factor_.factorise(shifted, breaks.inside)) return true;
+      if (factor_.factorise(shifted, breaks.inside, precision)) return true;
     }
     shift = shift == 0 ? first_shift : shift_growth * shift;
     if (shift > largest_shift || factorisations >= most) return false;
@@ -287,12 +290,14 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     if (factorise_convex(z, breaks)) {
       inner.tolerance = std::max(smooth_enough, options.tolerance);
       inner.patience = patience_with_convex;
+      inner.worth = worth_of_hessian;
       inner.max_iterations = options.max_iterations;
       summary.add(lbfgs(evaluation, hessian, z, inner));
       if (interrupted()) return;
     }
   }
   inner.patience = 0;
+  inner.worth = worth_of_hessian;
   inner.tolerance = options.tolerance;
   VectorXd gradient;
   double shift = 0, factored_at = 1;
@@ -314,10 +319,13 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
          summary.iterations < options.max_iterations) {
     const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
+    // Far from the minimum a factor is no certificate, only a preconditioner.
+    const bool exact = stalls > 0 || factored_at <= near_enough;
     const int so_far = summary.factorisations;
     const int most =
         so_far + std::min(options.max_factorisations - so_far, options.max_shifted - shifted);
-    if (!factorise(z, shift, summary.factorisations, most, breaks)) {
+    if (!factorise(z, exact ? Precision::exact : Precision::rough, shift, summary.factorisations,
+                   most, breaks)) {
       summary.unfactorised = true;
       summary.residual = factored_at;
       break;
@@ -347,7 +355,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     if (summary.status == LbfgsStatus::converged ||
         (summary.status == LbfgsStatus::stalled && at_rest)) {
       if (fresh && (factored_at <= near_enough || !options.certify)) {
-        summary.positive = true;
+        summary.positive = exact;
         return;
       }
       if (!options.certify) return;

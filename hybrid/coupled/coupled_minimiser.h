@@ -7,9 +7,10 @@
 // true Hessian would have to be tried with many shifts.
 //
 // Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
-// convergence slows down: Newton's method with as few factorisations as possible. Cholesky decides
-// definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy rises by no more
-// than lbfgs() lets it.
+// convergence slows down: Newton's method with as few factorisations as possible. Far from the
+// minimum they are in single precision, where that suffices; the one that certifies it is not.
+// Cholesky decides definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy
+// rises by no more than lbfgs() lets it.
 #pragma once
 
 #include <limits>
@@ -112,8 +113,8 @@ class CoupledMinimiser {
   bool factorise_rest(const Breaks& breaks);
   bool factorise_convex(const Eigen::VectorXd& z, const Breaks& breaks);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
-  bool factorise(const Eigen::VectorXd& z, double& shift, int& factorisations, int most,
-                 const Breaks& breaks);
+  bool factorise(const Eigen::VectorXd& z, Precision precision, double& shift, int& factorisations,
+                 int most, const Breaks& breaks);
   enum class Saddle { left, neutral, kept };
   Saddle leave_saddle(Eigen::VectorXd& z);
 

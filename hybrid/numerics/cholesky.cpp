@@ -24,15 +24,26 @@ using Matrix = Eigen::SparseMatrix<double>;
 struct Cholesky::Data {
   Work* done = nullptr;  // of the owner; null: not counted
   std::optional<Analysis> analysis;
-  std::optional<Fronts> fronts;
+  std::optional<Fronts<double>> fronts;
+  std::optional<Fronts<float>> single_fronts;
   std::unique_ptr<double[]> factor;  // the entries of all supernodes
   TriangularSolves<double> solves;
   bool factorised = false;
-  // The factor in single precision: not yet tried, good enough, or not.
-  enum class Single { untried, good, rough } single_is = Single::untried;
+  bool only_single = false;  // the factor is a rough one
+  // The last exact factor in single precision: not yet tried, good enough, or not.
+  enum class Single { untried, good, bad } single_is = Single::untried;
+  // Of rough factorisations that fail: the first is yet to be verified, was right, or was wrong.
+  enum class Failure { unverified, right, wrong } failure_is = Failure::unverified;
   std::vector<float> single;
   TriangularSolves<float> single_solves;
 
+  void count() const {
+    if (!done) return;
+    Counts& counts = done->counts;
+    ++counts.factorisations;
+    counts.factor_nonzeros =
+        std::max(counts.factor_nonzeros, static_cast<std::int64_t>(analysis->factor_nonzeros()));
+  }
   int threads() const { return analysis->nodes().entries() > few_entries ? vasorod::threads() : 1; }
 };
 
@@ -56,40 +67,54 @@ void Cholesky::analyse(const Matrix& matrix, int block) {
 void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   const FactorTime time(data_->done);
   Data& d = *data_;
-  d.factorised = false;
+  d.factorised = d.only_single = false;
   d.factor.reset();
   d.fronts.reset();
+  d.single_fronts.reset();
   d.analysis.reset();
   d.analysis.emplace(matrix, order);
   d.fronts.emplace(d.analysis->nodes());
 }
 
-bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop) {
+bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision precision) {
   const FactorTime time(data_->done);
   Data& d = *data_;
-  if (d.done) {
-    Counts& counts = d.done->counts;
-    ++counts.factorisations;
-    counts.factor_nonzeros =
-        std::max(counts.factor_nonzeros, static_cast<std::int64_t>(factor_nonzeros()));
+  d.factorised = d.only_single = false;
+  const size_t entries = d.analysis->nodes().entries();
+  const auto& sorted = d.analysis->in_order(matrix);
+  if (precision == Precision::rough && d.single_is == Data::Single::good &&
+      d.failure_is != Data::Failure::wrong) {
+    d.count();
+    if (!d.single_fronts) d.single_fronts.emplace(d.analysis->nodes());
+    d.single.resize(entries);
+    d.factorised = d.only_single =
+        d.single_fronts->factorise(sorted, d.single.data(), d.threads(), stop);
+    if (d.factorised || d.failure_is == Data::Failure::right) return d.factorised;
+  } else {
+    d.single_is = Data::Single::untried;
   }
-  d.factorised = false;
-  d.single_is = Data::Single::untried;
-  if (!d.factor) d.factor.reset(new double[d.analysis->nodes().entries()]);
-  d.factorised =
-      d.fronts->factorise(d.analysis->in_order(matrix), d.factor.get(), d.threads(), stop);
+  d.count();
+  if (!d.factor) d.factor.reset(new double[entries]);
+  d.factorised = d.fronts->factorise(sorted, d.factor.get(), d.threads(), stop);
+  if (d.single_is == Data::Single::good) {  // a rough one failed
+    d.failure_is = d.factorised ? Data::Failure::wrong : Data::Failure::right;
+    if (d.factorised) d.single_is = Data::Single::untried;
+  }
   return d.factorised;
 }
 
 void Cholesky::solve(const double* b, double* x, int columns) {
   Data& d = *data_;
   if (d.done) ++d.done->counts.solves;
-  d.solves.solve(d.analysis->nodes(), d.factor.get(), b, x, columns, d.threads());
+  if (d.only_single)
+    d.single_solves.solve(d.analysis->nodes(), d.single.data(), b, x, columns, d.threads());
+  else
+    d.solves.solve(d.analysis->nodes(), d.factor.get(), b, x, columns, d.threads());
 }
 
 void Cholesky::precondition(const double* b, double* x, int columns) {
   Data& d = *data_;
-  if (d.single_is == Data::Single::rough) return solve(b, x, columns);
+  if (d.only_single || d.single_is == Data::Single::bad) return solve(b, x, columns);
   const bool untried = d.single_is == Data::Single::untried;
   const auto size = Eigen::Index{d.analysis->nodes().unknowns()} * columns;
   Eigen::VectorXd exact;
@@ -103,8 +128,8 @@ void Cholesky::precondition(const double* b, double* x, int columns) {
   if (!untried) return;
   const Eigen::Map<Eigen::VectorXd> single(x, size);
   d.single_is = (single - exact).norm() < largest_difference * exact.norm() ? Data::Single::good
-                                                                            : Data::Single::rough;
-  if (d.single_is == Data::Single::rough) std::copy_n(exact.data(), size, x);
+                                                                            : Data::Single::bad;
+  if (d.single_is == Data::Single::bad) std::copy_n(exact.data(), size, x);
 }
 
 void Cholesky::copy_to_single() {

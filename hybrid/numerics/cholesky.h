@@ -14,6 +14,11 @@
 
 namespace vasorod {
 
+/// `exact`: in double precision. `rough`: for directions of search, in single precision, which
+/// takes about half the time, where precondition() found the last exact factor of this object good
+/// enough in single precision; where it did not or was not asked, exact.
+enum class Precision { exact, rough };
+
 /// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
 class Cholesky {
  public:
@@ -33,11 +38,14 @@ class Cholesky {
   void analyse(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
 
   /// Factorises a matrix with the analysed pattern. Returns false when the matrix is not positive
-  /// definite; solve() must not be called then. `stop` is asked on the way; where it says so,
-  /// Interruption is thrown, and there is no factor.
-  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {});
+  /// definite; solve() must not be called then. That a rough factorisation ends so is verified by
+  /// an exact one the first time; where that succeeds, no other is rough. `stop` is asked on the
+  /// way; where it says so, Interruption is thrown, and there is no factor.
+  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {},
+                 Precision precision = Precision::exact);
 
-  /// x = A^-1 b for `columns` right-hand sides, stored column-major.
+  /// x = A^-1 b for `columns` right-hand sides, stored column-major; with the digits of a rough
+  /// factor where the last one is.
   void solve(const double* b, double* x, int columns);
 
   /// The same for use as a preconditioner: in single precision, which halves the data it reads,

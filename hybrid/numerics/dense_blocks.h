@@ -8,8 +8,11 @@
 
 extern "C" {
 void dpotrf_(const char*, const int*, double*, const int*, int*);
+void spotrf_(const char*, const int*, float*, const int*, int*);
 void dsyrk_(const char*, const char*, const int*, const int*, const double*, const double*,
             const int*, const double*, double*, const int*);
+void ssyrk_(const char*, const char*, const int*, const int*, const float*, const float*,
+            const int*, const float*, float*, const int*);
 void dtrsm_(const char*, const char*, const char*, const char*, const int*, const int*,
             const double*, const double*, const int*, double*, const int*);
 void strsm_(const char*, const char*, const char*, const char*, const int*, const int*,
@@ -31,35 +34,6 @@ void sgemv_(const char*, const int*, const int*, const float*, const float*, con
 
 namespace vasorod::dense {
 
-/// A = L L^T of the lower triangle, in place; false where A is not positive definite. OpenBLAS goes
-/// on with what is not a number; it reaches the last pivot.
-inline bool cholesky(int size, double* a, int stride) {
-  int info = 0;
-  dpotrf_("L", &size, a, &stride, &info);
-  const auto last = static_cast<std::ptrdiff_t>(size - 1);
-  return info == 0 && a[last * stride + last] > 0;
-}
-
-/// B = B L^-T for `rows` rows.
-inline void divide_rows(int rows, int columns, const double* l, int stride, double* b) {
-  const double one = 1;
-  dtrsm_("R", "L", "T", "N", &rows, &columns, &one, l, &stride, b, &stride);
-}
-
-/// The lower triangle of C = -A A^T.
-inline void minus_square(int size, int columns, const double* a, int stride, double* c,
-                         int stride_c) {
-  const double minus = -1, zero = 0;
-  dsyrk_("L", "N", &size, &columns, &minus, a, &stride, &zero, c, &stride_c);
-}
-
-/// C = -A B^T.
-inline void minus_product(int rows_a, int rows_b, int columns, const double* a, const double* b,
-                          int stride, double* c, int stride_c) {
-  const double minus = -1, zero = 0;
-  dgemm_("N", "T", &rows_a, &rows_b, &columns, &minus, a, &stride, b, &stride, &zero, c, &stride_c);
-}
-
 /// The one of two functions that takes such numbers.
 template <class Scalar, class Double, class Single>
 constexpr auto of(Double* in_double, Single* in_single) {
@@ -67,6 +41,39 @@ constexpr auto of(Double* in_double, Single* in_single) {
     return in_double;
   else
     return in_single;
+}
+
+/// A = L L^T of the lower triangle, in place; false where A is not positive definite. OpenBLAS goes
+/// on with what is not a number; it reaches the last pivot.
+template <class Scalar>
+bool cholesky(int size, Scalar* a, int stride) {
+  int info = 0;
+  of<Scalar>(dpotrf_, spotrf_)("L", &size, a, &stride, &info);
+  const auto last = static_cast<std::ptrdiff_t>(size - 1);
+  return info == 0 && a[last * stride + last] > 0;
+}
+
+/// B = B L^-T for `rows` rows.
+template <class Scalar>
+void divide_rows(int rows, int columns, const Scalar* l, int stride, Scalar* b) {
+  const Scalar one = 1;
+  of<Scalar>(dtrsm_, strsm_)("R", "L", "T", "N", &rows, &columns, &one, l, &stride, b, &stride);
+}
+
+/// The lower triangle of C = -A A^T.
+template <class Scalar>
+void minus_square(int size, int columns, const Scalar* a, int stride, Scalar* c, int stride_c) {
+  const Scalar minus = -1, zero = 0;
+  of<Scalar>(dsyrk_, ssyrk_)("L", "N", &size, &columns, &minus, a, &stride, &zero, c, &stride_c);
+}
+
+/// C = -A B^T.
+template <class Scalar>
+void minus_product(int rows_a, int rows_b, int columns, const Scalar* a, const Scalar* b,
+                   int stride, Scalar* c, int stride_c) {
+  const Scalar minus = -1, zero = 0;
+  of<Scalar>(dgemm_, sgemm_)("N", "T", &rows_a, &rows_b, &columns, &minus, a, &stride, b, &stride,
+                             &zero, c, &stride_c);
 }
 
 /// X = L^-1 X, or L^-T X, for `count` right-hand sides.

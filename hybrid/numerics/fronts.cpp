@@ -27,45 +27,48 @@ void for_panels(int threads, int size, Task task) {
 }  // namespace
 
 // What the children changed in the supernode's own columns.
-void Fronts::add_own(int k, double* columns) const {
+template <class Scalar>
+void Fronts<Scalar>::add_own(int k, Scalar* columns) const {
   const Supernode node = nodes_[k];
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
-    const double* from = changes_[index(c)].get();
+    const Scalar* from = changes_[index(c)].get();
     for (int j = 0; j < child.of_parent; ++j, from += child.below) {
-      double* to = columns + std::ptrdiff_t{child.place[j]} * node.rows;
+      Scalar* to = columns + std::ptrdiff_t{child.place[j]} * node.rows;
       for (int i = j; i < child.below; ++i) to[child.place[i]] += from[i];
     }
   });
 }
 
 // What they changed in the columns after them.
-void Fronts::add_below(int k, double* change) {
+template <class Scalar>
+void Fronts<Scalar>::add_below(int k, Scalar* change) {
   const Supernode node = nodes_[k];
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
-    const double* from = changes_[index(c)].get() + std::ptrdiff_t{child.of_parent} * child.below;
+    const Scalar* from = changes_[index(c)].get() + std::ptrdiff_t{child.of_parent} * child.below;
     for (int j = child.of_parent; j < child.below; ++j, from += child.below) {
-      double* to = change + std::ptrdiff_t{child.place[j] - node.columns} * node.below;
+      Scalar* to = change + std::ptrdiff_t{child.place[j] - node.columns} * node.below;
       for (int i = j; i < child.below; ++i) to[child.place[i] - node.columns] += from[i];
     }
     changes_[index(c)].reset();
   });
 }
 
-bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Places& places,
-                       int threads) {
+template <class Scalar>
+bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* factor, Places& places,
+                               int threads) {
   const Supernode node = nodes_[k];
-  double* columns = factor + node.entry;
+  Scalar* columns = factor + node.entry;
   for (int i = 0; i < node.rows; ++i) places[index(node.row[i])] = i;
   const auto* begin = static_cast<const int*>(matrix.p);
   const auto* row = static_cast<const int*>(matrix.i);
   const auto* entry = static_cast<const double*>(matrix.x);
   for (int j = 0; j < node.columns; ++j) {
-    double* to = columns + std::ptrdiff_t{j} * node.rows;
-    std::fill(to + j, to + node.rows, 0.0);
+    Scalar* to = columns + std::ptrdiff_t{j} * node.rows;
+    std::fill(to + j, to + node.rows, Scalar{0});
     for (int p = begin[node.start + j]; p < begin[node.start + j + 1]; ++p)
-      to[places[index(row[p])]] = entry[p];
+      to[places[index(row[p])]] = static_cast<Scalar>(entry[p]);
   }
   add_own(k, columns);
   if (!dense::cholesky(node.columns, columns, node.rows)) return false;
@@ -73,14 +76,14 @@ bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Plac
     nodes_.for_children(k, [&](int c) { changes_[index(c)].reset(); });
     return true;
   }
-  double* below = columns + node.columns;
+  Scalar* below = columns + node.columns;
   for_panels(threads, node.below, [&](int first, int size) {
     dense::divide_rows(size, node.columns, columns, node.rows, below + first);
   });
-  changes_[index(k)].reset(new double[index(node.below) * index(node.below)]);
-  double* change = changes_[index(k)].get();
+  changes_[index(k)].reset(new Scalar[index(node.below) * index(node.below)]);
+  Scalar* change = changes_[index(k)].get();
   for_panels(threads, node.below, [&](int first, int size) {
-    double* to = change + std::ptrdiff_t{first} * node.below + first;
+    Scalar* to = change + std::ptrdiff_t{first} * node.below + first;
     dense::minus_square(size, node.columns, below + first, node.rows, to, node.below);
     if (const int rest = node.below - first - size; rest > 0)
       dense::minus_product(rest, size, node.columns, below + first + size, below + first, node.rows,
@@ -90,8 +93,9 @@ bool Fronts::eliminate(int k, const cholmod_sparse& matrix, double* factor, Plac
   return true;
 }
 
-bool Fronts::factorise(const cholmod_sparse& matrix, double* factor, int threads,
-                       const StopInside& stop) {
+template <class Scalar>
+bool Fronts<Scalar>::factorise(const cholmod_sparse& matrix, Scalar* factor, int threads,
+                               const StopInside& stop) {
   std::vector<Places> places(index(threads), Places(index(nodes_.unknowns())));
   std::atomic<bool> good = true, stopped = false;
   const std::thread::id caller = std::this_thread::get_id();
@@ -110,9 +114,12 @@ bool Fronts::factorise(const cholmod_sparse& matrix, double* factor, int threads
     if (!eliminate(k, matrix, factor, places[index(thread)], share)) good = false;
   });
   if (!good || stopped)
-    for (std::unique_ptr<double[]>& change : changes_) change.reset();
+    for (std::unique_ptr<Scalar[]>& change : changes_) change.reset();
   if (stopped) throw Interruption{};
   return good;
 }
+
+template class Fronts<double>;
+template class Fronts<float>;
 
 }  // namespace vasorod

@@ -16,7 +16,9 @@ struct cholmod_sparse_struct;
 
 namespace vasorod {
 
-/// Factorises matrices of one pattern. It does not move: it keeps a reference to `nodes`.
+/// Factorises matrices of one pattern, in double or single precision. It does not move: it keeps a
+/// reference to `nodes`.
+template <class Scalar>
 class Fronts {
  public:
   explicit Fronts(const Supernodes& nodes) : nodes_(nodes), changes_(index(nodes.size())) {}
@@ -26,22 +28,25 @@ class Fronts {
   /// then. The numbers do not depend on `threads`. `stop` is asked between fronts, from the calling
   /// thread, each time they took some million operations. Throws Interruption where it says so,
   /// and std::bad_alloc.
-  bool factorise(const cholmod_sparse_struct& matrix, double* factor, int threads,
+  bool factorise(const cholmod_sparse_struct& matrix, Scalar* factor, int threads,
                  const StopInside& stop = {});
 
  private:
   // Of one thread, per row of the matrix: its place in the front at hand.
   using Places = std::vector<int>;
 
-  bool eliminate(int k, const cholmod_sparse_struct& matrix, double* factor, Places& places,
+  bool eliminate(int k, const cholmod_sparse_struct& matrix, Scalar* factor, Places& places,
                  int threads);
-  void add_own(int k, double* columns) const;
-  void add_below(int k, double* change);
+  void add_own(int k, Scalar* columns) const;
+  void add_below(int k, Scalar* change);
 
   const Supernodes& nodes_;
   // Per supernode, from its elimination to that of its parent: what it changes in later columns,
   // the lower triangle of a square, column-major.
-  std::vector<std::unique_ptr<double[]>> changes_;
+  std::vector<std::unique_ptr<Scalar[]>> changes_;
 };
+
+extern template class Fronts<double>;
+extern template class Fronts<float>;
 
 }  // namespace vasorod

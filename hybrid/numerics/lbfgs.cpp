@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "data/index.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -149,20 +150,25 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   Pairs pairs(x.size(), options.memory);
   double energy = evaluate(x, gradient, summary.residual);
   summary.evaluations = 1;
-  std::vector<double> residuals{summary.residual};
+  std::vector<double> residuals{summary.residual}, energies{energy};
   const auto finish = [&](LbfgsStatus status) {
     summary.status = status;
     summary.energy = energy;
     return summary;
+  };
+  const auto gains_little = [&] {
+    const size_t before = residuals.size() - 1 - index(options.patience);
+    if (summary.residual <= 0.1 * residuals[before]) return false;
+    return options.worth <= 0 ||
+           (energies[before] - energy) / options.patience <
+               (energies.front() - energy) / (summary.iterations + options.worth);
   };
   while (true) {
     if (summary.residual <= options.tolerance) return finish(LbfgsStatus::converged);
     if (summary.iterations >= options.max_iterations) return finish(LbfgsStatus::iteration_limit);
     if (options.stop && options.stop(summary.iterations, energy, summary.residual))
       return finish(LbfgsStatus::interrupted);
-    if (options.patience > 0 && summary.iterations >= options.patience &&
-        summary.residual >
-            0.1 * residuals[residuals.size() - 1 - static_cast<size_t>(options.patience)])
+    if (options.patience > 0 && summary.iterations >= options.patience && gains_little())
       return finish(LbfgsStatus::slow);
 
     pairs.descend(precondition, gradient, work, direction);
@@ -227,6 +233,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
     energy = new_energy;
     summary.residual = new_residual;
     residuals.push_back(new_residual);
+    energies.push_back(energy);
     ++summary.iterations;
   }
 }

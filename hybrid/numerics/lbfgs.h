@@ -24,6 +24,11 @@ struct LbfgsOptions {
   /// Stop as `slow` when the residual has not fallen tenfold within this number of iterations. 0:
   /// never.
   int patience = 0;
+  /// What a better preconditioner would cost, in iterations. It is not worth that much as long as
+  /// the last `patience` iterations lowered the energy by as much each as all of them and `worth`
+  /// more did on average: then the iteration goes on though its residual does not fall. 0: it
+  /// stops.
+  double worth = 0;
   /// Bound on the change of any unknown in one iteration; 0: no bound. A bound keeps the iteration
   /// near the closest minimum.
   double largest_step = 0;

@@ -127,7 +127,8 @@ TEST_F(CoupledStartTest, ACrumpledOneEndsSoonWithASentence) {
   EXPECT_EQ(solution.status, Status::iteration_limit) << to_string(solution.status);
   ASSERT_FALSE(solution.notes.empty());
   EXPECT_EQ(solution.notes.front(), "no minimum was found near the given start");
-  EXPECT_LE(solution.surface.work.counts.factorisations, 16);
+  // One at rest, fifteen of shifted Hessians, and the exact one that verifies a rough failure.
+  EXPECT_LE(solution.surface.work.counts.factorisations, 17);
 }
 
 }  // namespace

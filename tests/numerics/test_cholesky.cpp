@@ -138,6 +138,74 @@ TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
   EXPECT_EQ(second, exact);
 }
 
+TEST(Cholesky, IsRoughOnlyWhereSinglePrecisionWasFoundGoodEnough) {
+  const Matrix a = random_positive(400, 1, 0), b = random_positive(400, 1, 1);
+  const Eigen::VectorXd rhs = random_points(400, 2).col(0);
+  Work work;
+  Cholesky cholesky(&work);
+  cholesky.analyse(a);
+  const auto solution = [&](const Matrix& m, Precision precision) {
+    EXPECT_TRUE(cholesky.factorise(m, {}, precision));
+    Eigen::VectorXd x(400);
+    cholesky.solve(rhs.data(), x.data(), 1);
+    return x;
+  };
+  const Eigen::VectorXd exact = solution(b, Precision::exact);
+  EXPECT_EQ(solution(b, Precision::rough), exact) << "nothing is known yet";
+  Eigen::VectorXd x(400);
+  cholesky.precondition(rhs.data(), x.data(), 1);
+  const Eigen::VectorXd rough = solution(b, Precision::rough);
+  EXPECT_NE(rough, exact);
+  EXPECT_TRUE(rough.isApprox(exact, 1e-5));
+  cholesky.precondition(rhs.data(), x.data(), 1);
+  EXPECT_EQ(x, rough);
+  EXPECT_EQ(work.counts.factorisations, 3);
+  EXPECT_EQ(solution(b, Precision::exact), exact);
+  EXPECT_EQ(solution(b, Precision::rough), exact) << "of the last exact factor nothing is known";
+}
+
+// Single precision cannot tell 1 from 1 + 1e-9, so that the second pivot is none.
+TEST(Cholesky, ARoughFailureIsVerifiedOnce) {
+  const auto matrix = [](double last) {
+    Matrix m(2, 2);
+    m.insert(0, 0) = m.insert(1, 0) = m.insert(0, 1) = 1;
+    m.insert(1, 1) = last;
+    m.makeCompressed();
+    return m;
+  };
+  const Matrix good = matrix(2), hardly = matrix(1 + 1e-9), bad = matrix(0.5);
+  const Eigen::Vector2d rhs(1, 2);
+  Eigen::Vector2d x;
+  const auto learned = [&](Work& work) {
+    Cholesky cholesky(&work);
+    cholesky.analyse(good);
+    EXPECT_TRUE(cholesky.factorise(good));
+    cholesky.precondition(rhs.data(), x.data(), 1);
+    return cholesky;
+  };
+  Work work;
+  Cholesky cholesky = learned(work);
+  EXPECT_FALSE(cholesky.factorise(bad, {}, Precision::rough));
+  EXPECT_EQ(work.counts.factorisations, 3) << "and by an exact one";
+  EXPECT_FALSE(cholesky.factorise(bad, {}, Precision::rough));
+  EXPECT_EQ(work.counts.factorisations, 4);
+  EXPECT_TRUE(cholesky.factorise(good, {}, Precision::rough));
+  cholesky.solve(rhs.data(), x.data(), 1);
+  EXPECT_TRUE(x.isApprox(Eigen::Vector2d(0, 1), 1e-6));
+
+  Work other;
+  cholesky = learned(other);
+  EXPECT_TRUE(cholesky.factorise(hardly, {}, Precision::rough));
+  cholesky.solve(rhs.data(), x.data(), 1);
+  EXPECT_TRUE(x.isApprox(Eigen::Vector2d(1 - 1e9, 1e9), 1e-6)) << x.transpose();
+  cholesky.precondition(rhs.data(), x.data(), 1);
+  EXPECT_EQ(other.counts.factorisations, 3);
+  EXPECT_TRUE(cholesky.factorise(good));
+  cholesky.precondition(rhs.data(), x.data(), 1);
+  EXPECT_TRUE(cholesky.factorise(hardly, {}, Precision::rough));
+  EXPECT_EQ(other.counts.factorisations, 5) << "no other is rough";
+}
+
 TEST(Cholesky, OrdersByBlocksOfThree) {
   const Matrix graph = random_positive(20, 3, 6);
   std::vector<Eigen::Triplet<double>> entries;

@@ -111,6 +111,44 @@ TEST(Lbfgs, BySlopesItGoesOnWhereEnergiesHaveNoDigitsLeft) {
   EXPECT_LT(x.norm(), 1e-9);
 }
 
+// On a slope that is as steep everywhere the residual never falls, but each step gains as much as
+// the one before; and where steps become shorter, the rest gains less than a new preconditioner.
+TEST(Lbfgs, GoesOnWhereEachIterationStillGains) {
+  const auto slope = [](const VectorXd& at, VectorXd& g, double& residual) {
+    const double height = std::sqrt(1 + at.squaredNorm());
+    g = at / height;
+    residual = g.norm();
+    return height;
+  };
+  LbfgsOptions options;
+  options.largest_step = 1;
+  options.patience = 5;
+  VectorXd x = VectorXd::Constant(1, 40);
+  LbfgsSummary summary = lbfgs(slope, identity, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::slow);
+  EXPECT_EQ(summary.iterations, options.patience);
+  options.worth = 10;
+  x[0] = 40;
+  summary = lbfgs(slope, identity, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::converged);
+  EXPECT_GT(summary.iterations, 40);
+
+  // The energy falls by half of what is left of it, the residual stays.
+  int shorter = 0;
+  const auto halved = [&](const VectorXd& at, VectorXd& g, double& residual) {
+    g = VectorXd::Ones(1);
+    residual = 1;
+    return at[0] > 0 ? std::log2(at[0]) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const Preconditioner half_way = [&](const VectorXd&, VectorXd& d) {
+    d = VectorXd::Constant(1, std::ldexp(1.0, -++shorter));
+  };
+  x[0] = 2;
+  summary = lbfgs(halved, half_way, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::slow);
+  EXPECT_LT(summary.iterations, 3 * options.patience);
+}
+
 TEST(Lbfgs, NamesEveryOtherEnd) {
   LbfgsOptions options;
   options.max_iterations = 3;

@@ -12,7 +12,7 @@ using namespace testing;
 
 struct Factored : AnalysedGrid {
   explicit Factored(int side) : AnalysedGrid(side), values(nodes.entries()) {
-    Fronts(nodes).factorise(analysis.in_order(matrix), values.data(), 1);
+    Fronts<double>(nodes).factorise(analysis.in_order(matrix), values.data(), 1);
     single.assign(values.begin(), values.end());
   }
   std::vector<double> values;

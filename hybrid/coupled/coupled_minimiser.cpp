@@ -87,11 +87,18 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
   turns_ = std::move(turns);
 }
 
+void CoupledMinimiser::find_order() {
+  if (!order_.empty()) return;
+  const Matrix joined = rest_ + system_.meeting_hessian(VectorXd::Zero(system_.unknowns()));
+  order_ = elimination_order(joined, system_.groups(), Ordering::nested_dissection, &work_);
+}
+
 // The pattern changes with the contacts that press: fewer need no new analysis. An elimination
 // order is reused until its fill becomes too large.
 void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Breaks& breaks) {
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
+    if (order_nonzeros_ == 0) order_nonzeros_ = factor.factor_nonzeros();
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
   breaks.before("ordering");

@@ -77,6 +77,9 @@ class CoupledMinimiser {
   /// `system` must outlive this, and so must `work`, to which what this does is added.
   CoupledMinimiser(CoupledSystem& system, Work& work);
 
+  /// Finds the order of elimination now, for the walls and their seams without contacts. Otherwise
+  /// it is found when the first matrix is factorised.
+  void find_order();
   /// Sets the rotations D applied to K0 from now on.
   void set_turns(GroupTurns turns);
   /// To be called when the material of a wall changed: evaluates K0 again. The old factor remains

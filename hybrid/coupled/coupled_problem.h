@@ -139,6 +139,12 @@ class CoupledSolver {
 
   CoupledSolution solve();
 
+  /// Builds now what solve() needs first, and finds the order of elimination. Before the start is
+  /// known, that is of the bodies that the given ones press on where their rods carry them.
+  void prepare();
+  /// Replaces CoupledProblem::start.
+  void set_start(CoupledStart start);
+
   /// Replaces the motions and loads of the body's sections.
   void set_sections(int body, const std::vector<HeldSection>& sections);
   /// Replaces CoupledProblem::carried.

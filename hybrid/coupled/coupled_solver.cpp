@@ -76,11 +76,18 @@ class CoupledSolver::Data {
 
   CoupledStack& stack() { return stack_; }
 
+  void prepare() {
+    if (!stack_.problem.start) stack_.expect_touched();
+    if (!stack_.system) stack_.build();
+    stack_.minimiser->find_order();
+    prepared_ += std::exchange(stack_.work, {});
+  }
+
   CoupledSolution solve() {
     stop_.emplace(stack_.options);
     keep_next_ = 0;
     solution_ = {};
-    stack_.work = {};
+    stack_.work = std::exchange(prepared_, {});
     stack_.begin_stage();
     stiffening_ = false;
     const Easing easing{stack_};
@@ -475,6 +482,7 @@ class CoupledSolver::Data {
   bool left_saddle_ = false;
   bool stiffening_ = false;
   CoupledSolution solution_;
+  Work prepared_;  // before solve()
 };
 
 CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& options)
@@ -482,6 +490,12 @@ CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& optio
 CoupledSolver::~CoupledSolver() = default;
 CoupledSolution CoupledSolver::solve() {
   return data_->solve();
+}
+void CoupledSolver::prepare() {
+  data_->prepare();
+}
+void CoupledSolver::set_start(CoupledStart start) {
+  data_->stack().set_start(std::move(start));
 }
 void CoupledSolver::set_sections(int body, const std::vector<HeldSection>& sections) {
   data_->stack().set_sections(body, sections);

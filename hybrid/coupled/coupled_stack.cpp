@@ -59,16 +59,34 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   for (const SeamPair& seam : problem.surfaces.seams)
     for (const int b : {seam.body_a, seam.body_b})
       scaled.bodies[index(b)].modelled = !scaled.bodies[index(b)].obstacle;
-  if (problem.start) {
-    for (size_t b = 0; b < scaled.bodies.size(); ++b)
-      scaled.bodies[b].modelled |= problem.start->bodies[b].points.rows() > 0;
-    std::vector<Eigen::VectorXd> pressure = problem.start->pressure;
-    for (Eigen::VectorXd& mine : pressure) mine /= scaled.pressure();
-    contacts->expect(std::move(pressure));
-  }
+  for (const ScaledBody& body : scaled.bodies) moved_.push_back(body.modelled);
+  if (problem.start) take_start();
   seam_multipliers_.assign(problem.surfaces.seams.size(), Vec3::Zero());
   seam_radius = mouth_radius(problem.surfaces.seams, scaled);
   check_free_motions(problem, scaled);
+}
+
+void CoupledStack::take_start() {
+  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
+    const bool takes_part = moved_[b] || problem.start->bodies[b].points.rows() > 0;
+    if (std::exchange(scaled.bodies[b].modelled, takes_part) != takes_part) system.reset();
+  }
+  std::vector<Eigen::VectorXd> pressure = problem.start->pressure;
+  for (Eigen::VectorXd& mine : pressure) mine /= scaled.pressure();
+  contacts->expect(std::move(pressure));
+}
+
+void CoupledStack::set_start(CoupledStart start) {
+  problem.start = std::move(start);
+  take_start();
+  check_free_motions(problem, scaled);
+}
+
+void CoupledStack::expect_touched() {
+  ScaledBodies carried = scaled;
+  for (ScaledBody& body : carried.bodies) body.now = body.carried;
+  BodyContacts found(problem.surfaces, carried, options.contact_stiffness);
+  for (const int b : found.refresh(carried).touched) scaled.bodies[index(b)].modelled = true;
 }
 
 void CoupledStack::guard_walls() {

@@ -21,6 +21,12 @@ class CoupledStack {
   CoupledStack(const CoupledStack&) = delete;  // the contacts refer to the problem
   CoupledStack& operator=(const CoupledStack&) = delete;
 
+  /// Sets CoupledProblem::start.
+  void set_start(CoupledStart start);
+  /// Models the bodies on which others press at the end of the path where their rods carry them,
+  /// until a start says which were touched.
+  void expect_touched();
+
   /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
 
@@ -101,6 +107,7 @@ class CoupledStack {
   Eigen::VectorXd z;
 
  private:
+  void take_start();
   void place_seams();
   void unstack(const Eigen::VectorXd& at);
   HeldSection scale(const HeldSection& section) const;
@@ -112,6 +119,7 @@ class CoupledStack {
   WallLumen lumen_of(size_t body) const;
   void guard_walls();
 
+  std::vector<char> moved_;  // per body: modelled whatever is touched
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
   std::vector<Vec3> seam_multipliers_, seam_offsets_;

@@ -18,6 +18,16 @@ int threads() {
   return chosen;
 }
 
+std::future<void> in_background(std::function<void()> task) {
+  if (threads() == 1) return {};
+  require_blas_buffers(threads() + 1);
+  try {
+    return std::async(std::launch::async, std::move(task));
+  } catch (const std::system_error&) {
+    return {};
+  }
+}
+
 int processors() {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }

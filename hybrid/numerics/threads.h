@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <future>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -18,6 +20,12 @@ int threads();
 
 /// The processors of this machine, 1 to 64.
 int processors();
+
+/// Begins `task` on a thread beside those of the calling one, where these are more than one; get()
+/// waits for its end and rethrows what it threw; the future's destructor waits as well. Where there
+/// is one thread only, or the system gives no other, nothing is begun and the future is not
+/// valid(). Throws std::bad_alloc as set_threads() does.
+std::future<void> in_background(std::function<void()> task);
 
 /// Calls `task` with 0 ... `count` - 1, on up to `threads` threads, of which the calling one is
 /// one. After all threads have ended, rethrows the exception that the first task in order threw.

@@ -1,6 +1,8 @@
 // Walls that start where coarser ones are said to have gone.
 #include <gtest/gtest.h>
 
+#include <vasorod/error.h>
+
 #include "coupled/coupled_contacts.h"
 #include "numerics/blas.h"
 
@@ -129,6 +131,35 @@ TEST_F(CoupledStartTest, ACrumpledOneEndsSoonWithASentence) {
   EXPECT_EQ(solution.notes.front(), "no minimum was found near the given start");
   // One at rest, fifteen of shifted Hessians, and the exact one that verifies a rough failure.
   EXPECT_LE(solution.surface.work.counts.factorisations, 17);
+}
+
+// The second tube is expected to be touched, which the start may say or not.
+TEST_F(CoupledStartTest, WhatIsBuiltBeforeTheStartIsKnownChangesNoNumber) {
+  CoupledStart right = start_at(reference_), wrong = right;
+  roughen(0.01, right);
+  wrong.bodies[1] = {};
+  for (Eigen::VectorXd& pressure : wrong.pressure) pressure.resize(0);
+  for (const CoupledStart& start : {right, wrong}) {
+    CoupledSolver early(crossed()), late(crossed());
+    early.prepare();
+    for (CoupledSolver* solver : {&early, &late}) {
+      solver->set_start(start);
+      solver->prepare();
+    }
+    const CoupledSolution a = early.solve(), b = late.solve();
+    EXPECT_EQ(a.status, Status::converged) << to_string(a.status);
+    EXPECT_LT(away(a), 1e-4);
+    for (size_t body = 0; body < 2; ++body)
+      EXPECT_EQ(a.surface.bodies[body].positions, b.surface.bodies[body].positions);
+    EXPECT_EQ(a.surface.work.counts.factorisations, b.surface.work.counts.factorisations);
+  }
+}
+
+TEST_F(CoupledStartTest, AStartOfAWallThatNothingHoldsIsRefused) {
+  CoupledProblem problem = crossed();
+  problem.vessels[1]->sections.clear();
+  CoupledSolver solver(std::move(problem));
+  EXPECT_THROW(solver.set_start(start_at(reference_)), InputError);
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(Threads, TheFirstFailureInOrderIsThrown) {
   }
 }
 
+TEST(Threads, ATaskInTheBackgroundRunsBesideAndItsFailureIsThrownByGet) {
+  EXPECT_FALSE(in_background([] { FAIL() << "there is one thread only"; }).valid());
+  set_threads(2);
+  std::atomic<bool> waiting = true;
+  std::future<void> task = in_background([&] {
+    EXPECT_EQ(threads(), 1);
+    while (waiting) std::this_thread::yield();
+  });
+  ASSERT_TRUE(task.valid());
+  waiting = false;
+  task.get();
+  EXPECT_THROW(in_background([] { throw std::runtime_error("no"); }).get(), std::runtime_error);
+  set_threads(1);
+}
+
 TEST(Threads, AreThoseOfTheThreadThatAsks) {
   EXPECT_EQ(threads(), 1);
   set_threads(3);

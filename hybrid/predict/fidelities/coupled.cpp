@@ -5,6 +5,7 @@
 #include "coupled/coupled_problem.h"
 #include "data/index.h"
 #include "geometry/triangle_surface.h"
+#include "numerics/threads.h"
 #include "paper/joined_skin.h"
 #include "predict/carried_bodies.h"
 #include "predict/coarse_start.h"
@@ -174,20 +175,34 @@ class Attempt {
   std::optional<CoupledSolution> from_coarse() {
     std::optional<Prediction> coarse = coarse_prediction(prediction_, options_);
     if (!coarse) return std::nullopt;
+    std::unique_ptr<CoupledSolver> fine;
+    const auto prepare = [&] {
+      CoupledProblem problem = problem_of(prediction_, sections_);
+      start_closed(prediction_, sections_, problem);
+      fine = std::make_unique<CoupledSolver>(std::move(problem), coupled_);
+    };
+    // With a second thread the fine walls are built while the coarse ones are solved.
+    std::future<void> ready = in_background([&] {
+      prepare();
+      fine->prepare();
+    });
     const CoupledSolution found = Attempt(*coarse, options_, true).closed();
+    if (ready.valid()) ready.get();
     prediction_.work += found.surface.work;
     if (!is_minimum(found.status)) return std::nullopt;
-    CoupledSolution solution = closed({}, start_from_coarse(*coarse, found, prediction_));
+    if (!fine) prepare();
+    fine->set_start(start_from_coarse(*coarse, found, prediction_));
+    fine->prepare();
+    CoupledSolution solution = fine->solve();
     if (is_minimum(solution.status) || solution.status == Status::interrupted) return solution;
     prediction_.work += solution.surface.work;
     return std::nullopt;
   }
 
-  // From a closed seam, or from `start`; with at most so many updates.
-  CoupledSolution closed(std::optional<int> updates = {}, std::optional<CoupledStart> start = {}) {
+  // From a closed seam; with at most so many updates.
+  CoupledSolution closed(std::optional<int> updates = {}) {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem);
-    problem.start = std::move(start);
     CoupledOptions coupled = coupled_;
     if (updates) {
       coupled.max_outer = *updates;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/within_pattern.h"
 
@@ -89,16 +90,23 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
 
 void CoupledMinimiser::find_order() {
   if (!order_.empty()) return;
-  const Matrix joined = rest_ + system_.meeting_hessian(VectorXd::Zero(system_.unknowns()));
-  order_ = elimination_order(joined, system_.groups(), Ordering::nested_dissection, &work_);
+  std::vector<ContactPoint> contacts = std::exchange(system_.contacts, {});
+  analysed_ = rest_ + system_.meeting_hessian(VectorXd::Zero(system_.unknowns()));
+  system_.contacts = std::move(contacts);
+  order_ = elimination_order(analysed_, system_.groups(), Ordering::nested_dissection, &work_);
+  factor_.analyse(analysed_, order_);
+  order_nonzeros_ = factor_.factor_nonzeros();
 }
 
 // The pattern changes with the contacts that press: fewer need no new analysis. An elimination
 // order is reused until its fill becomes too large.
 void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Breaks& breaks) {
+  if (order_.empty() && without_contacts_) {
+    breaks.before("ordering");
+    find_order();
+  }
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
-    if (order_nonzeros_ == 0) order_nonzeros_ = factor.factor_nonzeros();
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
   breaks.before("ordering");
@@ -310,8 +318,8 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   double shift = 0, factored_at = 1;
   int stalls = 0, indefinite = 0, shifted = 0;
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
-  // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, it is
-  // cheaper to go on with it than to factorise another.
+  // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, or they
+  // gain much of the energy, it is cheaper to go on with it than to factorise another.
   const auto go_on_with_it = [&](bool convex) {
     const int most = options.max_iterations - summary.iterations;
     inner.max_iterations = std::min(convex ? most_per_hessian : options.per_hessian, most);
@@ -327,7 +335,10 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     const bool closing = options.follow && options.follow(z);
     counted(z, gradient, factored_at);
     // Far from the minimum a factor is no certificate, only a preconditioner.
-    const bool exact = stalls > 0 || factored_at <= near_enough;
+    const bool exact = !options.rough_factors || stalls > 0 || factored_at <= near_enough;
+    const bool at_rest =
+        factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
+    if (at_rest) shift = 0;  // the verdict is on the Hessian itself
     const int so_far = summary.factorisations;
     const int most =
         so_far + std::min(options.max_factorisations - so_far, options.max_shifted - shifted);
@@ -342,8 +353,6 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     if (closing && !(inner.largest_step > 0 && inner.largest_step < options.closing_step))
       inner.largest_step = options.closing_step;
-    const bool at_rest =
-        factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest && !fresh) {
       const Saddle saddle = leave_saddle(z);
       if (saddle != Saddle::left) {

@@ -8,7 +8,7 @@
 //
 // Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
 // convergence slows down: Newton's method with as few factorisations as possible. Far from the
-// minimum they are in single precision, where that suffices; the one that certifies it is not.
+// minimum they may be in single precision, where that suffices; the one that certifies it is not.
 // Cholesky decides definiteness; where it fails, the Hessian is shifted by mu D K0 D^T. The energy
 // rises by no more than lbfgs() lets it.
 #pragma once
@@ -48,6 +48,9 @@ struct CoupledMinimiserOptions {
   /// convex: for a start that is rough, where the true Hessian is not.
   bool convex_first = false;
   bool reuse_hessian = false;  ///< begin with the last factorised true Hessian
+  /// Far from the minimum factors may be Precision::rough. Not on a branch that is to be followed:
+  /// one that fails although its Hessian is positive would be taken for the branch's end.
+  bool rough_factors = false;
   /// Determine the sign of the smallest curvature at the end, and leave saddles.
   bool certify = true;
   std::function<bool(int iteration, double energy, double residual)> stop;  ///< LbfgsOptions::stop
@@ -64,7 +67,7 @@ struct CoupledMinimiserOptions {
 /// Iterations of all stages.
 struct CoupledMinimiserSummary : StagedSummary {
   int rest_iterations = 0, factorisations = 0;
-  bool positive = false;      ///< the Hessian at the result is positive definite
+  bool positive = false;      ///< the Hessian at the result is found positive definite, exactly
   bool left_saddle = false;   ///< a saddle was found on the way and left
   bool unfactorised = false;  ///< ended because no shift made the Hessian positive definite
   /// Negative curvature is only rounding: there is a zero-energy direction.
@@ -77,8 +80,10 @@ class CoupledMinimiser {
   /// `system` must outlive this, and so must `work`, to which what this does is added.
   CoupledMinimiser(CoupledSystem& system, Work& work);
 
-  /// Finds the order of elimination now, for the walls and their seams without contacts. Otherwise
-  /// it is found when the first matrix is factorised.
+  /// Makes the first order of elimination that of the walls and their seams without contacts: it
+  /// can be found before these are known, now by find_order() or when the first matrix is
+  /// factorised.
+  void order_without_contacts() { without_contacts_ = true; }
   void find_order();
   /// Sets the rotations D applied to K0 from now on.
   void set_turns(GroupTurns turns);
@@ -127,6 +132,7 @@ class CoupledMinimiser {
   Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty if H needed no shift
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
+  bool without_contacts_ = false;
   std::vector<int> order_;                // elimination order
   double order_nonzeros_ = 0;             // entries of the factor for which order_ was found
   Eigen::SparseMatrix<double> analysed_;  // its pattern is the one analysed by factor_

@@ -139,10 +139,13 @@ class CoupledSolver {
 
   CoupledSolution solve();
 
-  /// Builds now what solve() needs first, and finds the order of elimination. Before the start is
-  /// known, that is of the bodies that the given ones press on where their rods carry them.
-  void prepare();
-  /// Replaces CoupledProblem::start.
+  /// Builds what solve() needs first and finds the order of elimination, before the start is known:
+  /// with the bodies on which others press where their rods carry them. `abandoned` is asked on the
+  /// way; where it says so, the rest is left to solve().
+  void prepare(const std::function<bool()>& abandoned);
+  /// Replaces CoupledProblem::start. What prepare() has built is built again by solve() where the
+  /// start touched other bodies; the result is the same. Throws InputError where nothing stops a
+  /// touched body, and must not solve then.
   void set_start(CoupledStart start);
 
   /// Replaces the motions and loads of the body's sections.

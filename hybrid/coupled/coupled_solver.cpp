@@ -76,18 +76,27 @@ class CoupledSolver::Data {
 
   CoupledStack& stack() { return stack_; }
 
-  void prepare() {
-    if (!stack_.problem.start) stack_.expect_touched();
+  void prepare(const std::function<bool()>& abandoned) {
+    stack_.work = {};
+    stack_.expect_touched();
+    if (abandoned()) return;
     if (!stack_.system) stack_.build();
-    stack_.minimiser->find_order();
-    prepared_ += std::exchange(stack_.work, {});
+    prepared_ = stack_.work.counts;
+    if (!abandoned()) stack_.minimiser->find_order();
+  }
+
+  void set_start(CoupledStart start) {
+    stack_.set_start(std::move(start));
+    if (!stack_.system) prepared_ = {};  // it was for nothing
   }
 
   CoupledSolution solve() {
     stop_.emplace(stack_.options);
     keep_next_ = 0;
     solution_ = {};
-    stack_.work = std::exchange(prepared_, {});
+    if (!stack_.problem.start) stack_.drop_expected();
+    stack_.work = {};
+    stack_.work.counts = std::exchange(prepared_, {});
     stack_.begin_stage();
     stiffening_ = false;
     const Easing easing{stack_};
@@ -303,6 +312,7 @@ class CoupledSolver::Data {
       return stop(iteration, residual);
     };
     inner.stop_inside = [this] { return (*stop_)(); };
+    inner.rough_factors = !stack_.problem.surfaces.seams.empty();
     inner.before = [this](const std::string& step, const VectorXd& z) { return before(step, z); };
     if (stiffening_) {
       inner.by_slopes = true;
@@ -482,7 +492,7 @@ class CoupledSolver::Data {
   bool left_saddle_ = false;
   bool stiffening_ = false;
   CoupledSolution solution_;
-  Work prepared_;  // before solve()
+  Counts prepared_;  // of prepare(), for the next solve()
 };
 
 CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& options)
@@ -491,11 +501,11 @@ CoupledSolver::~CoupledSolver() = default;
 CoupledSolution CoupledSolver::solve() {
   return data_->solve();
 }
-void CoupledSolver::prepare() {
-  data_->prepare();
+void CoupledSolver::prepare(const std::function<bool()>& abandoned) {
+  data_->prepare(abandoned);
 }
 void CoupledSolver::set_start(CoupledStart start) {
-  data_->stack().set_start(std::move(start));
+  data_->set_start(std::move(start));
 }
 void CoupledSolver::set_sections(int body, const std::vector<HeldSection>& sections) {
   data_->stack().set_sections(body, sections);

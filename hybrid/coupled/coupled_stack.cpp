@@ -66,11 +66,15 @@ CoupledStack::CoupledStack(CoupledProblem given, const CoupledOptions& chosen)
   check_free_motions(problem, scaled);
 }
 
+// The system is built again with others.
+void CoupledStack::take_part(size_t b, bool does) {
+  if (std::exchange(scaled.bodies[b].modelled, does) != does) system.reset();
+}
+
 void CoupledStack::take_start() {
-  for (size_t b = 0; b < scaled.bodies.size(); ++b) {
-    const bool takes_part = moved_[b] || problem.start->bodies[b].points.rows() > 0;
-    if (std::exchange(scaled.bodies[b].modelled, takes_part) != takes_part) system.reset();
-  }
+  expected_.clear();
+  for (size_t b = 0; b < scaled.bodies.size(); ++b)
+    take_part(b, moved_[b] || problem.start->bodies[b].points.rows() > 0);
   std::vector<Eigen::VectorXd> pressure = problem.start->pressure;
   for (Eigen::VectorXd& mine : pressure) mine /= scaled.pressure();
   contacts->expect(std::move(pressure));
@@ -78,6 +82,7 @@ void CoupledStack::take_start() {
 
 void CoupledStack::set_start(CoupledStart start) {
   problem.start = std::move(start);
+  starts_later_ = true;
   take_start();
   check_free_motions(problem, scaled);
 }
@@ -85,8 +90,16 @@ void CoupledStack::set_start(CoupledStart start) {
 void CoupledStack::expect_touched() {
   ScaledBodies carried = scaled;
   for (ScaledBody& body : carried.bodies) body.now = body.carried;
+  starts_later_ = true;
   BodyContacts found(problem.surfaces, carried, options.contact_stiffness);
-  for (const int b : found.refresh(carried).touched) scaled.bodies[index(b)].modelled = true;
+  for (const int b : found.refresh(carried).touched) {
+    expected_.push_back(b);
+    take_part(index(b), true);
+  }
+}
+
+void CoupledStack::drop_expected() {
+  for (const int b : std::exchange(expected_, {})) take_part(index(b), false);
 }
 
 void CoupledStack::guard_walls() {
@@ -235,6 +248,7 @@ void CoupledStack::build() {
   place_seams();
   stack_contacts();
   minimiser = std::make_unique<CoupledMinimiser>(*system, work);
+  if (starts_later_) minimiser->order_without_contacts();
   z.setZero(system->unknowns());
 }
 

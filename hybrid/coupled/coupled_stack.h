@@ -23,9 +23,10 @@ class CoupledStack {
 
   /// Sets CoupledProblem::start.
   void set_start(CoupledStart start);
-  /// Models the bodies on which others press at the end of the path where their rods carry them,
-  /// until a start says which were touched.
+  /// Models the bodies on which others press where their rods carry them at the end of the path.
   void expect_touched();
+  /// Models those no more; so does a start, which says which were touched.
+  void drop_expected();
 
   /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
@@ -108,6 +109,7 @@ class CoupledStack {
 
  private:
   void take_start();
+  void take_part(size_t body, bool does);
   void place_seams();
   void unstack(const Eigen::VectorXd& at);
   HeldSection scale(const HeldSection& section) const;
@@ -119,7 +121,9 @@ class CoupledStack {
   WallLumen lumen_of(size_t body) const;
   void guard_walls();
 
-  std::vector<char> moved_;  // per body: modelled whatever is touched
+  std::vector<char> moved_;    // per body: modelled whatever is touched
+  std::vector<int> expected_;  // bodies that are modelled by expect_touched() alone
+  bool starts_later_ = false;  // set_start() will be called, or was
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
   std::vector<Vec3> seam_multipliers_, seam_offsets_;

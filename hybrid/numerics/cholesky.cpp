@@ -82,24 +82,24 @@ bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision
   d.factorised = d.only_single = false;
   const size_t entries = d.analysis->nodes().entries();
   const auto& sorted = d.analysis->in_order(matrix);
-  if (precision == Precision::rough && d.single_is == Data::Single::good &&
-      d.failure_is != Data::Failure::wrong) {
+  const bool rough = precision == Precision::rough && d.single_is == Data::Single::good &&
+                     d.failure_is != Data::Failure::wrong;
+  if (rough) {
     d.count();
     if (!d.single_fronts) d.single_fronts.emplace(d.analysis->nodes());
     d.single.resize(entries);
     d.factorised = d.only_single =
         d.single_fronts->factorise(sorted, d.single.data(), d.threads(), stop);
     if (d.factorised || d.failure_is == Data::Failure::right) return d.factorised;
-  } else {
-    d.single_is = Data::Single::untried;
   }
   d.count();
   if (!d.factor) d.factor.reset(new double[entries]);
   d.factorised = d.fronts->factorise(sorted, d.factor.get(), d.threads(), stop);
-  if (d.single_is == Data::Single::good) {  // a rough one failed
+  if (rough)
     d.failure_is = d.factorised ? Data::Failure::wrong : Data::Failure::right;
-    if (d.factorised) d.single_is = Data::Single::untried;
-  }
+  else if (d.factorised && d.failure_is == Data::Failure::right)
+    d.failure_is = Data::Failure::unverified;
+  if (!rough || d.factorised) d.single_is = Data::Single::untried;
   return d.factorised;
 }
 

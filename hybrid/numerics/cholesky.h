@@ -15,8 +15,8 @@
 namespace vasorod {
 
 /// `exact`: in double precision. `rough`: for directions of search, in single precision, which
-/// takes about half the time, where precondition() found the last exact factor of this object good
-/// enough in single precision; where it did not or was not asked, exact.
+/// takes about half the time. A rough factorisation is exact unless precondition() has used the
+/// last exact factor and found it good enough in single precision.
 enum class Precision { exact, rough };
 
 /// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
@@ -38,9 +38,10 @@ class Cholesky {
   void analyse(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
 
   /// Factorises a matrix with the analysed pattern. Returns false when the matrix is not positive
-  /// definite; solve() must not be called then. That a rough factorisation ends so is verified by
-  /// an exact one the first time; where that succeeds, no other is rough. `stop` is asked on the
-  /// way; where it says so, Interruption is thrown, and there is no factor.
+  /// definite; solve() must not be called then. The first failure in single precision is repeated
+  /// exactly. If that succeeds, no later factor is rough; if it fails as well, further ones are
+  /// believed until an exact factor succeeds. `stop` is asked on the way; where it says so,
+  /// Interruption is thrown, and there is no factor.
   bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {},
                  Precision precision = Precision::exact);
 

@@ -159,8 +159,9 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   const auto gains_little = [&] {
     const size_t before = residuals.size() - 1 - index(options.patience);
     if (summary.residual <= 0.1 * residuals[before]) return false;
-    return options.worth <= 0 ||
-           (energies[before] - energy) / options.patience <
+    const double last = energies[before] - energy;
+    return options.worth <= 0 || last <= last_digits * std::abs(energy) ||
+           last / options.patience <
                (energies.front() - energy) / (summary.iterations + options.worth);
   };
   while (true) {

@@ -21,8 +21,8 @@ struct LbfgsOptions {
   int memory = 10;
   int max_iterations = 3000;
   double tolerance = 1e-8;  ///< on the residual returned by the evaluation
-  /// Stop as `slow` when the residual has not fallen tenfold within this number of iterations. 0:
-  /// never.
+  /// Stop as `slow` when the residual has not fallen tenfold within this number of iterations, and
+  /// they are not `worth` more than a better preconditioner. 0: never.
   int patience = 0;
   /// What a better preconditioner would cost, in iterations. It is not worth that much as long as
   /// the last `patience` iterations lowered the energy by as much each as all of them and `worth`

@@ -20,10 +20,12 @@ int threads() {
 
 std::future<void> in_background(std::function<void()> task) {
   if (threads() == 1) return {};
-  require_blas_buffers(threads() + 1);
   try {
+    require_blas_buffers(threads() + 1);
     return std::async(std::launch::async, std::move(task));
   } catch (const std::system_error&) {
+    return {};
+  } catch (const std::bad_alloc&) {
     return {};
   }
 }

@@ -21,10 +21,10 @@ int threads();
 /// The processors of this machine, 1 to 64.
 int processors();
 
-/// Begins `task` on a thread beside those of the calling one, where these are more than one; get()
+/// Begins `task` on a thread beside those of the calling one, where these are more than one. get()
 /// waits for its end and rethrows what it threw; the future's destructor waits as well. Where there
-/// is one thread only, or the system gives no other, nothing is begun and the future is not
-/// valid(). Throws std::bad_alloc as set_threads() does.
+/// is one thread only, or the system gives no other or no memory for it, nothing is begun and the
+/// future is not valid().
 std::future<void> in_background(std::function<void()> task);
 
 /// Calls `task` with 0 ... `count` - 1, on up to `threads` threads, of which the calling one is

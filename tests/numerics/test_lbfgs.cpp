@@ -149,6 +149,23 @@ TEST(Lbfgs, GoesOnWhereEachIterationStillGains) {
   EXPECT_LT(summary.iterations, 3 * options.patience);
 }
 
+// Steps on level ground gain nothing, however little the ones before gained.
+TEST(Lbfgs, StopsWhereNothingIsGained) {
+  double residual_left = 1;
+  const auto level = [&](const VectorXd&, VectorXd& g, double& residual) {
+    g = VectorXd::Ones(1);
+    residual = residual_left *= 0.99;
+    return 7.0;
+  };
+  LbfgsOptions options;
+  options.patience = 5;
+  options.worth = 10;
+  VectorXd x = VectorXd::Zero(1);
+  const LbfgsSummary summary = lbfgs(level, identity, x, options);
+  EXPECT_EQ(summary.status, LbfgsStatus::slow);
+  EXPECT_EQ(summary.iterations, options.patience);
+}
+
 TEST(Lbfgs, NamesEveryOtherEnd) {
   LbfgsOptions options;
   options.max_iterations = 3;

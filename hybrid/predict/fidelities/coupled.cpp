@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 
 #include "coupled/coupled_problem.h"
@@ -38,12 +39,12 @@ constexpr double coarse_tolerance = 1e-4, coarse_share = 1e-2, coarse_change = 0
 // Of a vein that folds: contacts that are still found differently after this many updates stick.
 constexpr int hold_after = 6;
 
-// A seam's start is closed: a linear solve of the paper's quadratic energies deforms the carried
-// sections as little as possible.
-void start_closed(Prediction& prediction, const std::vector<VesselSections>& sections,
-                  CoupledProblem& problem) {
+// A seam's start is closed: a linear solve of the paper's quadratic energies, added to `work`,
+// deforms the carried sections as little as possible.
+void start_closed(const Prediction& prediction, const std::vector<VesselSections>& sections,
+                  CoupledProblem& problem, Work& work) {
   std::vector<Points> joined;
-  if (prediction.operation) joined = joined_skin(problem.surfaces, &prediction.work);
+  if (prediction.operation) joined = joined_skin(problem.surfaces, &work);
   problem.carried = [&prediction, &sections, joined](double t) {
     std::vector<CarriedBody> bodies = carried_by_rods(prediction, sections, t, nullptr);
     for (size_t v = 0; v < joined.size(); ++v)
@@ -151,6 +152,12 @@ struct Outcome {
   bool crossed() const { return depth > 0; }
 };
 
+// Sets a flag at the end of its life, whatever ends it.
+struct Abandoned {
+  std::atomic<bool>& flag;
+  ~Abandoned() { flag = true; }
+};
+
 // One solve of a prediction.
 class Attempt {
  public:
@@ -176,23 +183,31 @@ class Attempt {
     std::optional<Prediction> coarse = coarse_prediction(prediction_, options_);
     if (!coarse) return std::nullopt;
     std::unique_ptr<CoupledSolver> fine;
-    const auto prepare = [&] {
-      CoupledProblem problem = problem_of(prediction_, sections_);
-      start_closed(prediction_, sections_, problem);
-      fine = std::make_unique<CoupledSolver>(std::move(problem), coupled_);
+    Work work;  // for the fine walls' closed start
+    const auto build = [&] {
+      fine = std::make_unique<CoupledSolver>(closed_problem(work), coupled_);
     };
     // With a second thread the fine walls are built while the coarse ones are solved.
+    std::atomic<bool> abandoned = false;
     std::future<void> ready = in_background([&] {
-      prepare();
-      fine->prepare();
+      build();
+      fine->prepare([&] { return abandoned.load(); });
     });
-    const CoupledSolution found = Attempt(*coarse, options_, true).closed();
-    if (ready.valid()) ready.get();
+    const CoupledSolution found = [&] {
+      const Abandoned at_the_end{abandoned};
+      return Attempt(*coarse, options_, true).closed();
+    }();
+    try {
+      if (ready.valid()) ready.get();
+    } catch (...) {
+      fine.reset();  // what is really wrong is found again below
+      work = {};
+    }
     prediction_.work += found.surface.work;
     if (!is_minimum(found.status)) return std::nullopt;
-    if (!fine) prepare();
+    if (!fine) build();
+    prediction_.work += work;
     fine->set_start(start_from_coarse(*coarse, found, prediction_));
-    fine->prepare();
     CoupledSolution solution = fine->solve();
     if (is_minimum(solution.status) || solution.status == Status::interrupted) return solution;
     prediction_.work += solution.surface.work;
@@ -201,8 +216,7 @@ class Attempt {
 
   // From a closed seam; with at most so many updates.
   CoupledSolution closed(std::optional<int> updates = {}) {
-    CoupledProblem problem = problem_of(prediction_, sections_);
-    start_closed(prediction_, sections_, problem);
+    CoupledProblem problem = closed_problem(prediction_.work);
     CoupledOptions coupled = coupled_;
     if (updates) {
       coupled.max_outer = *updates;
@@ -214,8 +228,7 @@ class Attempt {
   // From a minimum whose walls pass through each other: joined walls touch right up to the seam,
   // and each itself. `inflation`: pressure in which they found it, to be let out.
   CoupledSolution parted(const CoupledSolution& crossed, bool folds, double inflation = 0) {
-    CoupledProblem problem = problem_of(prediction_, sections_);
-    start_closed(prediction_, sections_, problem);
+    CoupledProblem problem = closed_problem(prediction_.work);
     feel_themselves(prediction_, problem.surfaces);
     problem.meet_up_to_seams = true;
     inflate(prediction_, inflation, problem);
@@ -240,8 +253,7 @@ class Attempt {
   // are parted and let out. Empty: the inflated ones found no minimum.
   std::optional<CoupledSolution> inflated(double strain) {
     const double pressure = pressure_for(prediction_, strain);
-    CoupledProblem problem = problem_of(prediction_, sections_);
-    start_closed(prediction_, sections_, problem);
+    CoupledProblem problem = closed_problem(prediction_.work);
     inflate(prediction_, pressure, problem);
     CoupledOptions coupled = of_folding(most_per_stage);
     coupled.max_outer = updates_from_closed;
@@ -255,8 +267,7 @@ class Attempt {
 
   // From rest, with a barrier in place of the contacts of walls with themselves.
   CoupledSolution guarded() {
-    CoupledProblem problem = problem_of(prediction_, sections_);
-    start_closed(prediction_, sections_, problem);
+    CoupledProblem problem = closed_problem(prediction_.work);
     problem.guarded = true;
     return CoupledSolver(std::move(problem), coupled_).solve();
   }
@@ -284,6 +295,12 @@ class Attempt {
   }
 
  private:
+  CoupledProblem closed_problem(Work& work) {
+    CoupledProblem problem = problem_of(prediction_, sections_);
+    start_closed(prediction_, sections_, problem, work);
+    return problem;
+  }
+
   // Of walls that crumple; 0: as many factorisations as they need.
   CoupledOptions of_folding(int factorisations = 0) const {
     CoupledOptions coupled = coupled_;

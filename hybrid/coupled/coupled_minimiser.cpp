@@ -90,6 +90,7 @@ void CoupledMinimiser::set_turns(GroupTurns turns) {
 
 void CoupledMinimiser::find_order() {
   if (!order_.empty()) return;
+  // Only the pattern counts, which is that of any z.
   std::vector<ContactPoint> contacts = std::exchange(system_.contacts, {});
   analysed_ = rest_ + system_.meeting_hessian(VectorXd::Zero(system_.unknowns()));
   system_.contacts = std::move(contacts);

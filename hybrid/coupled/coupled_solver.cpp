@@ -76,28 +76,11 @@ class CoupledSolver::Data {
 
   CoupledStack& stack() { return stack_; }
 
-  void prepare(const std::function<bool()>& abandoned) {
-    stack_.work = {};
-    stack_.expect_touched();
-    if (abandoned()) return;
-    if (!stack_.system) stack_.build();
-    prepared_ = stack_.work.counts;
-    if (!abandoned()) stack_.minimiser->find_order();
-  }
-
-  void set_start(CoupledStart start) {
-    stack_.set_start(std::move(start));
-    if (!stack_.system) prepared_ = {};  // it was for nothing
-  }
-
   CoupledSolution solve() {
     stop_.emplace(stack_.options);
     keep_next_ = 0;
     solution_ = {};
-    if (!stack_.problem.start) stack_.drop_expected();
-    stack_.work = {};
-    stack_.work.counts = std::exchange(prepared_, {});
-    stack_.begin_stage();
+    stack_.begin_solve();
     stiffening_ = false;
     const Easing easing{stack_};
     if (stack_.any_modelled()) {
@@ -492,7 +475,6 @@ class CoupledSolver::Data {
   bool left_saddle_ = false;
   bool stiffening_ = false;
   CoupledSolution solution_;
-  Counts prepared_;  // of prepare(), for the next solve()
 };
 
 CoupledSolver::CoupledSolver(CoupledProblem problem, const CoupledOptions& options)
@@ -502,10 +484,10 @@ CoupledSolution CoupledSolver::solve() {
   return data_->solve();
 }
 void CoupledSolver::prepare(const std::function<bool()>& abandoned) {
-  data_->prepare(abandoned);
+  data_->stack().prepare(abandoned);
 }
 void CoupledSolver::set_start(CoupledStart start) {
-  data_->set_start(std::move(start));
+  data_->stack().set_start(std::move(start));
 }
 void CoupledSolver::set_sections(int body, const std::vector<HeldSection>& sections) {
   data_->stack().set_sections(body, sections);

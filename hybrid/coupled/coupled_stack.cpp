@@ -84,22 +84,38 @@ void CoupledStack::set_start(CoupledStart start) {
   problem.start = std::move(start);
   starts_later_ = true;
   take_start();
+  if (!system) prepared_ = {};  // it was for nothing
   check_free_motions(problem, scaled);
 }
 
+void CoupledStack::prepare(const std::function<bool()>& abandoned) {
+  starts_later_ = true;
+  work = {};
+  expect_touched();
+  if (abandoned()) return;
+  if (!system) build();
+  prepared_ = work.counts;
+  if (!abandoned()) minimiser->find_order();
+}
+
+void CoupledStack::begin_solve() {
+  if (!problem.start)
+    for (const int b : std::exchange(expected_, {})) take_part(index(b), false);
+  if (!system) prepared_ = {};
+  work = {};
+  work.counts = std::exchange(prepared_, {});
+  begin_stage();
+}
+
+// Models the bodies on which others press where their rods carry them at the end of the path.
 void CoupledStack::expect_touched() {
   ScaledBodies carried = scaled;
   for (ScaledBody& body : carried.bodies) body.now = body.carried;
-  starts_later_ = true;
   BodyContacts found(problem.surfaces, carried, options.contact_stiffness);
   for (const int b : found.refresh(carried).touched) {
     expected_.push_back(b);
     take_part(index(b), true);
   }
-}
-
-void CoupledStack::drop_expected() {
-  for (const int b : std::exchange(expected_, {})) take_part(index(b), false);
 }
 
 void CoupledStack::guard_walls() {

@@ -21,12 +21,12 @@ class CoupledStack {
   CoupledStack(const CoupledStack&) = delete;  // the contacts refer to the problem
   CoupledStack& operator=(const CoupledStack&) = delete;
 
-  /// Sets CoupledProblem::start.
+  /// As those of CoupledSolver.
+  void prepare(const std::function<bool()>& abandoned);
   void set_start(CoupledStart start);
-  /// Models the bodies on which others press where their rods carry them at the end of the path.
-  void expect_touched();
-  /// Models those no more; so does a start, which says which were touched.
-  void drop_expected();
+  /// The work of a solve begins with that of what prepare() built for it. Without a start, the
+  /// bodies that were only expected to be touched are left to be found.
+  void begin_solve();
 
   /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
@@ -109,6 +109,7 @@ class CoupledStack {
 
  private:
   void take_start();
+  void expect_touched();
   void take_part(size_t body, bool does);
   void place_seams();
   void unstack(const Eigen::VectorXd& at);
@@ -124,6 +125,7 @@ class CoupledStack {
   std::vector<char> moved_;    // per body: modelled whatever is touched
   std::vector<int> expected_;  // bodies that are modelled by expect_touched() alone
   bool starts_later_ = false;  // set_start() will be called, or was
+  Counts prepared_;            // of prepare(), for the next solve
   std::vector<std::unique_ptr<WallEnergy>> energies_;
   std::vector<std::shared_ptr<CrossingGuard>> guards_;  // per body
   std::vector<Vec3> seam_multipliers_, seam_offsets_;

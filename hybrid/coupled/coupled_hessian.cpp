@@ -23,6 +23,7 @@ Reach reach_of(const CoupledWall& wall, const std::vector<SectionPlacement>& pla
     return r;
   }
   const int at = wall.carried_at[index(entry)];
+  if (at < 0) return r;
   const CoupledWall::Carried& c = wall.carried[index(at / 3)];
   const SectionPlacement& place = placements[index(c.section)];
   const int first = wall.pose_unknown[index(c.section)], component = at % 3;
@@ -36,14 +37,18 @@ Reach reach_of(const CoupledWall& wall, const std::vector<SectionPlacement>& pla
   return r;
 }
 
+const Matrix& hessian_of(const CoupledWall& wall, const VectorXd& q) {
+  return wall.part ? wall.energy->hessian(q, *wall.part) : wall.energy->hessian(q);
+}
+
 }  // namespace
 
 void CoupledSystem::finish() {
   Entries pattern;
   std::vector<const Matrix*> own(walls_.size());
   in_parallel(threads(), static_cast<int>(walls_.size()), [&](int w) {
-    WallEnergy& energy = *walls_[index(w)].energy;
-    own[index(w)] = &energy.hessian(energy.rest());
+    const CoupledWall& wall = walls_[index(w)];
+    own[index(w)] = &hessian_of(wall, wall.energy->rest());
   });
   for (size_t w = 0; w < walls_.size(); ++w) {
     const CoupledWall& wall = walls_[w];
@@ -115,7 +120,7 @@ void CoupledSystem::add_wall_hessian(size_t w, const Matrix& h, const CoupledSta
 void CoupledSystem::add_wall_hessians(const CoupledState& s, Entries& extra) {
   std::vector<const Matrix*> own(walls_.size());
   in_parallel(threads(), static_cast<int>(walls_.size()),
-              [&](int w) { own[index(w)] = &walls_[index(w)].energy->hessian(s.q[index(w)]); });
+              [&](int w) { own[index(w)] = &hessian_of(walls_[index(w)], s.q[index(w)]); });
   std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
   for (size_t w = 0; w < walls_.size(); ++w) add_wall_hessian(w, *own[w], s, extra);
 }

@@ -178,6 +178,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double&
                                  int& factorisations, int most, const Breaks& breaks) {
   breaks.before("Hessian");
   ++work_.counts.hessians;
+  worn_ = false;
   hessian_ = system_.hessian(z);
   if (!pad(analysed_, hessian_)) {
     analyse(factor_, hessian_, breaks);
@@ -326,9 +327,10 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     inner.max_iterations = std::min(convex ? most_per_hessian : options.per_hessian, most);
     inner.patience = convex ? options.per_hessian : 0;
   };
-  if (options.reuse_hessian && factor_.factorised()) {
+  if (options.reuse_hessian && factor_.factorised() && !worn_) {
     go_on_with_it(true);
     summary.add(lbfgs(evaluation, hessian, z, inner));
+    worn_ = options.rough_factors && summary.iterations > worth_of_hessian;
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
   while (summary.factorisations < options.max_factorisations && shifted < options.max_shifted &&

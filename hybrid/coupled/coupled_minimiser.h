@@ -137,6 +137,7 @@ class CoupledMinimiser {
   double order_nonzeros_ = 0;             // entries of the factor for which order_ was found
   Eigen::SparseMatrix<double> analysed_;  // its pattern is the one analysed by factor_
   double mean_stiffness_ = 1;
+  bool worn_ = false;  // the last minimum took more iterations with factor_ than a rough one costs
   Eigen::VectorXd turned_;  // the gradient in the frames of K0
 };
 

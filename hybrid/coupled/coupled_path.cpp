@@ -77,6 +77,7 @@ void CoupledPath::turn_minimiser(const std::vector<std::vector<Mat3>>& rotations
     for (const Pose& pose : carried_.sections[b]) section_frames.back().push_back(pose.rotation);
   }
   stack_.minimiser->set_turns(stack_.system->turns(frames, section_frames));
+  frames_ = rotations;
 }
 
 bool CoupledPath::advance(double t) {
@@ -189,6 +190,7 @@ void CoupledPath::restore(const Kept& kept) {
     stack_.scaled.bodies[b].placed = carried_.points[b];
   }
   put_bodies(kept.first_wall, kept.state);
+  turn_minimiser(carried_.rotations);
   blocked_ = false;
   for (size_t b = 0; time_ < 1 && b < stack_.first_wall.size(); ++b)
     for (size_t k = 0; stack_.first_wall[b] >= 0 && k < carried_.sections[b].size(); ++k)
@@ -217,6 +219,21 @@ void CoupledPath::rebuild() {
   stack_.build();
   stack_.system->set_time(time_);
   put_bodies(old_wall, before);
+  turn_minimiser(carried_.rotations);
+}
+
+bool CoupledPath::narrow() {
+  if (!stack_.narrow()) return false;
+  turn_minimiser(frames_);
+  return true;
+}
+
+void CoupledPath::widen() {
+  if (!stack_.is_narrow()) return;
+  stack_.unstack();
+  const CoupledState before = stack_.system->state(stack_.z);
+  stack_.widen();
+  put_bodies(stack_.first_wall, before);
 }
 
 // The bodies where they are now, in z: what had a wall in `before` with its edges and sections,
@@ -237,7 +254,6 @@ void CoupledPath::put_bodies(const std::vector<int>& wall_before, const CoupledS
       system.put_pose(w, static_cast<int>(k), pose.rotation, pose.position, stack_.z);
     }
   }
-  turn_minimiser(carried_.rotations);
 }
 
 }  // namespace vasorod

@@ -37,6 +37,9 @@ class CoupledPath {
 
   /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
+  /// CoupledStack::narrow() and widen(), with the state and the frames of the present walls.
+  bool narrow();
+  void widen();
 
   /// The state at a time, from which the path can go on again.
   struct Kept;
@@ -70,8 +73,9 @@ class CoupledPath {
   CoupledStack& stack_;
   double time_ = 0;
   bool blocked_ = false;
-  Carried carried_;            // at the present time
-  std::optional<Local> last_;  // at the previous time
+  Carried carried_;                        // at the present time
+  std::vector<std::vector<Mat3>> frames_;  // of K0, per body
+  std::optional<Local> last_;              // at the previous time
 };
 
 struct CoupledPath::Kept {

@@ -81,7 +81,7 @@ class CoupledSolver::Data {
     keep_next_ = 0;
     solution_ = {};
     stack_.begin_solve();
-    stiffening_ = false;
+    stiffening_ = is_rough_ = false;
     const Easing easing{stack_};
     if (stack_.any_modelled()) {
       follow_path();
@@ -129,7 +129,8 @@ class CoupledSolver::Data {
     if ((*stop_)()) return true;
     if (stack_.options.step) stack_.options.step(step);
     const double began = stop_->seconds();
-    if (!stack_.options.keep || began < keep_next_) return false;
+    // The forces of a patch are not those of the walls.
+    if (!stack_.options.keep || began < keep_next_ || stack_.is_narrow()) return false;
     CoupledSolution state = solution_;
     state.status = Status::interrupted;
     state.surface.residual = stack_.minimiser->residual(z);
@@ -183,6 +184,7 @@ class CoupledSolver::Data {
       }
       if (stack_.problem.start) {
         path_.start_at_given();
+        is_rough_ = stack_.problem.start->rough;
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         if (stack_.problem.lets_out && !let_out()) return;
         stack_.search_contacts();
@@ -264,6 +266,13 @@ class CoupledSolver::Data {
     stack_.unstack();
     SeamClosing closing = seam_closing();
     return goes_on(closing, closing.part());
+  }
+
+  // At a minimum near the start whose walls pass through each other no other one is looked for.
+  Status settle_parted(double t) {
+    if (seam_closing().try_to_part() == Status::interrupted) return Status::interrupted;
+    stack_.search_contacts();
+    return settle(t, false);
   }
 
   bool let_out() {
@@ -355,8 +364,8 @@ class CoupledSolver::Data {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
       inner.convex_first =
-          outer == 1 && (is_near_start() ? stack_.problem.start->rough
-                                         : !stack_.problem.start && options.convex_first);
+          outer == 1 &&
+          (is_near_start() ? is_rough_ : !stack_.problem.start && options.convex_first);
       inner.use_rest =
           !inner.convex_first && !stepped && alone && outer == 1 && stack_.system->contacts.empty();
       // What touches itself is looked for before a Hessian, so that each minimum begins with one.
@@ -377,6 +386,8 @@ class CoupledSolver::Data {
         solution_.notes.emplace_back("no minimum was found near the given start");
         return Status::iteration_limit;
       }
+      if (std::exchange(is_rough_, false) && is_near_start() && stack_.passes_through())
+        return settle_parted(t);
       const double moment_change = stack_.system->recentre(stack_.z);
       const double seam_gap = stack_.largest_seam_gap();
       const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;
@@ -474,6 +485,7 @@ class CoupledSolver::Data {
   double keep_next_ = 0;           // when the state is kept again, seconds since the start
   bool left_saddle_ = false;
   bool stiffening_ = false;
+  bool is_rough_ = false;  // the walls are at a start that no minimisation has made smooth
   CoupledSolution solution_;
 };
 

@@ -75,6 +75,10 @@ void CoupledStack::take_start() {
   expected_.clear();
   for (size_t b = 0; b < scaled.bodies.size(); ++b)
     take_part(b, moved_[b] || problem.start->bodies[b].points.rows() > 0);
+  expect_pressures();
+}
+
+void CoupledStack::expect_pressures() {
   std::vector<Eigen::VectorXd> pressure = problem.start->pressure;
   for (Eigen::VectorXd& mine : pressure) mine /= scaled.pressure();
   contacts->expect(std::move(pressure));
@@ -240,6 +244,7 @@ WallLumen CoupledStack::lumen_of(size_t b) const {
 }
 
 void CoupledStack::build() {
+  wide_.reset();
   system = std::make_unique<CoupledSystem>();
   first.assign(scaled.bodies.size(), -1);
   first_wall.assign(scaled.bodies.size(), -1);
@@ -250,22 +255,27 @@ void CoupledStack::build() {
     const ScaledBody& body = scaled.bodies[b];
     if (!body.modelled) continue;
     first[b] = system->vertex_count();
-    first_wall[b] = system->add_wall(energy_of(b), body.rest.points, scaled_sections(b),
-                                     options.tie_stiffness * body.k.stretching);
+    first_wall[b] =
+        system->add_wall(energy_of(b), body.rest.points, scaled_sections(b), tie_stiffness(b));
     if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
       system->set_lumen(first_wall[b], lumen_of(b));
     system->set_guard(first_wall[b], guards_[b]);
   }
   system->set_inflation(inflation_);
   system->finish();
+  join();
+  minimiser = std::make_unique<CoupledMinimiser>(*system, work);
+  if (starts_later_) minimiser->order_without_contacts();
+  z.setZero(system->unknowns());
+}
+
+// What is between the walls of the system.
+void CoupledStack::join() {
   const std::vector<SeamPair>& seams = problem.surfaces.seams;
   system->k_j = joining_stiffness(seams, scaled, options.seam_stiffness);
   system->joins = stacked_joins(seams, first, seam_multipliers_);
   place_seams();
   stack_contacts();
-  minimiser = std::make_unique<CoupledMinimiser>(*system, work);
-  if (starts_later_) minimiser->order_without_contacts();
-  z.setZero(system->unknowns());
 }
 
 void CoupledStack::stack_contacts() {

@@ -31,6 +31,18 @@ class CoupledStack {
   /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
 
+  /// Replaces the system by that of a patch, of what is near the seam and to contacts that press or
+  /// that the start expects: all else is held as it is. False: the patch would not be much smaller.
+  bool narrow();
+  /// Whether the system is that of a patch.
+  bool is_narrow() const { return wide_.has_value(); }
+  /// Replaces it by the whole again, whose z is that of before narrow().
+  void widen();
+  /// Forgets contacts and multipliers: the walls can begin once more.
+  void begin_again();
+  /// CoupledOptions::passes_through of the walls where they are now.
+  bool passes_through() const;
+
   void set_sections(int body, const std::vector<HeldSection>& sections);
   void set_material(int body, const Material& material);
   /// Gives modelled walls the materials with which they go their way (stiffening.h): in a problem
@@ -109,6 +121,12 @@ class CoupledStack {
 
  private:
   void take_start();
+  void expect_pressures();
+  std::vector<char> near_seam(size_t body) const;
+  double tie_stiffness(size_t body) const {
+    return options.tie_stiffness * scaled.bodies[body].k.stretching;
+  }
+  void join();
   void expect_touched();
   void take_part(size_t body, bool does);
   void place_seams();
@@ -124,6 +142,12 @@ class CoupledStack {
 
   std::vector<char> moved_;    // per body: modelled whatever is touched
   std::vector<int> expected_;  // bodies that are modelled by expect_touched() alone
+  struct Wide {
+    std::unique_ptr<CoupledSystem> system;
+    std::unique_ptr<CoupledMinimiser> minimiser;
+    Eigen::VectorXd z;
+  };
+  std::optional<Wide> wide_;   // while the system is that of a patch
   bool starts_later_ = false;  // set_start() will be called, or was
   Counts prepared_;            // of prepare(), for the next solve
   std::vector<std::unique_ptr<WallEnergy>> energies_;

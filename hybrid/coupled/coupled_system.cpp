@@ -15,8 +15,14 @@ using Eigen::VectorXd;
 }  // namespace
 
 int CoupledSystem::add_wall(WallEnergy& energy, const Points& rest,
-                            const std::vector<HeldSection>& sections, double tie_stiffness) {
+                            const std::vector<HeldSection>& sections, double tie_stiffness,
+                            const WallPatch* patch) {
   CoupledWall wall;
+  if (patch) {
+    wall.part = energy.part(patch->moves);
+    wall.held = patch->held;
+  }
+  const auto moves = [&](int vertex) { return !patch || patch->moves[index(vertex)]; };
   wall.energy = &energy;
   wall.rest = rest;
   wall.first_vertex = vertices_;
@@ -44,6 +50,7 @@ int CoupledSystem::add_wall(WallEnergy& energy, const Points& rest,
       carry(3 * v, section, false, Vec3(rest.row(v)) - sections[index(section)].rest.position);
       continue;
     }
+    if (!moves(v)) continue;
     groups_.push_back(unknowns_);
     for (int k = 0; k < 3; ++k) wall.unknown[index(3 * v + k)] = unknowns_++;
   }
@@ -52,10 +59,12 @@ int CoupledSystem::add_wall(WallEnergy& energy, const Points& rest,
       carry(edge.unknown, section_of[index(edge.a)], true, q0.segment<3>(edge.unknown));
       continue;
     }
+    if (!moves(edge.a) && !moves(edge.b)) continue;
     groups_.push_back(unknowns_);
     wall.unknown[index(edge.unknown)] = unknowns_++;
   }
   for (const WallLean& lean : energy.leans()) {
+    if (!moves(lean.vertex)) continue;
     groups_.push_back(unknowns_);
     wall.unknown[index(lean.unknown)] = unknowns_++;
   }
@@ -168,9 +177,12 @@ void CoupledSystem::put(int w, const Points& x, bool keep_edges, VectorXd& z) {
   for (int v = 0; v < vertices; ++v)
     if (wall.unknown[index(3 * v)] >= 0) z.segment<3>(wall.unknown[index(3 * v)]) = x.row(v);
   if (keep_edges) return;
+  const auto reset = [&](int entry) {
+    if (wall.unknown[index(entry)] >= 0) z[wall.unknown[index(entry)]] = 0;
+  };
   for (const WallEdge& edge : wall.energy->edges())
-    if (!edge.glued) z[wall.unknown[index(edge.unknown)]] = 0;
-  for (const WallLean& lean : wall.energy->leans()) z[wall.unknown[index(lean.unknown)]] = 0;
+    if (!edge.glued) reset(edge.unknown);
+  for (const WallLean& lean : wall.energy->leans()) reset(lean.unknown);
 }
 
 void CoupledSystem::put_pose(int w, int section, const Mat3& rotation, const Vec3& position,
@@ -228,6 +240,7 @@ CoupledState CoupledSystem::state(const VectorXd& z) const {
   s.positions.resize(vertices_, 3);
   for (const CoupledWall& wall : walls_) {
     VectorXd q(static_cast<Eigen::Index>(wall.unknown.size()));
+    if (wall.part) q = wall.held;
     for (size_t i = 0; i < wall.unknown.size(); ++i)
       if (wall.unknown[i] >= 0) q[static_cast<Eigen::Index>(i)] = z[wall.unknown[i]];
     std::vector<SectionPlacement> placements;
@@ -316,7 +329,8 @@ void CoupledSystem::evaluate(const CoupledState& s, const VectorXd& z, CoupledFo
 void CoupledSystem::evaluate_wall(size_t w, const CoupledState& s, const VectorXd& z,
                                   CoupledForces& f, CoupledTerms& terms) const {
   const CoupledWall& wall = walls_[w];
-  terms.wall = wall.energy->gradient(s.q[w], f.wall[w]);
+  terms.wall = wall.part ? wall.energy->gradient(s.q[w], f.wall[w], *wall.part)
+                         : wall.energy->gradient(s.q[w], f.wall[w]);
   f.pose[w].assign(wall.sections.size(), Vec6::Zero());
   const int vertices = wall.energy->vertices();
   if (wall.lumen) {

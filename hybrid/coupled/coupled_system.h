@@ -39,6 +39,12 @@ struct WallLumen {
   double now = 0;               ///< at the present time
 };
 
+/// A wall of which only a patch moves.
+struct WallPatch {
+  std::vector<char> moves;  ///< per vertex: with its leans and the normals of its edges
+  Eigen::VectorXd held;     ///< q, of which the rest stays
+};
+
 /// One wall in the system.
 struct CoupledWall {
   WallEnergy* energy = nullptr;
@@ -48,8 +54,11 @@ struct CoupledWall {
   std::optional<WallLumen> lumen;
   std::shared_ptr<CrossingGuard> guard;  ///< that keeps it from passing through itself; may be none
   int first_vertex = 0;                  ///< row of its vertex 0 in the stacked positions
-  std::vector<int> unknown;              ///< per entry of q: its index in z, -1 on a rigid section
-  std::vector<int> pose_unknown;         ///< per section: its first index in z
+  std::optional<WallPart> part;          ///< that is evaluated; none: all
+  Eigen::VectorXd held;                  ///< q outside of a patch; empty: none
+  /// Per entry of q: its index in z, -1 on a rigid section and outside of a patch.
+  std::vector<int> unknown;
+  std::vector<int> pose_unknown;  ///< per section: its first index in z
   /// A vertex or rim normal that follows a rigid section: three entries of q from `entry` on.
   struct Carried {
     int entry = 0, section = 0;
@@ -83,8 +92,8 @@ struct CoupledForces {
   Points joining, contact, guard, ties, pressure;
 };
 
-/// Dependence of one entry of q on the unknowns: itself if it is free, else the unknowns of the
-/// pose that moves it.
+/// Dependence of one entry of q on the unknowns: itself if it is free, the unknowns of the pose
+/// that moves it, or none.
 struct Reach {
   int count = 0;
   std::array<int, 6> unknown{};
@@ -95,9 +104,10 @@ struct Reach {
 class CoupledSystem {
  public:
   /// Adds a wall and returns its index. `energy` must outlive this. `tie_stiffness`: of soft
-  /// sections, force / length.
+  /// sections, force / length. Of a `patch`, whose sections must have no free poses, the energy is
+  /// that of what depends on it.
   int add_wall(WallEnergy& energy, const Points& rest, const std::vector<HeldSection>& sections,
-               double tie_stiffness);
+               double tie_stiffness, const WallPatch* patch = nullptr);
   /// The pressure in the lumen of a wall, which every section then feels as a lid.
   void set_lumen(int wall, WallLumen lumen);
   void set_guard(int wall, std::shared_ptr<CrossingGuard> guard);

@@ -66,13 +66,40 @@ Status SeamClosing::run() {
 }
 
 Status SeamClosing::part() {
-  const Status status = bring_apart();
+  Status status = part_in_patch();
+  if (status == Status::iteration_limit) status = bring_apart();
   note_.clear();
   if (status == Status::iteration_limit)
     note_ =
         "walls that lay in each other beside the seam could not be brought apart, and no "
         "equilibrium was found";
   return status;
+}
+
+Status SeamClosing::try_to_part() {
+  const CoupledPath::Kept kept = path_.keep();
+  stack_.problem.meet_up_to_seams = true;
+  const Status status = part();
+  if (status != Status::iteration_limit) return status;
+  stack_.problem.meet_up_to_seams = false;
+  begin_again(kept);
+  return status;
+}
+
+Status SeamClosing::part_in_patch() {
+  if (stack_.problem.lets_out) return Status::iteration_limit;  // pressed outwards everywhere
+  const CoupledPath::Kept kept = path_.keep();
+  if (!path_.narrow()) return Status::iteration_limit;
+  const Status status = bring_apart();
+  path_.widen();
+  stack_.begin_stage();
+  if (status == Status::iteration_limit) begin_again(kept);
+  return status;
+}
+
+void SeamClosing::begin_again(const CoupledPath::Kept& kept) {
+  stack_.begin_again();
+  path_.restore(kept);
 }
 
 Status SeamClosing::let_out() {

@@ -38,8 +38,14 @@ class SeamClosing {
   /// `iteration_limit` where no step leads on, or `interrupted`.
   Status run();
 
-  /// Of a closed seam: brings apart what lies in each other up to the seam. Returns as run() does.
+  /// Of a closed seam: brings apart what lies in each other up to the seam, in a patch around it
+  /// (CoupledStack::narrow()), as all else hardly moves; where that fails, with all of it. Returns
+  /// as run() does.
   Status part();
+
+  /// The same of a problem whose walls did not meet up to their seam so far: it is set that they
+  /// do, unless this fails; then the walls are where they were.
+  Status try_to_part();
 
   /// Of inflated walls: lets them out. Returns as run() does.
   Status let_out();
@@ -58,6 +64,8 @@ class SeamClosing {
   Status settle(int most_updates, Walls walls);
   Status follow_way();
   Status bring_apart();
+  Status part_in_patch();
+  void begin_again(const CoupledPath::Kept& kept);
   Status release();
   Points positions() const;
 

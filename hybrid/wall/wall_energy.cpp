@@ -8,13 +8,39 @@
 
 namespace vasorod {
 
-WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
+WallPart WallEnergy::part(const std::vector<char>& vertices) const {
+  const auto marked = [&](int v) { return v >= 0 && vertices[static_cast<size_t>(v)]; };
+  WallPart part;
+  std::vector<char> seen(sides_.size(), 0), edge(edges_.size(), 0);
+  for (size_t t = 0; t < sides_.size(); ++t) {
+    bool depends = false;
+    for (int k = 0; k < 3; ++k)
+      depends |= marked(triangles_(static_cast<int>(t), k)) ||
+                 marked(sides_[t].neighbour[static_cast<size_t>(k)]);
+    if (!depends) continue;
+    part.triangles.push_back(static_cast<int>(t));
+    seen[t] = 1;
+    for (const int e : sides_[t].edge) {
+      edge[static_cast<size_t>(e)] = 1;
+      for (const int across : edge_triangle_[static_cast<size_t>(e)])
+        if (across >= 0) seen[static_cast<size_t>(across)] = 1;
+    }
+  }
+  for (size_t t = 0; t < seen.size(); ++t)
+    if (seen[t]) part.seen.push_back(static_cast<int>(t));
+  for (size_t e = 0; e < edge.size(); ++e)
+    if (edge[e]) part.edges.push_back(static_cast<int>(e));
+  return part;
+}
+
+WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q, const WallPart& part) const {
   Geometry g;
   const auto triangle_count = static_cast<size_t>(triangles_.rows());
   g.normal.resize(triangle_count);
   g.area2.resize(triangle_count);
-  for (size_t t = 0; t < triangle_count; ++t) {
-    const auto v = triangles_.row(static_cast<int>(t));
+  for (const int triangle : part.seen) {
+    const auto t = static_cast<size_t>(triangle);
+    const auto v = triangles_.row(triangle);
     const Vec3 x0 = point(q, v[0]);
     const Vec3 area = (point(q, v[1]) - x0).cross(point(q, v[2]) - x0);
     // A triangle collapsed to a line has no normal; any finite one keeps the energy finite.
@@ -23,7 +49,8 @@ WallEnergy::Geometry WallEnergy::geometry(const Eigen::VectorXd& q) const {
   }
   g.half_sine.assign(edges_.size(), 0);
   g.half_cosine.assign(edges_.size(), 1);
-  for (size_t e = 0; e < edges_.size(); ++e) {
+  for (const int edge : part.edges) {
+    const auto e = static_cast<size_t>(edge);
     if (edges_[e].rim) continue;
     const Vec3& n0 = g.normal[static_cast<size_t>(edge_triangle_[e][0])];
     const Vec3& n1 = g.normal[static_cast<size_t>(edge_triangle_[e][1])];
@@ -87,7 +114,7 @@ HingeSide WallEnergy::side(const Eigen::VectorXd& q, const Geometry& g, int edge
 }
 
 double WallEnergy::value(const Eigen::VectorXd& q) const {
-  const Geometry g = geometry(q);
+  const Geometry g = geometry(q, whole_);
   double energy = 0;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
@@ -96,12 +123,17 @@ double WallEnergy::value(const Eigen::VectorXd& q) const {
   return energy;
 }
 
-double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient) const {
-  const Geometry g = geometry(q);
+double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g) const {
+  return gradient(q, g, whole_);
+}
+
+double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient,
+                            const WallPart& part) const {
+  const Geometry g = geometry(q, part);
   gradient.setZero(q.size());
   std::vector<double> by_angle(edges_.size(), 0);
   double energy = 0;
-  for (int t = 0; t < triangles_.rows(); ++t) {
+  for (const int t : part.triangles) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const Deformation f = deformation(q, t);
     const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, f), false);
@@ -133,10 +165,11 @@ double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient)
       gradient.segment<3>(3 * v[k]) -= 2 * force;
     }
   }
-  for (size_t e = 0; e < edges_.size(); ++e) {
+  for (const int edge : part.edges) {
+    const auto e = static_cast<size_t>(edge);
     if (edges_[e].rim) continue;
     for (size_t which = 0; which < 2; ++which) {
-      const HingeSide hinge = side(q, g, static_cast<int>(e), static_cast<int>(which));
+      const HingeSide hinge = side(q, g, edge, static_cast<int>(which));
       const std::array<int, 3> vertex{edges_[e].a, edges_[e].b, edge_apex_[e][which]};
       for (int i = 0; i < 3; ++i)
         gradient.segment<3>(3 * vertex[static_cast<size_t>(i)]) += by_angle[e] * hinge.gradient(i);
@@ -165,7 +198,7 @@ void WallEnergy::see_faces(const Eigen::VectorXd& q, int triangle, const Vec3& b
 }
 
 WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
-  const Geometry g = geometry(q);
+  const Geometry g = geometry(q, whole_);
   WallReport report;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];

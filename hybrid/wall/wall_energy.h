@@ -81,6 +81,13 @@ struct FaceExtremes : FaceStretches {
   Vec3 least_place = Vec3::Zero(), largest_place = Vec3::Zero();
 };
 
+/// What the energy of a wall has to do with some of its vertices. Ascending.
+struct WallPart {
+  std::vector<int> triangles;  ///< those whose energies depend on the vertices
+  std::vector<int> seen;       ///< those and the ones across their edges
+  std::vector<int> edges;      ///< of `triangles`
+};
+
 /// Energies, strains and stresses of the wall in one state.
 struct WallReport {
   /// Their sum is the wall's energy; shear across the wall is part of `bending`.
@@ -128,6 +135,14 @@ class WallEnergy {
   /// in place.
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
 
+  /// The part around the vertices that are marked. `vertices`: per vertex.
+  WallPart part(const std::vector<char>& vertices) const;
+  /// The same from a part alone: the energy of its triangles, in which the derivatives with respect
+  /// to the marked vertices, their leans and the normals of their edges are complete. The others
+  /// are not those of any energy.
+  double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g, const WallPart& part) const;
+  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q, const WallPart& part);
+
   /// Replaces the material of the wall. The pattern, the rest state, all unknowns and a linear
   /// prestress stay; a shape without stress does too, and the prestress from it follows.
   void set_material(const Material& material);
@@ -152,7 +167,8 @@ class WallEnergy {
   using Deformation = Eigen::Matrix<double, 3, 2>;
 
   Vec3 point(const Eigen::VectorXd& q, int vertex) const { return q.segment<3>(3 * vertex); }
-  Geometry geometry(const Eigen::VectorXd& q) const;
+  // Of what `part` needs; the rest is not computed.
+  Geometry geometry(const Eigen::VectorXd& q, const WallPart& part) const;
   Deformation deformation(const Eigen::VectorXd& q, int triangle) const;
   TriangleState state(const Eigen::VectorXd& q, const Geometry& g, int triangle,
                       const Deformation& f) const;
@@ -182,9 +198,9 @@ class WallEnergy {
                     double* values) const;
   void add_leans(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
                  double* values) const;
-  void add_hinges(const Eigen::VectorXd& q, const Geometry& g, const std::vector<double>& by_angle,
-                  double* values) const;
-  void add_partners(const Eigen::VectorXd& q, double* values) const;
+  void add_hinges(const Eigen::VectorXd& q, const Geometry& g, const WallPart& part,
+                  const std::vector<double>& by_angle, double* values) const;
+  void add_partners(const Eigen::VectorXd& q, const WallPart& part, double* values) const;
 
   std::string name_;
   Law law_;
@@ -201,6 +217,7 @@ class WallEnergy {
   // Per triangle: the directions of its vertices' leans in its frame; empty if there are none.
   std::vector<Eigen::Matrix<double, 2, 3>> lean_directions_;
   std::vector<Sides> sides_;
+  WallPart whole_;  // of all vertices
   std::vector<TriangleRest> triangle_rest_;
   std::vector<int> partner_;  // per triangle, shear_pairs.h; empty until a material needs it
   std::vector<WallSection> sections_;  // geometry only; set_material() adds the material

@@ -192,7 +192,7 @@ WallEnergy::TriangleDerivatives WallEnergy::derivatives(const Eigen::VectorXd& q
 
 std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
                                             const Eigen::VectorXd& change) const {
-  const Geometry g = geometry(q);
+  const Geometry g = geometry(q, whole_);
   std::vector<Vec6> all;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const Deformation f = deformation(q, t);
@@ -222,11 +222,16 @@ std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
 }
 
 const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q) {
-  const Geometry g = geometry(q);
+  return hessian(q, whole_);
+}
+
+const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q,
+                                                       const WallPart& part) {
+  const Geometry g = geometry(q, part);
   double* values = hessian_.valuePtr();
   std::fill(values, values + hessian_.nonZeros(), 0.0);
   std::vector<double> by_angle(edges_.size(), 0);
-  for (int t = 0; t < triangles_.rows(); ++t) {
+  for (const int t : part.triangles) {
     const Deformation f = deformation(q, t);
     const TriangleEnergy e =
         triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
@@ -240,8 +245,8 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q)
     if (triangle_rest_[static_cast<size_t>(t)].leaning)
       add_leans(static_cast<size_t>(t), e, d, values);
   }
-  add_hinges(q, g, by_angle, values);
-  add_partners(q, values);
+  add_hinges(q, g, part, by_angle, values);
+  add_partners(q, part, values);
   return hessian_;
 }
 
@@ -339,13 +344,14 @@ void WallEnergy::add_leans(size_t t, const TriangleEnergy& e, const TriangleDeri
 
 // Adds the second derivatives of the angles themselves. Each side's contribution stays within its
 // own triangle.
-void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
+void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g, const WallPart& part,
                             const std::vector<double>& by_angle,
                             // NOLINTNEXTLINE(readability-non-const-parameter) the adder writes
                             double* values) const {
   Adder adder{values, node_stride_};
-  for (size_t t = 0; t < sides_.size(); ++t)
+  for (const int triangle : part.triangles)
     for (int k = 0; k < 3; ++k) {
+      const auto t = static_cast<size_t>(triangle);
       const int edge = sides_[t].edge[static_cast<size_t>(k)];
       if (edges_[static_cast<size_t>(edge)].rim) continue;
       const int which = sides_[t].sign[k] > 0 ? 0 : 1;
@@ -360,24 +366,25 @@ void WallEnergy::add_hinges(const Eigen::VectorXd& q, const Geometry& g,
           const Mat3 block = factor * hinge.hessian(r, c);
           const int at = places_[t].place[static_cast<size_t>(pair(a, b))];
           if (a == b)
-            adder.add_diagonal(triangles_(static_cast<int>(t), a), at, block);
+            adder.add_diagonal(triangles_(triangle, a), at, block);
           else
-            adder.add<3, 3>(triangles_(static_cast<int>(t), a), triangles_(static_cast<int>(t), b),
-                            at, block);
+            adder.add<3, 3>(triangles_(triangle, a), triangles_(triangle, b), at, block);
         }
     }
 }
 
 // Adds the products of the shears of partners.
 // NOLINTNEXTLINE(readability-non-const-parameter) the adder writes to the values
-void WallEnergy::add_partners(const Eigen::VectorXd& q, double* values) const {
+void WallEnergy::add_partners(const Eigen::VectorXd& q, const WallPart& part,
+                              double* values) const {
   Adder adder{values, node_stride_};
   const auto by_vertices = [&](size_t t) -> Row9 {
     const Deformation f = deformation(q, static_cast<int>(t));
     return membrane_strain(law_, metric_of(f)).derivative.row(2) *
            metric_by_vertices(triangle_rest_[t], f);
   };
-  for (size_t t = 0; t < triangle_rest_.size(); ++t) {
+  for (const int triangle : part.triangles) {
+    const auto t = static_cast<size_t>(triangle);
     if (!(triangle_rest_[t].relief > 0)) continue;
     const auto other = static_cast<size_t>(partner_[t]);
     if (t > other) continue;

@@ -114,6 +114,7 @@ WallEnergy::WallEnergy(const WallInput& input)
       triangles_(input.rest.triangles) {
   check(input);
   number_edges(input);
+  whole_ = part(std::vector<char>(static_cast<size_t>(vertices_), 1));
   set_rest(input);
   set_pattern();
   if (!input.from_stress_free_shape) {
@@ -233,7 +234,7 @@ void WallEnergy::set_rest(const WallInput& input) {
                                 : Vec2(Vec2::Ones());
   const double thinning = thinning_exponent(input.material) - 1;  // of the thickness with the area
   const Eigen::VectorXd seen_area = triangle_areas(input.rest);
-  const Geometry g = geometry(rest_);
+  const Geometry g = geometry(rest_, whole_);
   for (int t = 0; t < triangles_.rows(); ++t) {
     const auto v = triangles_.row(t);
     TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
@@ -338,7 +339,7 @@ void WallEnergy::set_relief(double share) {
 // A glued rim has those of the wall as seen, which the section keeps.
 void WallEnergy::set_rest_normals(const Points& vertex_normal, const Points& seen_normal) {
   xi_rest_.assign(edges_.size(), 0);
-  const Geometry g = geometry(rest_);
+  const Geometry g = geometry(rest_, whole_);
   for (size_t e = 0; e < edges_.size(); ++e) {
     const WallEdge& edge = edges_[e];
     const Vec3 along = (point(rest_, edge.b) - point(rest_, edge.a)).normalized();

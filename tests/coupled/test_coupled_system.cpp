@@ -102,6 +102,51 @@ TEST(CoupledSystem, DerivativesMatchDifferencesBetweenRigidSections) {
   expect_derivatives(rigid);
 }
 
+// Of the same state, where only some vertices move.
+TEST(CoupledSystem, APatchHasTheDerivativesOfTheWholeAndHoldsTheRest) {
+  const std::array<bool, 6> fixed{true, true, true, true, true, true};
+  Everything all(fixed, fixed, true);
+  const CoupledState at = all.system.state(all.z);
+  const CoupledWall& wall = all.system.walls()[0];
+  WallPatch patch{std::vector<char>(static_cast<size_t>(all.energy->vertices()), 0), at.q[0]};
+  for (const size_t v : {12, 13, 14, 15}) patch.moves[v] = 1;
+  std::vector<HeldSection> sections;
+  for (const SectionPose& pose : wall.sections) sections.push_back(pose.section());
+  CoupledSystem system;
+  system.add_wall(*all.energy, wall.rest, sections, 3, &patch);
+  WallLumen lumen = *wall.lumen;
+  system.set_lumen(0, std::move(lumen));
+  system.finish();
+  system.joins = all.system.joins;
+  system.k_j = all.system.k_j;
+  system.contacts = all.system.contacts;
+  system.set_time(0.8);
+  const CoupledWall& small = system.walls()[0];
+  ASSERT_GT(system.unknowns(), 12);
+  ASSERT_LT(system.unknowns(), all.system.unknowns());
+  VectorXd z(system.unknowns());
+  std::vector<int> whole(static_cast<size_t>(system.unknowns()), -1);
+  for (size_t i = 0; i < small.unknown.size(); ++i)
+    if (small.unknown[i] >= 0) {
+      z[small.unknown[i]] = at.q[0][static_cast<Eigen::Index>(i)];
+      whole[static_cast<size_t>(small.unknown[i])] = wall.unknown[i];
+    }
+  EXPECT_LT((system.state(z).positions - at.positions).norm(), 1e-14);
+  VectorXd g, whole_g;
+  system.gradient(z, g);
+  all.system.gradient(all.z, whole_g);
+  EXPECT_LT((g - whole_g(whole)).norm(), 1e-13 * whole_g.norm());
+  const Eigen::MatrixXd lower = system.hessian(z), whole_lower = all.system.hessian(all.z);
+  const Eigen::MatrixXd h = lower.selfadjointView<Eigen::Lower>(),
+                        whole_h = whole_lower.selfadjointView<Eigen::Lower>();
+  EXPECT_LT((h - whole_h(whole, whole)).norm(), 1e-13 * whole_h.norm());
+  const CoupledState moved = system.state(z + VectorXd::Ones(z.size()));
+  for (int v = 0; v < all.energy->vertices(); ++v)
+    EXPECT_NEAR((moved.positions.row(v) - at.positions.row(v)).norm(),
+                patch.moves[static_cast<size_t>(v)] ? std::sqrt(3.0) : 0, 1e-12)
+        << v;
+}
+
 TEST(CoupledSystem, DerivativesMatchDifferencesOfAGuardedWall) {
   Everything flat({false, false, false, false, false, false}, {true, true, true, true, true, true});
   VectorXd g;

@@ -195,6 +195,50 @@ TEST(SeamClosing, OnlyAnInflatedStartCanBeLetOut) {
   }
 }
 
+// Walls that are said to pass through each other at a minimum near the start.
+struct Asked {
+  int times = 0;
+  std::vector<Points> now;
+  CoupledSolution solution;
+};
+
+Asked asked(const CoupledSolution& found, bool passes_through, double unit) {
+  Asked asked;
+  CoupledProblem problem = two_tubes({1.5, -1, 2}, unit);
+  CoupledStart& start = problem.start.emplace();
+  for (const BodySolution& body : found.surface.bodies) {
+    start.bodies.emplace_back().points = body.positions;
+    start.pressure.push_back(body.pressure);
+  }
+  CoupledOptions options;
+  options.passes_through = [&](const std::vector<Points>& now) {
+    ++asked.times;
+    asked.now = now;
+    return passes_through;
+  };
+  asked.solution = CoupledSolver(std::move(problem), options).solve();
+  return asked;
+}
+
+// Nothing lies in anything, so that the minimum stays.
+TEST(SeamClosing, WhatPassesThroughAtAStartIsPartedOnceAndFindsItsMinimum) {
+  for (const double unit : {1.0, 1e-3}) {
+    const CoupledSolution found = pulled_together({1.5, -1, 2}, 0, unit);
+    for (const bool passes : {false, true}) {
+      const Asked parted = asked(found, passes, unit);
+      EXPECT_EQ(parted.times, 1);
+      ASSERT_EQ(parted.now.size(), 2u);
+      for (size_t b = 0; b < 2; ++b)
+        EXPECT_LT((parted.now[b] - found.surface.bodies[b].positions).rowwise().norm().maxCoeff(),
+                  1e-2 * 6 * unit);
+      EXPECT_EQ(parted.solution.status, Status::converged);
+      EXPECT_TRUE(parted.solution.smallest_curvature_positive);
+      EXPECT_TRUE(parted.solution.notes.empty());
+      EXPECT_LT(largest_difference(parted.solution, found), 1e-5 * 6 * unit);
+    }
+  }
+}
+
 // A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis
 // through the ridge, unit.
 TriangleSurface roof(const Vec3& ridge, const Vec3& out, int along, double step) {

@@ -83,6 +83,56 @@ TEST(WallEnergy, ZeroAtRest) {
   }
 }
 
+// Entries of q that a part around the marked vertices has complete: theirs, their leans' and those
+// of their edges.
+std::vector<int> entries_of(const WallEnergy& wall, const std::vector<char>& marked) {
+  const auto is_marked = [&](int v) { return marked[static_cast<size_t>(v)] != 0; };
+  std::vector<int> entries;
+  for (int v = 0; v < wall.vertices(); ++v)
+    for (int k = 0; k < 3 && is_marked(v); ++k) entries.push_back(3 * v + k);
+  for (const WallEdge& edge : wall.edges())
+    if (!edge.glued && (is_marked(edge.a) || is_marked(edge.b))) entries.push_back(edge.unknown);
+  for (const WallLean& lean : wall.leans())
+    if (is_marked(lean.vertex)) entries.push_back(lean.unknown);
+  return entries;
+}
+
+TEST(WallEnergy, APartHasTheDerivativesOfTheWholeAtItsVertices) {
+  for (const Case& c : cases()) {
+    WallEnergy wall(c.input);
+    const Eigen::VectorXd q = disturbed(wall, 0.08, 1);
+    std::vector<char> marked(static_cast<size_t>(wall.vertices()), 0);
+    marked[5] = marked[6] = 1;
+    const WallPart part = wall.part(marked);
+    const std::vector<int> at = entries_of(wall, marked);
+    Eigen::VectorXd whole_gradient, gradient;
+    wall.gradient(q, whole_gradient);
+    const double energy = wall.gradient(q, gradient, part);
+    EXPECT_LT((gradient - whole_gradient)(at).norm(), 1e-14 * whole_gradient.norm()) << c.name;
+    const Eigen::MatrixXd whole = full_hessian(wall, q);
+    const Eigen::MatrixXd hessian =
+        Eigen::SparseMatrix<double>(wall.hessian(q, part).selfadjointView<Eigen::Lower>());
+    EXPECT_LT((hessian - whole)(at, at).norm(), 1e-14 * whole.norm()) << c.name;
+    // What the part leaves out does not depend on them.
+    Eigen::VectorXd moved = q;
+    for (const int entry : at) moved[entry] += 0.01;
+    Eigen::VectorXd ignored;
+    EXPECT_NEAR(wall.gradient(moved, ignored, part) - energy, wall.value(moved) - wall.value(q),
+                1e-12 * wall.value(q))
+        << c.name;
+  }
+}
+
+TEST(WallEnergy, APartOfALongTubeIsSmall) {
+  const WallEnergy wall(tube_wall(tube(12, 1, 12, 16), 0.3, isotropic, true));
+  std::vector<char> marked(static_cast<size_t>(wall.vertices()), 0);
+  marked[100] = 1;
+  const WallPart part = wall.part(marked);
+  EXPECT_EQ(part.triangles.size(), 12u);  // six around the vertex, six across their outer edges
+  EXPECT_LT(part.seen.size(), 31u);
+  EXPECT_LT(part.edges.size(), 31u);
+}
+
 TEST(WallEnergy, GradientAgainstDifferences) {
   for (const Case& c : cases()) {
     const WallEnergy wall(c.input);

@@ -208,6 +208,10 @@ class Attempt {
     if (!fine) build();
     prediction_.work += work;
     fine->set_start(start_from_coarse(*coarse, found, prediction_));
+    if (may_touch())
+      fine->options().passes_through = [this](const std::vector<Points>& now) {
+        return passes_through(now);
+      };
     CoupledSolution solution = fine->solve();
     if (is_minimum(solution.status) || solution.status == Status::interrupted) return solution;
     prediction_.work += solution.surface.work;
@@ -299,6 +303,20 @@ class Attempt {
     CoupledProblem problem = problem_of(prediction_, sections_);
     start_closed(prediction_, sections_, problem, work);
     return problem;
+  }
+
+  // In a scene in which nothing touches anything, walls may lie in each other.
+  bool may_touch() const {
+    const auto& contact = prediction_.scene->contact;
+    return !contact || !contact->empty();
+  }
+
+  bool passes_through(const std::vector<Points>& now) const {
+    Prediction state = prediction_;
+    for (size_t v = 0; v < now.size(); ++v) state.vessels[v].positions = now[v];
+    const std::vector<NamedCrossing> found = named_crossings(state);
+    return std::any_of(found.begin(), found.end(),
+                       [](const NamedCrossing& named) { return named.crossing.depth > 0; });
   }
 
   // Of walls that crumple; 0: as many factorisations as they need.

@@ -90,6 +90,8 @@ class CoupledSolver::Data {
       solution_.smallest_curvature_positive = true;
       solution_.reached = 1;
     }
+    if (solution_.status == Status::interrupted)  // perhaps in a patch
+      solution_.surface.residual = stack_.minimiser->residual(stack_.z);
     report_coupled(stack_.problem, stack_.scaled, stack_.system.get(), stack_.first,
                    stack_.first_wall, stack_.z, stack_.stacked, *stack_.contacts, solution_);
     solution_.surface.seam_radius = stack_.seam_radius * stack_.scaled.length;
@@ -270,7 +272,8 @@ class CoupledSolver::Data {
 
   // At a minimum near the start whose walls pass through each other no other one is looked for.
   Status settle_parted(double t) {
-    if (seam_closing().try_to_part() == Status::interrupted) return Status::interrupted;
+    stack_.problem.meet_up_to_seams = true;
+    if (seam_closing().part_or_stay() == Status::interrupted) return Status::interrupted;
     stack_.search_contacts();
     return settle(t, false);
   }

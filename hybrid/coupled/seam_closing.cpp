@@ -76,9 +76,8 @@ Status SeamClosing::part() {
   return status;
 }
 
-Status SeamClosing::try_to_part() {
+Status SeamClosing::part_or_stay() {
   const CoupledPath::Kept kept = path_.keep();
-  stack_.problem.meet_up_to_seams = true;
   const Status status = part();
   if (status != Status::iteration_limit) return status;
   stack_.problem.meet_up_to_seams = false;

@@ -43,9 +43,9 @@ class SeamClosing {
   /// as run() does.
   Status part();
 
-  /// The same of a problem whose walls did not meet up to their seam so far: it is set that they
-  /// do, unless this fails; then the walls are where they were.
-  Status try_to_part();
+  /// The same of a problem of which CoupledProblem::meet_up_to_seams was set only now: where this
+  /// fails it is taken back, and the walls are where they were.
+  Status part_or_stay();
 
   /// Of inflated walls: lets them out. Returns as run() does.
   Status let_out();

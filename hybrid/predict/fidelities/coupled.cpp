@@ -311,12 +311,18 @@ class Attempt {
     return !contact || !contact->empty();
   }
 
+  // Whether joined walls pass through each other or themselves.
   bool passes_through(const std::vector<Points>& now) const {
     Prediction state = prediction_;
     for (size_t v = 0; v < now.size(); ++v) state.vessels[v].positions = now[v];
+    const auto joined = [&](const std::string& name) {
+      const auto& vessels = prediction_.operation->vessels;
+      return name == vessels[0].name || name == vessels[1].name;
+    };
     const std::vector<NamedCrossing> found = named_crossings(state);
-    return std::any_of(found.begin(), found.end(),
-                       [](const NamedCrossing& named) { return named.crossing.depth > 0; });
+    return std::any_of(found.begin(), found.end(), [&](const NamedCrossing& named) {
+      return named.crossing.depth > 0 && joined(named.a) && joined(named.b);
+    });
   }
 
   // Of walls that crumple; 0: as many factorisations as they need.

@@ -55,11 +55,7 @@ bool CoupledStack::narrow() {
       sections[k].motion.move = at.placements[mine][k].position - sections[k].rest.position;
     }
     const WallPatch patch{near_seam(b), at.q[mine]};
-    const int w = system->add_wall(energy_of(b), scaled.bodies[b].rest.points, sections,
-                                   tie_stiffness(b), &patch);
-    if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
-      system->set_lumen(w, lumen_of(b));
-    system->set_guard(w, guards_[b]);
+    add_wall(b, sections, &patch);
   }
   if (system->unknowns() > largest_patch * wide.system->unknowns()) {
     system = std::move(wide.system);

@@ -95,10 +95,10 @@ struct CoupledOptions : SurfaceOptions {
   /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
   /// most once a second and for a hundredth of the time. May be empty.
   std::function<void(CoupledSolution&&)> keep;
-  /// Whether walls at these positions, n x 3 per body, pass through each other: asked of the first
-  /// minimum found from a rough CoupledProblem::start. Where it is true, joined walls touch right
-  /// up to their seam from there on, and what lies in each other is brought apart; where that fails
-  /// they go on as they are. May be empty: they do not.
+  /// Whether walls at these positions, n x 3 per body, length, pass through each other: asked of
+  /// the first minimum found from a rough CoupledProblem::start. Where it is true, joined walls
+  /// touch right up to their seam from there on, and what lies in each other is brought apart;
+  /// where that fails they go on as they are. May be empty: they do not.
   std::function<bool(const std::vector<Points>& now)> passes_through;
 
   /// Empty when the options are valid, else one sentence that names the invalid option.

@@ -243,6 +243,17 @@ WallLumen CoupledStack::lumen_of(size_t b) const {
   return lumen;
 }
 
+int CoupledStack::add_wall(size_t b, const std::vector<HeldSection>& sections,
+                           const WallPatch* patch) {
+  const ScaledBody& body = scaled.bodies[b];
+  const int wall = system->add_wall(energy_of(b), body.rest.points, sections,
+                                    options.tie_stiffness * body.k.stretching, patch);
+  if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
+    system->set_lumen(wall, lumen_of(b));
+  system->set_guard(wall, guards_[b]);
+  return wall;
+}
+
 void CoupledStack::build() {
   wide_.reset();
   system = std::make_unique<CoupledSystem>();
@@ -255,11 +266,7 @@ void CoupledStack::build() {
     const ScaledBody& body = scaled.bodies[b];
     if (!body.modelled) continue;
     first[b] = system->vertex_count();
-    first_wall[b] =
-        system->add_wall(energy_of(b), body.rest.points, scaled_sections(b), tie_stiffness(b));
-    if (problem.vessels[b]->pressure || problem.vessels[b]->inflation > 0)
-      system->set_lumen(first_wall[b], lumen_of(b));
-    system->set_guard(first_wall[b], guards_[b]);
+    first_wall[b] = add_wall(b, scaled_sections(b), nullptr);
   }
   system->set_inflation(inflation_);
   system->finish();

@@ -123,9 +123,7 @@ class CoupledStack {
   void take_start();
   void expect_pressures();
   std::vector<char> near_seam(size_t body) const;
-  double tie_stiffness(size_t body) const {
-    return options.tie_stiffness * scaled.bodies[body].k.stretching;
-  }
+  int add_wall(size_t body, const std::vector<HeldSection>& sections, const WallPatch* patch);
   void join();
   void expect_touched();
   void take_part(size_t body, bool does);

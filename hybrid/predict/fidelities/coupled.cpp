@@ -138,6 +138,11 @@ bool is_minimum(Status status) {
          status == Status::equilibrium_only;
 }
 
+// In a scene in which nothing touches anything, walls may lie in each other.
+bool leaves_out_contact(const Prediction& prediction) {
+  return prediction.scene->contact && prediction.scene->contact->empty();
+}
+
 bool touches_itself(const CoupledSolution& solution) {
   return std::any_of(
       solution.surface.contacts.begin(), solution.surface.contacts.end(),
@@ -208,7 +213,7 @@ class Attempt {
     if (!fine) build();
     prediction_.work += work;
     fine->set_start(start_from_coarse(*coarse, found, prediction_));
-    if (may_touch())
+    if (!leaves_out_contact(prediction_))
       fine->options().passes_through = [this](const std::vector<Points>& now) {
         return passes_through(now);
       };
@@ -305,12 +310,6 @@ class Attempt {
     return problem;
   }
 
-  // In a scene in which nothing touches anything, walls may lie in each other.
-  bool may_touch() const {
-    const auto& contact = prediction_.scene->contact;
-    return !contact || !contact->empty();
-  }
-
   // Whether joined walls pass through each other or themselves.
   bool passes_through(const std::vector<Points>& now) const {
     Prediction state = prediction_;
@@ -363,9 +362,7 @@ void solve_coupled(Prediction& prediction, const SolveOptions& options) {
   std::optional<CoupledSolution> first;
   if (!folds) first = attempt.from_coarse();
   if (!first) first = attempt.closed(folds ? updates_from_closed : std::optional<int>());
-  // In a scene in which nothing touches anything, walls may lie in each other.
-  const auto& contact = prediction.scene->contact;
-  const bool apart = vein ? !folds && contact && contact->empty() : !touches_itself(*first);
+  const bool apart = vein ? !folds && leaves_out_contact(prediction) : !touches_itself(*first);
   if (apart) {
     attempt.keep(std::move(*first), prediction);
     return;

@@ -37,8 +37,8 @@ Reach reach_of(const CoupledWall& wall, const std::vector<SectionPlacement>& pla
   return r;
 }
 
-const Matrix& hessian_of(const CoupledWall& wall, const VectorXd& q) {
-  return wall.part ? wall.energy->hessian(q, *wall.part) : wall.energy->hessian(q);
+const Matrix& hessian_of(const CoupledWall& wall, const VectorXd& q, SecondDerivatives second) {
+  return wall.part ? wall.energy->hessian(q, *wall.part, second) : wall.energy->hessian(q, second);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void CoupledSystem::finish() {
   std::vector<const Matrix*> own(walls_.size());
   in_parallel(threads(), static_cast<int>(walls_.size()), [&](int w) {
     const CoupledWall& wall = walls_[index(w)];
-    own[index(w)] = &hessian_of(wall, wall.energy->rest());
+    own[index(w)] = &hessian_of(wall, wall.energy->rest(), SecondDerivatives::all);
   });
   for (size_t w = 0; w < walls_.size(); ++w) {
     const CoupledWall& wall = walls_[w];
@@ -117,10 +117,11 @@ void CoupledSystem::add_wall_hessian(size_t w, const Matrix& h, const CoupledSta
     }
 }
 
-void CoupledSystem::add_wall_hessians(const CoupledState& s, Entries& extra) {
+void CoupledSystem::add_wall_hessians(const CoupledState& s, SecondDerivatives second,
+                                      Entries& extra) {
   std::vector<const Matrix*> own(walls_.size());
   in_parallel(threads(), static_cast<int>(walls_.size()),
-              [&](int w) { own[index(w)] = &hessian_of(walls_[index(w)], s.q[index(w)]); });
+              [&](int w) { own[index(w)] = &hessian_of(walls_[index(w)], s.q[index(w)], second); });
   std::fill_n(base_.valuePtr(), base_.nonZeros(), 0.0);
   for (size_t w = 0; w < walls_.size(); ++w) add_wall_hessian(w, *own[w], s, extra);
 }
@@ -224,10 +225,15 @@ Matrix CoupledSystem::with_extra(const Entries& extra) const {
   return base_ + more;
 }
 
-Matrix CoupledSystem::hessian(const VectorXd& z) {
+Matrix CoupledSystem::hessian(const VectorXd& z, SecondDerivatives second) {
   const CoupledState s = state(z);
   Entries extra;
-  add_wall_hessians(s, extra);
+  add_wall_hessians(s, second, extra);
+  add_ties(s, extra);
+  if (second != SecondDerivatives::all) {
+    add_meetings(s, 1, extra);
+    return with_extra(extra);
+  }
   const bool poses_free = std::any_of(walls_.begin(), walls_.end(), [](const CoupledWall& wall) {
     return std::any_of(wall.sections.begin(), wall.sections.end(),
                        [](const SectionPose& pose) { return pose.unknowns() > 0; });
@@ -238,7 +244,6 @@ Matrix CoupledSystem::hessian(const VectorXd& z) {
     evaluate(s, z, f, terms);
     add_pose_curvature(s, f, extra);
   }
-  add_ties(s, extra);
   add_meetings(s, 0, extra);
   add_lumens(s, false, extra);
   return with_extra(extra);
@@ -262,7 +267,7 @@ Matrix CoupledSystem::rest_hessian() {
     for (const SectionPose& pose : wall.sections) s.placements.back().push_back(pose.at_rest());
   }
   Entries extra;
-  add_wall_hessians(s, extra);
+  add_wall_hessians(s, SecondDerivatives::all, extra);
   add_lumens(s, true, extra);
   return with_extra(extra);
 }

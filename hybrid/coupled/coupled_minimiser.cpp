@@ -23,10 +23,10 @@ constexpr double worth_of_hessian = 10;
 // After this many points of negative curvature, the branch that the short steps follow no longer
 // exists.
 constexpr int patience_on_branch = 3;
-// The residual at which a rough start is smooth enough for the true Hessian, and the iterations for
-// a tenfold reduction towards it.
+// The residual at which a start is smooth enough for the true Hessian. On the way to it the
+// iterations for a tenfold reduction with K0, and with one convex Hessian, and the most of these.
 constexpr double smooth_enough = 1e-2;
-constexpr int patience_with_convex = 20;
+constexpr int patience_with_rest = 20, per_convex = 6, most_convex = 12;
 constexpr int inverse_iterations = 12;
 constexpr int halvings_of_prediction = 4;
 // Negative curvature below this fraction of the rest Hessian's curvature in the same direction is
@@ -207,18 +207,32 @@ bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double&
 }
 
 // K0 in the present frames, which neither a stress nor a curvature of the start can make
-// indefinite.
-bool CoupledMinimiser::factorise_convex(const VectorXd& z, const Breaks& breaks) {
+// indefinite, with what seams, ties and contacts add to it.
+bool CoupledMinimiser::factorise_turned_rest(const VectorXd& z, const Breaks& breaks) {
   breaks.before("Hessian at rest");
-  Matrix convex = rest_;
-  turn_matrix(turns_, convex);
-  convex += system_.meeting_hessian(z);
-  if (!pad(analysed_, convex)) {
-    analyse(factor_, convex, breaks);
-    analysed_ = convex;
+  Matrix turned = rest_;
+  turn_matrix(turns_, turned);
+  turned += system_.meeting_hessian(z);
+  return factorise_as_analysed(turned, Precision::exact, breaks);
+}
+
+bool CoupledMinimiser::factorise_convex(const VectorXd& z, Precision precision,
+                                        const Breaks& breaks) {
+  breaks.before("Hessian");
+  ++work_.counts.hessians;
+  Matrix convex = system_.hessian(z, SecondDerivatives::convex);
+  return factorise_as_analysed(convex, precision, breaks);
+}
+
+// Factorises a positive definite matrix, with a new analysis where its pattern needs one.
+bool CoupledMinimiser::factorise_as_analysed(Matrix& matrix, Precision precision,
+                                             const Breaks& breaks) {
+  if (!pad(analysed_, matrix)) {
+    analyse(factor_, matrix, breaks);
+    analysed_ = matrix;
   }
   breaks.before("factorisation");
-  return factor_.factorise(convex, breaks.inside);
+  return factor_.factorise(matrix, breaks.inside, precision);
 }
 
 // Leaves an equilibrium whose Hessian H is not positive definite. Inverse iteration with the
@@ -302,23 +316,25 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     summary.rest_iterations = summary.iterations;
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
-  if (options.convex_first) {
+  inner.worth = worth_of_hessian;
+  const Precision far = options.rough_factors ? Precision::rough : Precision::exact;
+  for (int k = 0; options.start != Roughness::near && k < most_convex; ++k) {
+    const bool by_rest = k == 0 && options.start == Roughness::rough;
     ++summary.factorisations;
-    if (factorise_convex(z, breaks)) {
-      inner.tolerance = std::max(smooth_enough, options.tolerance);
-      inner.patience = patience_with_convex;
-      inner.worth = worth_of_hessian;
-      inner.max_iterations = options.max_iterations;
-      summary.add(lbfgs(evaluation, hessian, z, inner));
-      if (interrupted()) return;
-    }
+    if (!(by_rest ? factorise_turned_rest(z, breaks) : factorise_convex(z, far, breaks))) break;
+    inner.tolerance = std::max(smooth_enough, options.tolerance);
+    inner.patience = by_rest ? patience_with_rest : per_convex;
+    inner.max_iterations = options.max_iterations - summary.iterations;
+    summary.add(lbfgs(evaluation, hessian, z, inner));
+    if (interrupted()) return;
+    if (summary.status != LbfgsStatus::slow) break;
   }
   inner.patience = 0;
-  inner.worth = worth_of_hessian;
   inner.tolerance = options.tolerance;
   VectorXd gradient;
   double shift = 0, factored_at = 1;
-  int stalls = 0, indefinite = 0, shifted = 0;
+  // Each convex Hessian but the first took the place of one that would have had to be shifted.
+  int stalls = 0, indefinite = 0, shifted = std::max(0, summary.factorisations - 1);
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
   // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, or they
   // gain much of the energy, it is cheaper to go on with it than to factorise another.

@@ -2,9 +2,11 @@
 //
 // Stage 1, where walls are only held and moved: L-BFGS preconditioned by the rest Hessian K0, which
 // is factorised once and applied in the frames of the rods, D K0^-1 D^T. This brings the start
-// given by the rods close to its minimum. From a rough start of joined or touching walls: the same
-// with K0 in the frames of the start and the springs of seams, ties and contacts, for which the
-// true Hessian would have to be tried with many shifts.
+// given by the rods close to its minimum. From a start of joined or touching walls far from their
+// minimum, where the true Hessian would have to be tried with many shifts: L-BFGS preconditioned by
+// the convex part of the Hessian (SecondDerivatives) of a nearby point. It takes the bends of a
+// rough start for its shape and would keep them: from there K0 comes first, in the frames of the
+// start and with the springs of seams, ties and contacts.
 //
 // Stage 2: L-BFGS preconditioned by the true Hessian of a nearby point, factorised again when
 // convergence slows down: Newton's method with as few factorisations as possible. Far from the
@@ -17,6 +19,7 @@
 #include <optional>
 
 #include "coupled/coupled_system.h"
+#include "coupled/roughness.h"
 #include "numerics/cholesky.h"
 #include "numerics/lbfgs.h"
 
@@ -40,13 +43,12 @@ struct CoupledMinimiserOptions {
   bool release_step = false;
   int max_iterations = 3000;
   int max_factorisations = 60;
-  /// Of them, those that met a negative pivot or needed a shift.
+  /// Of them, those that met a negative pivot, needed a shift or took the convex part instead.
   int max_shifted = std::numeric_limits<int>::max();
   /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
   bool use_rest = true;
-  /// Begin with K0 in the present frames and what seams, ties and contacts add to it, which is
-  /// convex: for a start that is rough, where the true Hessian is not.
-  bool convex_first = false;
+  /// Of it depends with which Hessian the minimisation begins.
+  Roughness start = Roughness::near;
   bool reuse_hessian = false;  ///< begin with the last factorised true Hessian
   /// Far from the minimum factors may be Precision::rough. Not on a branch that is to be followed:
   /// one that fails although its Hessian is positive would be taken for the branch's end.
@@ -119,7 +121,10 @@ class CoupledMinimiser {
   void run(Eigen::VectorXd& z, const CoupledMinimiserOptions& options, const Breaks& breaks,
            CoupledMinimiserSummary& summary);
   bool factorise_rest(const Breaks& breaks);
-  bool factorise_convex(const Eigen::VectorXd& z, const Breaks& breaks);
+  bool factorise_turned_rest(const Eigen::VectorXd& z, const Breaks& breaks);
+  bool factorise_convex(const Eigen::VectorXd& z, Precision precision, const Breaks& breaks);
+  bool factorise_as_analysed(Eigen::SparseMatrix<double>& matrix, Precision precision,
+                             const Breaks& breaks);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   bool factorise(const Eigen::VectorXd& z, Precision precision, double& shift, int& factorisations,
                  int most, const Breaks& breaks);

@@ -13,6 +13,7 @@
 #include "bodies/surface_options.h"
 #include "bodies/surface_solution.h"
 #include "coupled/held_section.h"
+#include "coupled/roughness.h"
 #include "wall/wall_energy.h"
 
 namespace vasorod {
@@ -32,9 +33,9 @@ struct CoupledVessel {
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
-  /// The first minimisation, to the minimum or of the first step that brings walls apart, begins
-  /// with CoupledMinimiserOptions::convex_first.
-  bool rough = true;
+  /// Of it depends how the first minimisation begins, that to the minimum or that of the first step
+  /// that brings walls apart.
+  Roughness roughness = Roughness::rough;
   bool buckled = false;  ///< the smooth branch from rest lost its stability before
 };
 
@@ -90,15 +91,15 @@ struct CoupledOptions : SurfaceOptions {
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
-  /// CoupledMinimiserOptions::convex_first of the first minimisation.
-  bool convex_first = false;
+  /// Of the first minimisation where no CoupledProblem::start is given.
+  Roughness start = Roughness::near;
   /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
   /// most once a second and for a hundredth of the time. May be empty.
   std::function<void(CoupledSolution&&)> keep;
   /// Whether walls at these positions, n x 3 per body, length, pass through each other: asked of
-  /// the first minimum found from a rough CoupledProblem::start. Where it is true, joined walls
-  /// touch right up to their seam from there on, and what lies in each other is brought apart;
-  /// where that fails they go on as they are. May be empty: they do not.
+  /// the first minimum found from a CoupledProblem::start that is not near it. Where it is true,
+  /// joined walls touch right up to their seam from there on, and what lies in each other is
+  /// brought apart; where that fails they go on as they are. May be empty: they do not.
   std::function<bool(const std::vector<Points>& now)> passes_through;
 
   /// Empty when the options are valid, else one sentence that names the invalid option.

@@ -81,7 +81,8 @@ class CoupledSolver::Data {
     keep_next_ = 0;
     solution_ = {};
     stack_.begin_solve();
-    stiffening_ = is_rough_ = false;
+    stiffening_ = false;
+    start_is_ = Roughness::near;
     const Easing easing{stack_};
     if (stack_.any_modelled()) {
       follow_path();
@@ -186,7 +187,7 @@ class CoupledSolver::Data {
       }
       if (stack_.problem.start) {
         path_.start_at_given();
-        is_rough_ = stack_.problem.start->rough;
+        start_is_ = stack_.problem.start->roughness;
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         if (stack_.problem.lets_out && !let_out()) return;
         stack_.search_contacts();
@@ -366,11 +367,11 @@ class CoupledSolver::Data {
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
       inner.tolerance = tolerance;
-      inner.convex_first =
-          outer == 1 &&
-          (is_near_start() ? is_rough_ : !stack_.problem.start && options.convex_first);
-      inner.use_rest =
-          !inner.convex_first && !stepped && alone && outer == 1 && stack_.system->contacts.empty();
+      inner.start = Roughness::near;
+      if (outer == 1 && (is_near_start() || !stack_.problem.start))
+        inner.start = is_near_start() ? start_is_ : options.start;
+      inner.use_rest = inner.start == Roughness::near && !stepped && alone && outer == 1 &&
+                       stack_.system->contacts.empty();
       // What touches itself is looked for before a Hessian, so that each minimum begins with one.
       inner.reuse_hessian = outer > 1 && !(inner.follow && stack_.contacts->pressing());
       // Where multipliers still change, the minimum is certified when they are settled.
@@ -389,8 +390,8 @@ class CoupledSolver::Data {
         solution_.notes.emplace_back("no minimum was found near the given start");
         return Status::iteration_limit;
       }
-      if (std::exchange(is_rough_, false) && is_near_start() && stack_.passes_through())
-        return settle_parted(t);
+      const bool came_far = std::exchange(start_is_, Roughness::near) != Roughness::near;
+      if (came_far && is_near_start() && stack_.passes_through()) return settle_parted(t);
       const double moment_change = stack_.system->recentre(stack_.z);
       const double seam_gap = stack_.largest_seam_gap();
       const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;
@@ -488,7 +489,7 @@ class CoupledSolver::Data {
   double keep_next_ = 0;           // when the state is kept again, seconds since the start
   bool left_saddle_ = false;
   bool stiffening_ = false;
-  bool is_rough_ = false;  // the walls are at a start that no minimisation has made smooth
+  Roughness start_is_ = Roughness::near;  // that of a given start, until it is minimised
   CoupledSolution solution_;
 };
 

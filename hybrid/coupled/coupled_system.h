@@ -172,8 +172,11 @@ class CoupledSystem {
                         CoupledForces* forces = nullptr) const;
   /// Sum of all parts on q of one wall.
   Eigen::VectorXd total_force(size_t wall, const CoupledForces& f) const;
-  /// The Hessian, lower triangle.
-  Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& z);
+  /// The Hessian, lower triangle. `convex`: only a part of it that is positive semidefinite: of the
+  /// walls that of triangle_energy.h, of loads that turn with their section and of pressure
+  /// nothing.
+  Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& z,
+                                      SecondDerivatives second = SecondDerivatives::all);
   /// What ties, seams and contacts add to it.
   Eigen::SparseMatrix<double> meeting_hessian(const Eigen::VectorXd& z) const;
   /// The walls' Hessian at rest.
@@ -193,7 +196,7 @@ class CoupledSystem {
   static void scatter(const Reach& p, const Reach& q, bool diagonal, double value, Entries& extra);
   void add_wall_hessian(size_t wall, const Eigen::SparseMatrix<double>& h, const CoupledState& s,
                         Entries& extra);
-  void add_wall_hessians(const CoupledState& s, Entries& extra);
+  void add_wall_hessians(const CoupledState& s, SecondDerivatives second, Entries& extra);
   void add_pose_curvature(const CoupledState& s, const CoupledForces& f, Entries& extra) const;
   void add_ties(const CoupledState& s, Entries& extra) const;
   void set_pressures();

@@ -158,7 +158,7 @@ Status SeamClosing::bring_apart() {
     const double next = std::max(0.0, share - step);
     stack_.contacts->allow(next);
     stack_.search_contacts();
-    minimising_.convex_first = share == 1 && stack_.problem.start && stack_.problem.start->rough;
+    if (share == 1 && stack_.problem.start) minimising_.start = stack_.problem.start->roughness;
     const Status status = settle(updates_per_step, Walls::follow);
     if (status == Status::interrupted) return status;
     if (status == Status::converged) {
@@ -205,7 +205,7 @@ Status SeamClosing::settle(int most_updates, Walls walls) {
     minimising_.reuse_hessian = update > 1;
     const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
     count_(summary);
-    minimising_.convex_first = false;
+    minimising_.start = Roughness::near;
     stack_.unstack();
     if (summary.status == LbfgsStatus::interrupted) return Status::interrupted;
     const bool stuck = summary.unfactorised && summary.iterations == 0;

@@ -76,6 +76,7 @@ std::optional<Prediction> coarse_prediction(const Prediction& fine, const SolveO
 CoupledStart start_from_coarse(const Prediction& coarse, const CoupledSolution& solution,
                                const Prediction& fine) {
   CoupledStart start;
+  start.roughness = Roughness::smooth;
   start.buckled = solution.status == Status::buckled;
   for (size_t v = 0; v < fine.vessels.size(); ++v) {
     const BodySolution& body = solution.surface.bodies[v];

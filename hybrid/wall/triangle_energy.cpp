@@ -1,6 +1,7 @@
 #include "wall/triangle_energy.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -97,7 +98,9 @@ double triangle_value(Law law, const TriangleRest& rest, const TriangleState& st
 }
 
 TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,
-                               bool with_hessian) {
+                               SecondDerivatives second) {
+  const bool with_hessian = second != SecondDerivatives::none,
+             all = second == SecondDerivatives::all;
   TriangleEnergy e;
   const MembraneStrain membrane = membrane_strain(law, state.metric);
   e.strains = triangle_strains(law, rest, state);
@@ -108,7 +111,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     e.value = large.value;
     e.stress = large.stress;
     tangent = large.tangent;
-    stiffness = &tangent;
+    if (all || (with_hessian && tangent.llt().info() == Eigen::Success)) stiffness = &tangent;
   } else {
     e.stress.noalias() = rest.stiffness * e.strains;
     e.value = e.stress.dot(e.strains) / 2;
@@ -136,9 +139,10 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     d.setZero();
     d.topLeftCorner<3, 3>() = membrane.derivative;
     e.hessian.setZero();
-    e.hessian.topLeftCorner<3, 3>() =
-        membrane_strain_hessian(law, state.metric, e.stress.head<3>()) +
-        collapse_stiffness(rest) * stop.hessian;
+    if (all)
+      e.hessian.topLeftCorner<3, 3>() =
+          membrane_strain_hessian(law, state.metric, e.stress.head<3>()) +
+          collapse_stiffness(rest) * stop.hessian;
   }
   for (int k = 0; k < 3; ++k) {
     const double moment = e.stress[3 + k];
@@ -162,6 +166,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     d.block<1, 3>(3 + k, 0) = b * log_gradient.transpose();
     d(3 + k, 3 + k) = by_angle;
     d(3 + k, 6 + k) = by_xi;
+    if (!all) continue;
     e.hessian.topLeftCorner<3, 3>() +=
         moment * b * (h.log_hessian() + log_gradient * log_gradient.transpose());
     const Vec3 metric_angle = moment * by_angle * log_gradient,
@@ -184,6 +189,13 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     e.hessian.noalias() += d.transpose() * kd;
   }
   return e;
+}
+
+Eigen::Matrix2d in_tension(const Eigen::Matrix2d& stress) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal;
+  principal.computeDirect(stress);
+  return principal.eigenvectors() * principal.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         principal.eigenvectors().transpose();
 }
 
 }  // namespace vasorod

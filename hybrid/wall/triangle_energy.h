@@ -32,6 +32,13 @@
 // A wall with a law for large strains has E(y) of large_strain_wall.h, of which K is the Hessian at
 // rest, in place of 1/2 y^T K y.
 //
+// In whatever state, a part of the Hessian in the unknowns is positive semidefinite
+// (SecondDerivatives::convex): what the slopes of y make of K, as in Gauss and Newton's method, and
+// what tension adds. Left out are what compression adds and the second derivatives of the strains
+// in C, of b_k and of the angles, which may have any sign. Without stress that part is the Hessian.
+// Sources: Choi, Ko, Stable but responsive cloth, 2002, who leave compression out; Teran, Sifakis,
+// Irving, Fedkiw, Robust quasistatic finite elements and flesh simulation, 2005.
+//
 // Where the wall shears across its thickness (leaning_triangle.h), y includes the bending of the
 // director's lean, L l, and 1/2 l^T S l is added.
 #pragma once
@@ -67,6 +74,9 @@ struct TriangleRest {
   std::shared_ptr<const LeaningTriangle> leaning;
 };
 
+/// The second derivatives that are asked for: of `convex` see above.
+enum class SecondDerivatives { none, convex, all };
+
 /// K^-1 s: the strains of the rest shape in the state without stress.
 Vec6 prestrain(const TriangleRest& rest);
 
@@ -83,23 +93,27 @@ struct TriangleState {
 };
 
 /// The energy of a triangle (force * length) and its derivatives with respect to (C11, C22, C12,
-/// theta_0..2, xi_0..2), including the partner's share.
+/// theta_0..2, xi_0..2), including the partner's share. The second derivatives only if requested.
 struct TriangleEnergy {
   Vec6 strains;  ///< y
   Vec6 stress;   ///< dE/dy: K y, minus the relief
   double shear;  ///< 1/2 l^T S l, part of `value`
   double value;
   Vec9 gradient;
-  Mat9 hessian;                               ///< only if requested
-  Eigen::Matrix<double, 6, 9> strain_slopes;  ///< of y by the nine scalars; only if requested
+  Mat9 hessian;
+  Eigen::Matrix<double, 6, 9> strain_slopes;  ///< of y by the nine scalars; with the second ones
   // Where the wall leans:
   Vec3 lean_gradient;                       ///< dE/dl
-  Eigen::Matrix<double, 9, 3> lean_slopes;  ///< d2E by a scalar and by l; only if requested
-  Mat3 lean_hessian;                        ///< only if requested
+  Eigen::Matrix<double, 9, 3> lean_slopes;  ///< d2E by a scalar and by l
+  Mat3 lean_hessian;
 };
 
 TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const TriangleState& state,
-                               bool with_hessian);
+                               SecondDerivatives second);
+
+/// Of dE/dC and its transpose, 2 x 2 in the rest frame, the part in tension: the nearest positive
+/// semidefinite matrix.
+Eigen::Matrix2d in_tension(const Eigen::Matrix2d& stress);
 
 /// The energy only.
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state);

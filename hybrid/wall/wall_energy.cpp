@@ -136,7 +136,8 @@ double WallEnergy::gradient(const Eigen::VectorXd& q, Eigen::VectorXd& gradient,
   for (const int t : part.triangles) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
     const Deformation f = deformation(q, t);
-    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, f), false);
+    const TriangleEnergy e =
+        triangle_energy(law_, rest, state(q, g, t, f), SecondDerivatives::none);
     energy += e.value;
     Deformation stress;  // d E / d F
     stress.col(0) = 2 * e.gradient[0] * f.col(0) + e.gradient[2] * f.col(1);
@@ -202,7 +203,8 @@ WallReport WallEnergy::report(const Eigen::VectorXd& q) const {
   WallReport report;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const TriangleRest& rest = triangle_rest_[static_cast<size_t>(t)];
-    const TriangleEnergy e = triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), false);
+    const TriangleEnergy e =
+        triangle_energy(law_, rest, state(q, g, t, deformation(q, t)), SecondDerivatives::none);
     const Vec3 strain = e.strains.head<3>(), bending = e.strains.tail<3>();
     // A prestress is that of strains in the state of no stress, of which these are the sum.
     const Vec6 whole = e.strains + prestrain(rest);

@@ -132,8 +132,9 @@ class WallEnergy {
   /// Returns the energy and writes its gradient with respect to q (size unknowns()).
   double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g) const;
   /// The Hessian, lower triangle, compressed. The pattern never changes; the values are overwritten
-  /// in place.
-  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q);
+  /// in place. `convex`: only a part of it that is positive semidefinite (triangle_energy.h).
+  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q,
+                                             SecondDerivatives second = SecondDerivatives::all);
 
   /// The part around the vertices that are marked. `vertices`: per vertex.
   WallPart part(const std::vector<char>& vertices) const;
@@ -141,7 +142,8 @@ class WallEnergy {
   /// to the marked vertices, their leans and the normals of their edges are complete. The others
   /// are not those of any energy.
   double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g, const WallPart& part) const;
-  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q, const WallPart& part);
+  const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q, const WallPart& part,
+                                             SecondDerivatives second = SecondDerivatives::all);
 
   /// Replaces the material of the wall. The pattern, the rest state, all unknowns and a linear
   /// prestress stay; a shape without stress does too, and the prestress from it follows.
@@ -195,7 +197,7 @@ class WallEnergy {
   TriangleDerivatives derivatives(const Eigen::VectorXd& q, const Geometry& g, int triangle,
                                   const Deformation& f) const;
   void add_triangle(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
-                    double* values) const;
+                    SecondDerivatives second, double* values) const;
   void add_leans(size_t triangle, const TriangleEnergy& e, const TriangleDerivatives& d,
                  double* values) const;
   void add_hinges(const Eigen::VectorXd& q, const Geometry& g, const WallPart& part,

@@ -196,8 +196,8 @@ std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
   std::vector<Vec6> all;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const Deformation f = deformation(q, t);
-    const TriangleEnergy e =
-        triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
+    const TriangleEnergy e = triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)],
+                                             state(q, g, t, f), SecondDerivatives::all);
     const TriangleDerivatives d = derivatives(q, g, t, f);
     Vec9 own;
     for (int k = 0; k < 3; ++k) own.segment<3>(3 * k) = point(change, triangles_(t, k));
@@ -221,12 +221,14 @@ std::vector<Vec6> WallEnergy::strain_change(const Eigen::VectorXd& q,
   return all;
 }
 
-const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q) {
-  return hessian(q, whole_);
+const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q,
+                                                       SecondDerivatives second) {
+  return hessian(q, whole_, second);
 }
 
 const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q,
-                                                       const WallPart& part) {
+                                                       const WallPart& part,
+                                                       SecondDerivatives second) {
   const Geometry g = geometry(q, part);
   double* values = hessian_.valuePtr();
   std::fill(values, values + hessian_.nonZeros(), 0.0);
@@ -234,18 +236,18 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q,
   for (const int t : part.triangles) {
     const Deformation f = deformation(q, t);
     const TriangleEnergy e =
-        triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), true);
+        triangle_energy(law_, triangle_rest_[static_cast<size_t>(t)], state(q, g, t, f), second);
     const Sides& sides = sides_[static_cast<size_t>(t)];
     for (int k = 0; k < 3; ++k)
       if (const auto edge = static_cast<size_t>(sides.edge[static_cast<size_t>(k)]);
           !edges_[edge].rim)
         by_angle[edge] += e.gradient[3 + k];
     const TriangleDerivatives d = derivatives(q, g, t, f);
-    add_triangle(static_cast<size_t>(t), e, d, values);
+    add_triangle(static_cast<size_t>(t), e, d, second, values);
     if (triangle_rest_[static_cast<size_t>(t)].leaning)
       add_leans(static_cast<size_t>(t), e, d, values);
   }
-  add_hinges(q, g, part, by_angle, values);
+  if (second == SecondDerivatives::all) add_hinges(q, g, part, by_angle, values);
   add_partners(q, part, values);
   return hessian_;
 }
@@ -253,7 +255,7 @@ const Eigen::SparseMatrix<double>& WallEnergy::hessian(const Eigen::VectorXd& q,
 // Adds the energy of one triangle, from derivatives in its nine scalars to derivatives in the
 // unknowns.
 void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleDerivatives& d,
-                              double* values) const {
+                              SecondDerivatives second, double* values) const {
   Adder adder{values, node_stride_};
   const TriangleRest& rest = triangle_rest_[t];
   const Sides& sides = sides_[t];
@@ -263,6 +265,8 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
   Mat9 block = d.own.transpose() * half;
   Eigen::Matrix2d tension;
   tension << 2 * e.gradient[0], e.gradient[2], e.gradient[2], 2 * e.gradient[1];
+  const bool all = second == SecondDerivatives::all;
+  if (!all) tension = in_tension(tension);
   const Mat3 scalar = rest.gradients.transpose() * tension * rest.gradients;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) block.block<3, 3>(3 * i, 3 * j).diagonal().array() += scalar(i, j);
@@ -282,7 +286,7 @@ void WallEnergy::add_triangle(size_t t, const TriangleEnergy& e, const TriangleD
       for (int j = 0; j < 3; ++j) {
         Mat3 b = a * row.segment<3>(3 * j);
         // b_k is bilinear in the normal of the rim and the vertices.
-        if (edge.glued) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
+        if (edge.glued && all) b.diagonal().array() += e.gradient[3 + k] * (j == k ? -2 : 1);
         adder.add<3, 3>(outer, node[static_cast<size_t>(j)],
                         place[static_cast<size_t>(pair(3 + k, j))], b);
       }

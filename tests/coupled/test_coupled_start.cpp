@@ -92,8 +92,24 @@ TEST_F(CoupledStartTest, ARoughStartEndsInTheSameMinimumWithFewFactorisations) {
   const int factorisations = solution.surface.work.counts.factorisations;
   EXPECT_LE(factorisations, avx2 ? 4 : 5) << blas;
   // With the true Hessian from the beginning it takes more than twice as many.
-  start.rough = false;
+  start.roughness = Roughness::near;
   EXPECT_LT(2 * factorisations, from(start).surface.work.counts.factorisations);
+}
+
+// Bent to the side by half a radius.
+TEST_F(CoupledStartTest, ASmoothStartEndsInTheSameMinimumWithFewerFactorisationsThanANearOne) {
+  CoupledStart start = start_at(reference_);
+  Points& points = start.bodies[0].points;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points(i, 1) += 0.5 * radius * std::pow(std::sin(M_PI * points(i, 2) / 40), 2);
+  start.roughness = Roughness::smooth;
+  const CoupledSolution solution = from(start);
+  EXPECT_EQ(solution.status, Status::converged) << to_string(solution.status);
+  EXPECT_TRUE(solution.smallest_curvature_positive);
+  EXPECT_LT(away(solution), 1e-4);
+  start.roughness = Roughness::near;
+  EXPECT_LT(solution.surface.work.counts.factorisations,
+            from(start).surface.work.counts.factorisations);
 }
 
 TEST_F(CoupledStartTest, AStartThatBuckledOnItsWaySaysSo) {

@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <memory>
@@ -100,6 +101,22 @@ TEST(CoupledSystem, DerivativesMatchDifferencesBetweenRigidSections) {
   Everything rigid({false, false, true, false, true, false}, {true, true, true, true, true, true},
                    true);
   expect_derivatives(rigid);
+}
+
+TEST(CoupledSystem, ConvexPartIsPositiveSemidefiniteWhereTheHessianIsNot) {
+  const std::array<bool, 6> free{}, fixed{true, true, true, true, true, true};
+  for (const std::array<bool, 6>& held : {free, fixed}) {
+    Everything e(held, held, true);
+    const auto least = [&](SecondDerivatives second) {
+      const Eigen::MatrixXd lower = e.system.hessian(e.z, second);
+      const Eigen::MatrixXd whole = lower.selfadjointView<Eigen::Lower>();
+      return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole, Eigen::EigenvaluesOnly)
+                 .eigenvalues()[0] /
+             whole.norm();
+    };
+    EXPECT_GT(least(SecondDerivatives::convex), -1e-12);
+    EXPECT_LT(least(SecondDerivatives::all), -1e-4);
+  }
 }
 
 // Of the same state, where only some vertices move.

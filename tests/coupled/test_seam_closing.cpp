@@ -137,7 +137,7 @@ CoupledProblem inflated_start(const CoupledSolution& round) {
     for (const SectionSolution& section : round.sections[b])
       start.bodies[b].sections.push_back({section.rotation, section.center});
   }
-  start.rough = false;
+  start.roughness = Roughness::near;
   problem.lets_out = true;
   return problem;
 }

@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <vasorod/error.h>
@@ -121,6 +122,64 @@ TEST(WallEnergy, APartHasTheDerivativesOfTheWholeAtItsVertices) {
                 1e-12 * wall.value(q))
         << c.name;
   }
+}
+
+Eigen::MatrixXd convex_part(WallEnergy& wall, const Eigen::VectorXd& q) {
+  return Eigen::SparseMatrix<double>(
+      wall.hessian(q, SecondDerivatives::convex).selfadjointView<Eigen::Lower>());
+}
+
+double least_eigenvalue(const Eigen::MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+TEST(WallEnergy, ConvexPartIsPositiveSemidefiniteWhereTheHessianIsNot) {
+  for (const Case& c : cases()) {
+    WallEnergy wall(c.input);
+    for (const double size : {0.08, 0.3}) {
+      const Eigen::VectorXd q = disturbed(wall, size, 1);
+      const Eigen::MatrixXd convex = convex_part(wall, q), whole = full_hessian(wall, q);
+      EXPECT_GT(least_eigenvalue(convex), -1e-12 * convex.norm()) << c.name << ", " << size;
+      EXPECT_LT(least_eigenvalue(whole), -1e-4 * whole.norm()) << c.name << ", " << size;
+    }
+  }
+}
+
+TEST(WallEnergy, WithoutStressTheHessianIsItsConvexPart) {
+  for (const Case& c : cases()) {
+    WallEnergy wall(c.input);
+    const Eigen::MatrixXd whole = full_hessian(wall, wall.rest());
+    EXPECT_LT((convex_part(wall, wall.rest()) - whole).norm(), 1e-12 * whole.norm()) << c.name;
+  }
+}
+
+// Green's strain is linear in C: nothing is left out but what compression adds.
+TEST(WallEnergy, OfAFlatWallInTensionTheHessianIsItsConvexPart) {
+  WallInput flat;
+  flat.rest.points.resize(12, 3);
+  for (int i = 0; i < 12; ++i) flat.rest.points.row(i) << i % 4, i / 4 + 0.2 * (i % 4), 0;
+  flat.rest.triangles.resize(12, 3);
+  for (int i = 0; i < 6; ++i) {
+    const int a = i % 3 + 4 * (i / 3);
+    flat.rest.triangles.row(2 * i) << a, a + 1, a + 5;
+    flat.rest.triangles.row(2 * i + 1) << a, a + 5, a + 4;
+  }
+  flat.thickness.setConstant(12, 0.1);
+  flat.axis.assign(12, Vec3::UnitX());
+  flat.material = Material::isotropic(1, 0.3, Law::svk);
+  WallEnergy wall(flat);
+  const auto apart = [&](double along, double across) {
+    Eigen::VectorXd q = wall.rest();
+    for (int v = 0; v < 12; ++v) {
+      q[3 * v] *= along;
+      q[3 * v + 1] *= across;
+    }
+    const Eigen::MatrixXd whole = full_hessian(wall, q);
+    return (convex_part(wall, q) - whole).norm() / whole.norm();
+  };
+  EXPECT_LT(apart(1.2, 1.1), 1e-12);
+  EXPECT_GT(apart(1.2, 0.7), 1e-2);
 }
 
 TEST(WallEnergy, APartOfALongTubeIsSmall) {

@@ -245,7 +245,7 @@ class Attempt {
     CoupledStart& start = problem.start.emplace();
     // Walls that begin to press from inside each other are far from a positive definite Hessian;
     // but walls that fold would snap into other folds.
-    start.rough = !folds;
+    if (folds) start.roughness = Roughness::near;
     start.buckled = crossed.status == Status::buckled;
     for (const BodySolution& body : crossed.surface.bodies) {
       start.bodies.emplace_back();
@@ -334,7 +334,7 @@ class Attempt {
 
   // A start needs few digits.
   void only_for_a_start() {
-    coupled_.convex_first = true;
+    coupled_.start = Roughness::rough;
     coupled_.tolerance = coarse_tolerance;
     coupled_.seam_tolerance = coupled_.balance_tolerance = coarse_share;
     coupled_.pressure_tolerance = coarse_change;

@@ -333,7 +333,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
   inner.tolerance = options.tolerance;
   VectorXd gradient;
   double shift = 0, factored_at = 1;
-  // Each convex Hessian but the first took the place of one that would have had to be shifted.
+  // Each convex factor but the first took the place of a Hessian that would have needed a shift.
   int stalls = 0, indefinite = 0, shifted = std::max(0, summary.factorisations - 1);
   bool fresh = false;  // factor_ is unshifted and belongs to a point near z
   // As long as one Hessian makes the residual fall tenfold within `per_hessian` iterations, or they

@@ -47,7 +47,7 @@ struct CoupledMinimiserOptions {
   int max_shifted = std::numeric_limits<int>::max();
   /// False: no K0 stage (for free bodies, seams and contacts, which K0 does not include).
   bool use_rest = true;
-  /// Of it depends with which Hessian the minimisation begins.
+  /// What z is like, which decides with which Hessian the minimisation begins.
   Roughness start = Roughness::near;
   bool reuse_hessian = false;  ///< begin with the last factorised true Hessian
   /// Far from the minimum factors may be Precision::rough. Not on a branch that is to be followed:

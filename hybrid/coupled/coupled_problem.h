@@ -33,8 +33,8 @@ struct CoupledVessel {
 struct CoupledStart {
   std::vector<CarriedBody> bodies;        ///< at time 1; one without points is not touched
   std::vector<Eigen::VectorXd> pressure;  ///< per body, of contacts on its vertices, stress
-  /// Of it depends how the first minimisation begins, that to the minimum or that of the first step
-  /// that brings walls apart.
+  /// CoupledMinimiserOptions::start of the first minimisation to the minimum, and of that of the
+  /// first step that brings walls apart.
   Roughness roughness = Roughness::rough;
   bool buckled = false;  ///< the smooth branch from rest lost its stability before
 };
@@ -91,7 +91,8 @@ struct CoupledOptions : SurfaceOptions {
   /// Times at which the path is solved; the last is 1. From 0.7 of the Brazier curvature on, a
   /// smooth and a kinked minimum coexist; small steps stay on the branch that starts at rest.
   std::vector<double> times{1};
-  /// Of the first minimisation where no CoupledProblem::start is given.
+  /// CoupledMinimiserOptions::start of the first minimisation, where no CoupledProblem::start is
+  /// given.
   Roughness start = Roughness::near;
   /// Called with the state so far (status interrupted) before an ordering or a factorisation, at
   /// most once a second and for a hundredth of the time. May be empty.

@@ -172,9 +172,9 @@ class CoupledSystem {
                         CoupledForces* forces = nullptr) const;
   /// Sum of all parts on q of one wall.
   Eigen::VectorXd total_force(size_t wall, const CoupledForces& f) const;
-  /// The Hessian, lower triangle. `convex`: only a part of it that is positive semidefinite: of the
-  /// walls that of triangle_energy.h, of loads that turn with their section and of pressure
-  /// nothing.
+  /// The Hessian, lower triangle. `second`: not `none`; `convex`: only a part of it that is
+  /// positive semidefinite: of the walls that of triangle_energy.h, of loads that turn with their
+  /// section and of pressure nothing.
   Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& z,
                                       SecondDerivatives second = SecondDerivatives::all);
   /// What ties, seams and contacts add to it.

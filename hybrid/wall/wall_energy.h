@@ -132,7 +132,8 @@ class WallEnergy {
   /// Returns the energy and writes its gradient with respect to q (size unknowns()).
   double gradient(const Eigen::VectorXd& q, Eigen::VectorXd& g) const;
   /// The Hessian, lower triangle, compressed. The pattern never changes; the values are overwritten
-  /// in place. `convex`: only a part of it that is positive semidefinite (triangle_energy.h).
+  /// in place. `second`: not `none`; `convex`: only a part of it that is positive semidefinite
+  /// (triangle_energy.h).
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q,
                                              SecondDerivatives second = SecondDerivatives::all);
 

@@ -179,6 +179,7 @@ bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double&
   breaks.before("Hessian");
   ++work_.counts.hessians;
   worn_ = false;
+  pairs_.clear();
   hessian_ = system_.hessian(z);
   if (!pad(analysed_, hessian_)) {
     analyse(factor_, hessian_, breaks);
@@ -227,6 +228,7 @@ bool CoupledMinimiser::factorise_convex(const VectorXd& z, Precision precision,
 // Factorises a positive definite matrix, with a new analysis where its pattern needs one.
 bool CoupledMinimiser::factorise_as_analysed(Matrix& matrix, Precision precision,
                                              const Breaks& breaks) {
+  pairs_.clear();
   if (!pad(analysed_, matrix)) {
     analyse(factor_, matrix, breaks);
     analysed_ = matrix;
@@ -317,6 +319,7 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     if (interrupted() || (!options.certify && summary.residual <= options.tolerance)) return;
   }
   inner.worth = worth_of_hessian;
+  inner.pairs = &pairs_;
   const Precision far = options.rough_factors ? Precision::rough : Precision::exact;
   for (int k = 0; options.start != Roughness::near && k < most_convex; ++k) {
     const bool by_rest = k == 0 && options.start == Roughness::rough;

@@ -137,6 +137,7 @@ class CoupledMinimiser {
   Eigen::SparseMatrix<double> metric_;  // K0 in present frames; empty if H needed no shift
   GroupTurns turns_;
   Cholesky rest_factor_, factor_;
+  LbfgsPairs pairs_;  // of iterations with factor_
   bool without_contacts_ = false;
   std::vector<int> order_;                // elimination order
   double order_nonzeros_ = 0;             // entries of the factor for which order_ was found

@@ -1,5 +1,5 @@
-// The patch of a CoupledStack: a system of what is near the seam and the contacts, in which all
-// else is held.
+// The patch of a CoupledStack: a system of what is near the seam or the contacts, in which all else
+// is held.
 #include <utility>
 
 #include "coupled/coupled_stack.h"
@@ -10,38 +10,50 @@
 namespace vasorod {
 namespace {
 
-// How far a patch reaches from the seam and from contacts, over the mouth's radius, and the largest
-// share of all unknowns with which it is worth its own solve.
-constexpr double patch_reach = 2, largest_patch = 0.5;
+// How far a patch reaches, over the mouth's radius.
+constexpr double reach(Patch patch) {
+  return patch == Patch::seam ? 1 : 2;
+}
+// The largest share of all unknowns with which it is worth its own solve.
+constexpr double largest_patch = 0.5;
 
 }  // namespace
 
-// Per vertex: whether it is near, on the surface at rest, one of the seam or one that is pressed on
-// or expected to be.
-std::vector<char> CoupledStack::near_seam(size_t b) const {
+// Per vertex: whether it is near, on the surface at rest, one of the seam or, where contacts count,
+// one that is pressed on or expected to be.
+std::vector<char> CoupledStack::in_patch(size_t b, Patch patch) const {
   std::vector<int> middle;
   for (const SeamPair& pair : problem.surfaces.seams) {
     if (pair.body_a == static_cast<int>(b)) middle.push_back(pair.vertex_a);
     if (pair.body_b == static_cast<int>(b)) middle.push_back(pair.vertex_b);
   }
-  const Eigen::VectorXd& pressure = problem.start->pressure[b];
-  for (Eigen::Index v = 0; v < pressure.size(); ++v)
-    if (pressure[v] > 0) middle.push_back(static_cast<int>(v));
-  for (size_t i = 0; i < stacked.points.size(); ++i) {
-    if (stacked.points[i].multiplier <= 0) continue;
-    if (stacked.bodies[i][0] == static_cast<int>(b)) middle.push_back(stacked.slave[i]);
-    if (stacked.bodies[i][1] == static_cast<int>(b))
-      middle.insert(middle.end(), stacked.master[i].begin(), stacked.master[i].end());
+  if (patch == Patch::seam_and_contacts) {
+    const std::vector<int> pressed = pressed_on(b);
+    middle.insert(middle.end(), pressed.begin(), pressed.end());
   }
   std::vector<char> near(index(scaled.bodies[b].rest.points.rows()), 0);
   if (middle.empty()) return near;
   for (const auto& [v, way] :
-       EdgePaths(scaled.bodies[b].rest).within(middle, patch_reach * seam_radius))
+       EdgePaths(scaled.bodies[b].rest).within(middle, reach(patch) * seam_radius))
     near[index(v)] = 1;
   return near;
 }
 
-bool CoupledStack::narrow() {
+std::vector<int> CoupledStack::pressed_on(size_t b) const {
+  std::vector<int> pressed;
+  const Eigen::VectorXd& pressure = problem.start->pressure[b];
+  for (Eigen::Index v = 0; v < pressure.size(); ++v)
+    if (pressure[v] > 0) pressed.push_back(static_cast<int>(v));
+  for (size_t i = 0; i < stacked.points.size(); ++i) {
+    if (stacked.points[i].multiplier <= 0) continue;
+    if (stacked.bodies[i][0] == static_cast<int>(b)) pressed.push_back(stacked.slave[i]);
+    if (stacked.bodies[i][1] == static_cast<int>(b))
+      pressed.insert(pressed.end(), stacked.master[i].begin(), stacked.master[i].end());
+  }
+  return pressed;
+}
+
+bool CoupledStack::narrow(Patch around) {
   const CoupledState at = system->state(z);
   Wide wide{std::move(system), std::move(minimiser), std::move(z)};
   system = std::make_unique<CoupledSystem>();
@@ -54,7 +66,7 @@ bool CoupledStack::narrow() {
       sections[k].motion.rotate = log_rotation(at.placements[mine][k].rotation);
       sections[k].motion.move = at.placements[mine][k].position - sections[k].rest.position;
     }
-    const WallPatch patch{near_seam(b), at.q[mine]};
+    const WallPatch patch{in_patch(b, around), at.q[mine]};
     add_wall(b, sections, &patch);
   }
   if (system->unknowns() > largest_patch * wide.system->unknowns()) {

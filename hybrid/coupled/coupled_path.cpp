@@ -222,8 +222,8 @@ void CoupledPath::rebuild() {
   turn_minimiser(carried_.rotations);
 }
 
-bool CoupledPath::narrow() {
-  if (!stack_.narrow()) return false;
+bool CoupledPath::narrow(Patch patch) {
+  if (!stack_.narrow(patch)) return false;
   turn_minimiser(frames_);
   return true;
 }

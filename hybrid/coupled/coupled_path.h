@@ -38,7 +38,7 @@ class CoupledPath {
   /// Builds the stack again: new bodies join the unknowns, existing ones keep their state.
   void rebuild();
   /// CoupledStack::narrow() and widen(), with the state and the frames of the present walls.
-  bool narrow();
+  bool narrow(Patch patch);
   void widen();
 
   /// The state at a time, from which the path can go on again.

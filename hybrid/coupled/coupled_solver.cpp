@@ -191,6 +191,7 @@ class CoupledSolver::Data {
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         if (stack_.problem.lets_out && !let_out()) return;
         stack_.search_contacts();
+        if (start_is_ == Roughness::smooth && !relax_seam()) return;
         buckled = stack_.problem.start->buckled;
       }
       const Points predicted = positions();
@@ -277,6 +278,13 @@ class CoupledSolver::Data {
     if (seam_closing().part_or_stay() == Status::interrupted) return Status::interrupted;
     stack_.search_contacts();
     return settle(t, false);
+  }
+
+  // Brings what is near the seam of a smooth start to rest.
+  bool relax_seam() {
+    if (stack_.problem.surfaces.seams.empty()) return true;
+    SeamClosing closing = seam_closing();
+    return goes_on(closing, closing.relax());
   }
 
   bool let_out() {

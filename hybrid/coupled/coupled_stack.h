@@ -12,6 +12,12 @@
 
 namespace vasorod {
 
+/// What a patch holds (CoupledStack::narrow()), by ways along edges.
+enum class Patch {
+  seam,               ///< what is within a radius of the mouth from the seam
+  seam_and_contacts,  ///< within two, also from contacts that press or that the start expects
+};
+
 /// The problem in scaled units with its system, minimiser and contacts.
 class CoupledStack {
  public:
@@ -31,9 +37,9 @@ class CoupledStack {
   /// Builds the system of the modelled bodies, at rest, and with it `first`, `first_wall` and `z`.
   void build();
 
-  /// Replaces the system by that of a patch, of what is near the seam and to contacts that press or
-  /// that the start expects: all else is held as it is. False: the patch would not be much smaller.
-  bool narrow();
+  /// Replaces the system by that of a patch: all else is held as it is. False: the patch would not
+  /// be much smaller.
+  bool narrow(Patch patch);
   /// Whether the system is that of a patch.
   bool is_narrow() const { return wide_.has_value(); }
   /// Replaces it by the whole again, whose z is that of before narrow().
@@ -122,7 +128,8 @@ class CoupledStack {
  private:
   void take_start();
   void expect_pressures();
-  std::vector<char> near_seam(size_t body) const;
+  std::vector<char> in_patch(size_t body, Patch patch) const;
+  std::vector<int> pressed_on(size_t body) const;
   int add_wall(size_t body, const std::vector<HeldSection>& sections, const WallPatch* patch);
   void join();
   void expect_touched();

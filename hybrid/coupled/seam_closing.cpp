@@ -12,6 +12,8 @@ namespace {
 
 // A state on the way is only a start.
 constexpr double tolerance = 1e-3;
+// Of a patch whose surroundings are still to move.
+constexpr double tolerance_in_patch = 1e-2;
 // A state whose forces are this large over those of its energy is torn.
 constexpr double torn = 1;
 constexpr int most_factorisations = 40, most_iterations = 200, per_hessian = 6;
@@ -65,6 +67,17 @@ Status SeamClosing::run() {
   return status;
 }
 
+Status SeamClosing::relax() {
+  if (!path_.narrow(Patch::seam)) return Status::converged;
+  minimising_.tolerance = tolerance_in_patch;
+  minimising_.start = stack_.problem.start->roughness;
+  const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
+  count_(summary);
+  path_.widen();
+  stack_.unstack();
+  return summary.status == LbfgsStatus::interrupted ? Status::interrupted : Status::converged;
+}
+
 Status SeamClosing::part() {
   Status status = part_in_patch();
   if (status == Status::iteration_limit) status = bring_apart();
@@ -88,7 +101,7 @@ Status SeamClosing::part_or_stay() {
 Status SeamClosing::part_in_patch() {
   if (stack_.problem.lets_out) return Status::iteration_limit;  // pressed outwards everywhere
   const CoupledPath::Kept kept = path_.keep();
-  if (!path_.narrow()) return Status::iteration_limit;
+  if (!path_.narrow(Patch::seam_and_contacts)) return Status::iteration_limit;
   const Status status = bring_apart();
   path_.widen();
   stack_.begin_stage();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <vector>
 
 #include "data/index.h"
@@ -21,79 +20,6 @@ constexpr int most_backtracks = 30;
 constexpr double last_digits = 1e-14, cancelled = 1e-8;
 // The same with LbfgsOptions::by_slopes.
 constexpr double lost_to_stiffness = 1e-5;
-
-// The last steps s and gradient changes y with the two-loop recursion over them. The products
-// s_i . y_j are stored, so that each of the four sweeps over the pairs is one matrix product. With
-// 10 pairs of 75,000 unknowns the recursion is limited by memory bandwidth, and this form reads
-// less than half of the data.
-class Pairs {
- public:
-  Pairs(Eigen::Index unknowns, int memory)
-      : steps_(unknowns, memory), changes_(unknowns, memory), products_(memory, memory) {}
-
-  bool empty() const { return order_.empty(); }
-  void clear() {
-    order_.clear();
-    pending_ = false;
-  }
-
-  /// Adds the step just taken along `direction`. `before` is the gradient descend() was last called
-  /// with, `now` the gradient after the step.
-  void add(double step, const VectorXd& direction, const VectorXd& before, const VectorXd& now) {
-    if (steps_.cols() == 0) return;
-    const double product = step * direction.dot(now - before);
-    if (!(product > 1e-12 * step * direction.norm() * (now - before).norm())) return;
-    const bool full = static_cast<Eigen::Index>(order_.size()) == steps_.cols();
-    const Eigen::Index slot = full ? order_.front() : static_cast<Eigen::Index>(order_.size());
-    if (full) order_.pop_front();
-    steps_.col(slot) = step * direction;
-    changes_.col(slot) = now - before;
-    products_(slot, slot) = product;
-    order_.push_back(slot);
-    pending_ = true;
-  }
-
-  /// direction = -H gradient.
-  void descend(const Preconditioner& precondition, const VectorXd& gradient, VectorXd& work,
-               VectorXd& direction) {
-    const auto used = static_cast<Eigen::Index>(order_.size());
-    if (used == 0) {
-      precondition(gradient, direction);
-      direction = -direction;
-      return;
-    }
-    const VectorXd before = along_;
-    along_.noalias() = steps_.leftCols(used).transpose() * gradient;
-    // The newest y is this gradient minus the previous one.
-    for (size_t k = 0; pending_ && k + 1 < order_.size(); ++k)
-      products_(order_[k], order_.back()) = along_[order_[k]] - before[order_[k]];
-    pending_ = false;
-    VectorXd alpha = along_;
-    for (size_t k = order_.size(); k-- > 0;) {
-      for (size_t j = k + 1; j < order_.size(); ++j)
-        alpha[order_[k]] -= alpha[order_[j]] * products_(order_[k], order_[j]);
-      alpha[order_[k]] /= products_(order_[k], order_[k]);
-    }
-    work = gradient;
-    work.noalias() -= changes_.leftCols(used) * alpha;
-    precondition(work, direction);
-    VectorXd share = changes_.leftCols(used).transpose() * direction;
-    for (size_t k = 0; k < order_.size(); ++k) {
-      for (size_t j = 0; j < k; ++j)
-        share[order_[k]] += share[order_[j]] * products_(order_[j], order_[k]);
-      share[order_[k]] = alpha[order_[k]] - share[order_[k]] / products_(order_[k], order_[k]);
-    }
-    direction.noalias() += steps_.leftCols(used) * share;
-    direction = -direction;
-  }
-
- private:
-  Eigen::MatrixXd steps_, changes_;  // one column per pair
-  Eigen::MatrixXd products_;         // (i, j): s_i . y_j for i not newer than j
-  VectorXd along_;                   // s_i . the last gradient
-  std::deque<Eigen::Index> order_;   // columns in use, oldest first
-  bool pending_ = false;             // products of the newest pair are not computed yet
-};
 
 // Steps along a line to where its slope is flatter, by regula falsi; the first is 1.
 class SlopeSearch {
@@ -147,7 +73,9 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   LbfgsSummary summary;
   VectorXd gradient(x.size()), new_gradient(x.size()), new_x(x.size()), direction(x.size()),
       work(x.size());
-  Pairs pairs(x.size(), options.memory);
+  LbfgsPairs own;
+  LbfgsPairs& pairs = options.pairs ? *options.pairs : own;
+  pairs.begin(x.size(), options.memory);
   double energy = evaluate(x, gradient, summary.residual);
   summary.evaluations = 1;
   std::vector<double> residuals{summary.residual}, energies{energy};

@@ -12,6 +12,8 @@
 #include <functional>
 #include <string>
 
+#include "numerics/lbfgs_pairs.h"
+
 namespace vasorod {
 
 /// Options of lbfgs().
@@ -19,6 +21,8 @@ struct LbfgsOptions {
   /// Number of pairs kept. More pairs gain nothing measurable on these energies. 0: preconditioned
   /// descent.
   int memory = 10;
+  /// Those to begin with, which are left for another run; null: none.
+  LbfgsPairs* pairs = nullptr;
   int max_iterations = 3000;
   double tolerance = 1e-8;  ///< on the residual returned by the evaluation
   /// Stop as `slow` when the residual has not fallen tenfold within this number of iterations, and
@@ -79,9 +83,6 @@ struct StagedSummary {
 /// gradient.
 using Evaluation =
     std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual)>;
-/// direction = H^-1 gradient with H symmetric positive definite.
-using Preconditioner =
-    std::function<void(const Eigen::VectorXd& gradient, Eigen::VectorXd& direction)>;
 
 /// Minimises starting at x. On return x is the best point found, whatever the status.
 LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& precondition,

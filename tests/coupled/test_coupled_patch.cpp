@@ -1,8 +1,10 @@
 // The patch around a seam, in which the rest of the walls is held.
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "coupled/coupled_contacts.h"
 #include "coupled/coupled_path.h"
+#include "coupled/seam_closing.h"
 
 namespace vasorod {
 namespace {
@@ -40,6 +42,22 @@ class CoupledPatchTest : public ::testing::Test {
     path_.start_at_given();
   }
   Points positions() const { return stack_.system->state(stack_.z).positions; }
+  double energy() const {
+    Eigen::VectorXd g;
+    return stack_.system->gradient(stack_.z, g).total();
+  }
+  void widen_at_seam() {
+    CoupledStart& start = *stack_.problem.start;
+    start.roughness = Roughness::smooth;
+    for (size_t b = 0; b < 2; ++b) {
+      Points& points = start.bodies[b].points = stack_.problem.surfaces.bodies[b].rest.points;
+      for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const double away = points(i, 2) - 30;
+        points.row(i).head<2>() *= 1 + 0.2 * std::exp(-away * away / 2);
+      }
+    }
+    path_.start_at_given();
+  }
 
   CoupledStack stack_;
   CoupledPath path_;
@@ -48,7 +66,7 @@ class CoupledPatchTest : public ::testing::Test {
 TEST_F(CoupledPatchTest, OnlyWhatIsNearTheSeamMoves) {
   const Points start = positions();
   const int whole = stack_.system->unknowns();
-  ASSERT_TRUE(path_.narrow());
+  ASSERT_TRUE(path_.narrow(Patch::seam_and_contacts));
   EXPECT_TRUE(stack_.is_narrow());
   EXPECT_LT(2 * stack_.system->unknowns(), whole);
   EXPECT_LT((positions() - start).norm(), rounding);
@@ -78,16 +96,64 @@ TEST_F(CoupledPatchTest, OnlyWhatIsNearTheSeamMoves) {
 
 TEST_F(CoupledPatchTest, WhatTheStartExpectsToBePressedOnMoves) {
   stack_.problem.start->pressure[2][5 * around] = 1e-3;
-  ASSERT_TRUE(path_.narrow());
+  ASSERT_TRUE(path_.narrow(Patch::seam_and_contacts));
   const Points start = positions();
   stack_.z += 0.1 * Eigen::VectorXd::Ones(stack_.z.size());
   EXPECT_GT((positions() - start).bottomRows(around * (along + 1)).norm(), 0);
 }
 
+TEST_F(CoupledPatchTest, ThatOfTheSeamAloneIsSmallerAndHasNoContacts) {
+  stack_.problem.start->pressure[2][5 * around] = 1e-3;
+  ASSERT_TRUE(path_.narrow(Patch::seam));
+  const Points start = positions();
+  stack_.z += 0.1 * Eigen::VectorXd::Ones(stack_.z.size());
+  const Points moved = positions();
+  const double seam = stack_.scaled.bodies[1].rest.points(0, 2), edge = 2;
+  int near = 0;
+  for (Eigen::Index i = 0; i < start.rows(); ++i) {
+    if ((moved.row(i) - start.row(i)).norm() <= rounding) continue;
+    ++near;
+    EXPECT_LT(i, 2 * around * (along + 1));
+    EXPECT_LT(std::abs(start(i, 2) - seam), stack_.seam_radius + edge) << i;
+  }
+  EXPECT_GT(near, 2 * around);
+}
+
+// A start that is too wide beside the seam only.
+TEST_F(CoupledPatchTest, WhatIsRelaxedComesToRestAndLeavesAllElse) {
+  widen_at_seam();
+  const Points start = positions();
+  const double before = energy();
+  int minimisations = 0;
+  SeamClosing closing(stack_, path_, {}, [&](const CoupledMinimiserSummary& summary) {
+    ++minimisations;
+    EXPECT_LE(summary.residual, 1e-2);
+  });
+  EXPECT_EQ(closing.relax(), Status::converged);
+  EXPECT_EQ(minimisations, 1);
+  EXPECT_FALSE(stack_.is_narrow());
+  EXPECT_LT(energy(), 0.1 * before);
+  const double seam = stack_.scaled.bodies[1].rest.points(0, 2);
+  for (Eigen::Index i = 0; i < start.rows(); ++i)
+    if (std::abs(start(i, 2) - seam) > stack_.seam_radius + 2) {
+      EXPECT_LT((positions().row(i) - start.row(i)).norm(), rounding) << i;
+    }
+}
+
+TEST_F(CoupledPatchTest, WhatIsStoppedWhileItRelaxesIsTheWholeAgain) {
+  widen_at_seam();
+  const int whole = stack_.system->unknowns();
+  CoupledMinimiserOptions stopped;
+  stopped.stop = [](int, double, double) { return true; };
+  SeamClosing closing(stack_, path_, stopped, [](const CoupledMinimiserSummary&) {});
+  EXPECT_EQ(closing.relax(), Status::interrupted);
+  EXPECT_EQ(stack_.system->unknowns(), whole);
+}
+
 TEST_F(CoupledPatchTest, ThePatchHasTheSeam) {
   const size_t joins = stack_.system->joins.size();
   const double k = stack_.system->k_j;
-  ASSERT_TRUE(path_.narrow());
+  ASSERT_TRUE(path_.narrow(Patch::seam_and_contacts));
   EXPECT_EQ(stack_.system->joins.size(), joins);
   EXPECT_EQ(stack_.system->k_j, k);
 }
@@ -111,7 +177,7 @@ TEST(CoupledPatch, OneThatWouldHoldLittleIsNotMade) {
   path.advance(1);
   path.start_at_given();
   const Eigen::VectorXd z = stack.z;
-  EXPECT_FALSE(path.narrow());
+  EXPECT_FALSE(path.narrow(Patch::seam_and_contacts));
   EXPECT_FALSE(stack.is_narrow());
   EXPECT_EQ(stack.z, z);
 }

@@ -92,6 +92,25 @@ TEST(Lbfgs, AStepIsNoLongerThanItMayBe) {
   EXPECT_GT(smallest, 0);
 }
 
+// A run that is cut in two takes the steps of one: the second begins with the pairs of the first.
+TEST(Lbfgs, GoesOnWithThePairsOfAnEarlierRun) {
+  const int cut = 7, more = 9;
+  VectorXd whole = VectorXd::Constant(10, -1.2), parts = whole, forgetful = whole;
+  LbfgsOptions options;
+  options.max_iterations = cut + more;
+  lbfgs(rosenbrock, identity, whole, options);
+  LbfgsPairs pairs;
+  for (const int iterations : {cut, more}) {
+    options.max_iterations = iterations;
+    options.pairs = nullptr;
+    lbfgs(rosenbrock, identity, forgetful, options);
+    options.pairs = &pairs;
+    lbfgs(rosenbrock, identity, parts, options);
+  }
+  EXPECT_LT((parts - whole).norm(), 1e-9 * whole.norm());
+  EXPECT_GT((forgetful - whole).norm(), 1e-2 * whole.norm());
+}
+
 // A quadratic with a dent of the size of rounding, in which no step is seen to lower the energy,
 // and a preconditioner that overshoots twenty times.
 TEST(Lbfgs, BySlopesItGoesOnWhereEnergiesHaveNoDigitsLeft) {

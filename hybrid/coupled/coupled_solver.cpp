@@ -282,7 +282,6 @@ class CoupledSolver::Data {
 
   // Brings what is near the seam of a smooth start to rest.
   bool relax_seam() {
-    if (stack_.problem.surfaces.seams.empty()) return true;
     SeamClosing closing = seam_closing();
     return goes_on(closing, closing.relax());
   }

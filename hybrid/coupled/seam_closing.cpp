@@ -68,13 +68,12 @@ Status SeamClosing::run() {
 }
 
 Status SeamClosing::relax() {
-  if (!path_.narrow(Patch::seam)) return Status::converged;
+  if (stack_.problem.surfaces.seams.empty() || !path_.narrow(Patch::seam)) return Status::converged;
   minimising_.tolerance = tolerance_in_patch;
   minimising_.start = stack_.problem.start->roughness;
   const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
   count_(summary);
   path_.widen();
-  stack_.unstack();
   return summary.status == LbfgsStatus::interrupted ? Status::interrupted : Status::converged;
 }
 

@@ -38,8 +38,8 @@ class SeamClosing {
   /// `iteration_limit` where no step leads on, or `interrupted`.
   Status run();
 
-  /// Of a given start with a closed seam: what is near the seam comes to rest, roughly, in a patch
-  /// (CoupledStack::narrow()). There a start from coarser walls is farthest from the minimum.
+  /// Of a given start: what is near the seam, where there is one, comes to rest, roughly, in a
+  /// patch (CoupledStack::narrow()). There a start from coarser walls is farthest from the minimum.
   /// Returns `converged`, whatever was reached, or `interrupted`.
   Status relax();
 

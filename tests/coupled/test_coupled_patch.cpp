@@ -158,6 +158,26 @@ TEST_F(CoupledPatchTest, ThePatchHasTheSeam) {
   EXPECT_EQ(stack_.system->k_j, k);
 }
 
+// A smooth start is relaxed at its seam, in a minimisation of its own; a near one is not.
+TEST(CoupledPatch, ASolveFromASmoothStartBeginsInIt) {
+  const auto solved = [](Roughness roughness) {
+    CoupledProblem problem = joined_tubes();
+    problem.start->roughness = roughness;
+    CoupledSolver solver(std::move(problem));
+    return solver.solve();
+  };
+  const CoupledSolution near = solved(Roughness::near), smooth = solved(Roughness::smooth);
+  ASSERT_EQ(near.status, Status::converged);
+  ASSERT_EQ(smooth.status, Status::converged);
+  EXPECT_EQ(smooth.surface.outer_iterations, near.surface.outer_iterations + 1);
+  for (size_t b = 0; b < 2; ++b)
+    EXPECT_LT((smooth.surface.bodies[b].positions - near.surface.bodies[b].positions)
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              1e-6);
+}
+
 TEST(CoupledPatch, OneThatWouldHoldLittleIsNotMade) {
   const HeldTube half(12, 6, 0.6, around, 8);
   CoupledProblem problem;

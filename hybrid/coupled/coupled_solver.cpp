@@ -13,6 +13,7 @@
 #include "coupled/free_motions.h"
 #include "coupled/path_steps.h"
 #include "coupled/seam_closing.h"
+#include "coupled/smooth_start.h"
 #include "data/sentence.h"
 
 namespace vasorod {
@@ -83,6 +84,7 @@ class CoupledSolver::Data {
     stack_.begin_solve();
     stiffening_ = false;
     start_is_ = Roughness::near;
+    came_far_ = false;
     const Easing easing{stack_};
     if (stack_.any_modelled()) {
       follow_path();
@@ -172,7 +174,7 @@ class CoupledSolver::Data {
     if (!stack_.system) stack_.build();
     path_.restart();
     stack_.set_inflation(1);
-    bool buckled = false;
+    bool buckled = false, crossed = false;
     const bool on_a_way = stack_.problem.seam_way.has_value();
     if (on_a_way && !close_seam(buckled)) return;
     PathSteps steps(stack_.problem.start ? std::vector<double>{1} : stack_.options.times);
@@ -191,13 +193,16 @@ class CoupledSolver::Data {
         if (stack_.problem.meet_up_to_seams && !part_walls()) return;
         if (stack_.problem.lets_out && !let_out()) return;
         stack_.search_contacts();
-        if (start_is_ == Roughness::smooth && !relax_seam()) return;
+        came_far_ = start_is_ != Roughness::near;
+        if (start_is_ == Roughness::smooth && !bring_near(crossed)) return;
         buckled = stack_.problem.start->buckled;
       }
       const Points predicted = positions();
       const size_t notes = solution_.notes.size();
       const bool possible = path_.is_possible();
-      solution_.status = possible ? settle(t, stepped) : Status::iteration_limit;
+      solution_.status = !possible ? Status::iteration_limit
+                         : crossed ? settle_parted(t)
+                                   : settle(t, stepped);
       // On the way a buckled pattern that creeps around its tube is near enough to go on from.
       const bool passable = possible && t < 1 && solution_.status == Status::iteration_limit &&
                             !stack_.contacts->pressing() &&
@@ -249,12 +254,14 @@ class CoupledSolver::Data {
     return true;
   }
 
-  SeamClosing seam_closing() {
-    return SeamClosing(stack_, path_, inner_options(true),
-                       [this](const CoupledMinimiserSummary& summary) {
-                         ++solution_.surface.outer_iterations;
-                         count(summary);
-                       });
+  SeamClosing seam_closing() { return SeamClosing(stack_, path_, inner_options(true), counting()); }
+
+  // Counts a minimisation outside settle().
+  std::function<void(const CoupledMinimiserSummary&)> counting() {
+    return [this](const CoupledMinimiserSummary& summary) {
+      ++solution_.surface.outer_iterations;
+      count(summary);
+    };
   }
 
   // Ends a stage of the seam. False: the solve ends with it.
@@ -274,16 +281,21 @@ class CoupledSolver::Data {
 
   // At a minimum near the start whose walls pass through each other no other one is looked for.
   Status settle_parted(double t) {
+    came_far_ = false;
     stack_.problem.meet_up_to_seams = true;
     if (seam_closing().part_or_stay() == Status::interrupted) return Status::interrupted;
     stack_.search_contacts();
     return settle(t, false);
   }
 
-  // Brings what is near the seam of a smooth start to rest.
-  bool relax_seam() {
-    SeamClosing closing = seam_closing();
-    return goes_on(closing, closing.relax());
+  // False: the solve ends with it. `crossed`: its walls pass through each other.
+  bool bring_near(bool& crossed) {
+    if (stack_.problem.surfaces.seams.empty()) return true;
+    SmoothStart start(stack_, path_, inner_options(false), counting());
+    solution_.status = start.bring_near();
+    if (start.is_near()) start_is_ = Roughness::near;
+    crossed = start.is_crossed();
+    return solution_.status == Status::converged;
   }
 
   bool let_out() {
@@ -397,8 +409,9 @@ class CoupledSolver::Data {
         solution_.notes.emplace_back("no minimum was found near the given start");
         return Status::iteration_limit;
       }
-      const bool came_far = std::exchange(start_is_, Roughness::near) != Roughness::near;
-      if (came_far && is_near_start() && stack_.passes_through()) return settle_parted(t);
+      start_is_ = Roughness::near;
+      if (std::exchange(came_far_, false) && is_near_start() && stack_.passes_through())
+        return settle_parted(t);
       const double moment_change = stack_.system->recentre(stack_.z);
       const double seam_gap = stack_.largest_seam_gap();
       const bool seam_closed = seam_gap <= options.seam_tolerance * stack_.seam_radius;
@@ -497,6 +510,7 @@ class CoupledSolver::Data {
   bool left_saddle_ = false;
   bool stiffening_ = false;
   Roughness start_is_ = Roughness::near;  // that of a given start, until it is minimised
+  bool came_far_ = false;                 // its first minimum was not looked at yet
   CoupledSolution solution_;
 };
 

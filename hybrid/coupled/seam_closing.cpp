@@ -12,8 +12,6 @@ namespace {
 
 // A state on the way is only a start.
 constexpr double tolerance = 1e-3;
-// Of a patch whose surroundings are still to move.
-constexpr double tolerance_in_patch = 1e-2;
 // A state whose forces are this large over those of its energy is torn.
 constexpr double torn = 1;
 constexpr int most_factorisations = 40, most_iterations = 200, per_hessian = 6;
@@ -65,16 +63,6 @@ Status SeamClosing::run() {
   else if (status == Status::converged)
     note_ = SeamWay::note(steps_);
   return status;
-}
-
-Status SeamClosing::relax() {
-  if (stack_.problem.surfaces.seams.empty() || !path_.narrow(Patch::seam)) return Status::converged;
-  minimising_.tolerance = tolerance_in_patch;
-  minimising_.start = stack_.problem.start->roughness;
-  const CoupledMinimiserSummary summary = stack_.minimiser->minimise(stack_.z, minimising_);
-  count_(summary);
-  path_.widen();
-  return summary.status == LbfgsStatus::interrupted ? Status::interrupted : Status::converged;
 }
 
 Status SeamClosing::part() {

@@ -38,11 +38,6 @@ class SeamClosing {
   /// `iteration_limit` where no step leads on, or `interrupted`.
   Status run();
 
-  /// Of a given start: what is near the seam, where there is one, comes to rest, roughly, in a
-  /// patch (CoupledStack::narrow()). There a start from coarser walls is farthest from the minimum.
-  /// Returns `converged`, whatever was reached, or `interrupted`.
-  Status relax();
-
   /// Of a closed seam: brings apart what lies in each other up to the seam, in a patch around it
   /// (CoupledStack::narrow()), as all else hardly moves; where that fails, with all of it. Returns
   /// as run() does.

@@ -2,36 +2,16 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "coupled/coupled_contacts.h"
 #include "coupled/coupled_path.h"
-#include "coupled/seam_closing.h"
+#include "coupled/joined_tubes.h"
 
 namespace vasorod {
 namespace {
 
 using namespace testing;
 
-constexpr int around = 24, along = 18;
+constexpr int around = joined_around, along = joined_along;
 constexpr double rounding = 1e-10;
-
-// Two tubes with a seam between their rims, held at their far ends; a third one is apart. They
-// start closed, each vertex a little beside its place at rest.
-CoupledProblem joined_tubes() {
-  const HeldTube half(30, 6, 0.6, around, along);
-  CoupledProblem problem;
-  add_tube(problem, half, "lower", Vec3::Zero(), {half.start()});
-  add_tube(problem, half, "upper", Vec3(0, 0, 30), {half.end()});
-  add_tube(problem, half, "aside", Vec3(40, 0, 0), {half.start(), half.end()});
-  for (const int v : half.row(0)) problem.surfaces.seams.push_back({1, v, 0, v + along * around});
-  carry_by_sections(problem);
-  CoupledStart& start = problem.start.emplace();
-  for (const SurfaceBody& body : problem.surfaces.bodies) {
-    start.bodies.emplace_back().points = body.rest.points;
-    start.bodies.back().points.col(0).array() += 0.01;
-    start.pressure.emplace_back(Eigen::VectorXd::Zero(body.rest.points.rows()));
-  }
-  return problem;
-}
 
 class CoupledPatchTest : public ::testing::Test {
  protected:
@@ -42,22 +22,6 @@ class CoupledPatchTest : public ::testing::Test {
     path_.start_at_given();
   }
   Points positions() const { return stack_.system->state(stack_.z).positions; }
-  double energy() const {
-    Eigen::VectorXd g;
-    return stack_.system->gradient(stack_.z, g).total();
-  }
-  void widen_at_seam() {
-    CoupledStart& start = *stack_.problem.start;
-    start.roughness = Roughness::smooth;
-    for (size_t b = 0; b < 2; ++b) {
-      Points& points = start.bodies[b].points = stack_.problem.surfaces.bodies[b].rest.points;
-      for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        const double away = points(i, 2) - 30;
-        points.row(i).head<2>() *= 1 + 0.2 * std::exp(-away * away / 2);
-      }
-    }
-    path_.start_at_given();
-  }
 
   CoupledStack stack_;
   CoupledPath path_;
@@ -119,63 +83,12 @@ TEST_F(CoupledPatchTest, ThatOfTheSeamAloneIsSmallerAndHasNoContacts) {
   EXPECT_GT(near, 2 * around);
 }
 
-// A start that is too wide beside the seam only.
-TEST_F(CoupledPatchTest, WhatIsRelaxedComesToRestAndLeavesAllElse) {
-  widen_at_seam();
-  const Points start = positions();
-  const double before = energy();
-  int minimisations = 0;
-  SeamClosing closing(stack_, path_, {}, [&](const CoupledMinimiserSummary& summary) {
-    ++minimisations;
-    EXPECT_LE(summary.residual, 1e-2);
-  });
-  EXPECT_EQ(closing.relax(), Status::converged);
-  EXPECT_EQ(minimisations, 1);
-  EXPECT_FALSE(stack_.is_narrow());
-  EXPECT_LT(energy(), 0.1 * before);
-  const double seam = stack_.scaled.bodies[1].rest.points(0, 2);
-  for (Eigen::Index i = 0; i < start.rows(); ++i)
-    if (std::abs(start(i, 2) - seam) > stack_.seam_radius + 2) {
-      EXPECT_LT((positions().row(i) - start.row(i)).norm(), rounding) << i;
-    }
-}
-
-TEST_F(CoupledPatchTest, WhatIsStoppedWhileItRelaxesIsTheWholeAgain) {
-  widen_at_seam();
-  const int whole = stack_.system->unknowns();
-  CoupledMinimiserOptions stopped;
-  stopped.stop = [](int, double, double) { return true; };
-  SeamClosing closing(stack_, path_, stopped, [](const CoupledMinimiserSummary&) {});
-  EXPECT_EQ(closing.relax(), Status::interrupted);
-  EXPECT_EQ(stack_.system->unknowns(), whole);
-}
-
 TEST_F(CoupledPatchTest, ThePatchHasTheSeam) {
   const size_t joins = stack_.system->joins.size();
   const double k = stack_.system->k_j;
   ASSERT_TRUE(path_.narrow(Patch::seam_and_contacts));
   EXPECT_EQ(stack_.system->joins.size(), joins);
   EXPECT_EQ(stack_.system->k_j, k);
-}
-
-// A smooth start is relaxed at its seam, in a minimisation of its own; a near one is not.
-TEST(CoupledPatch, ASolveFromASmoothStartBeginsInIt) {
-  const auto solved = [](Roughness roughness) {
-    CoupledProblem problem = joined_tubes();
-    problem.start->roughness = roughness;
-    CoupledSolver solver(std::move(problem));
-    return solver.solve();
-  };
-  const CoupledSolution near = solved(Roughness::near), smooth = solved(Roughness::smooth);
-  ASSERT_EQ(near.status, Status::converged);
-  ASSERT_EQ(smooth.status, Status::converged);
-  EXPECT_EQ(smooth.surface.outer_iterations, near.surface.outer_iterations + 1);
-  for (size_t b = 0; b < 2; ++b)
-    EXPECT_LT((smooth.surface.bodies[b].positions - near.surface.bodies[b].positions)
-                  .rowwise()
-                  .norm()
-                  .maxCoeff(),
-              1e-6);
 }
 
 TEST(CoupledPatch, OneThatWouldHoldLittleIsNotMade) {

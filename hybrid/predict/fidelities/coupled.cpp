@@ -332,9 +332,10 @@ class Attempt {
     return coupled;
   }
 
-  // A start needs few digits.
+  // A start needs few digits, and no certificate.
   void only_for_a_start() {
     coupled_.start = Roughness::rough;
+    coupled_.certify = false;
     coupled_.tolerance = coarse_tolerance;
     coupled_.seam_tolerance = coupled_.balance_tolerance = coarse_share;
     coupled_.pressure_tolerance = coarse_change;

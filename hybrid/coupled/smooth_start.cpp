@@ -1,0 +1,81 @@
+#include "coupled/smooth_start.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vasorod {
+namespace {
+
+// Of walls whose surroundings are still to move.
+constexpr double rough = 1e-2;
+// Most of what one convex Hessian gains for all walls it gains at once.
+constexpr int iterations_of_all = 4;
+// Of the patch of seam and contacts: for its first minimum, how much less for each one after an
+// update, and the least.
+constexpr double first_tolerance = 1e-4, tolerance_step = 0.1, least_tolerance = 1e-7;
+// Each makes the change of the pressures some seven times smaller. More would settle what the whole
+// then changes by a few percent.
+constexpr int most_updates = 3;
+
+}  // namespace
+
+SmoothStart::SmoothStart(CoupledStack& stack, CoupledPath& path,
+                         const CoupledMinimiserOptions& minimising,
+                         std::function<void(const CoupledMinimiserSummary&)> count)
+    : stack_(stack), path_(path), minimising_(minimising), count_(std::move(count)) {
+  minimising_.certify = false;
+  minimising_.use_rest = false;
+}
+
+Status SmoothStart::bring_near() {
+  CoupledMinimiserOptions roughly = minimising_;
+  roughly.tolerance = rough;
+  roughly.start = Roughness::smooth;
+  if (path_.narrow(Patch::seam)) {
+    minimise(roughly);
+    path_.widen();
+  }
+  if (last_.status == LbfgsStatus::interrupted) return Status::interrupted;
+  roughly.max_iterations = iterations_of_all;
+  roughly.max_factorisations = 1;
+  minimise(roughly);
+  if (last_.status == LbfgsStatus::interrupted) return Status::interrupted;
+  stack_.unstack();
+  if (path_.narrow(Patch::seam_and_contacts)) {
+    settle_patch();
+    path_.widen();
+  }
+  return last_.status == LbfgsStatus::interrupted ? Status::interrupted : Status::converged;
+}
+
+// Returns whether a minimum was found.
+bool SmoothStart::minimise(const CoupledMinimiserOptions& options) {
+  last_ = stack_.minimiser->minimise(stack_.z, options);
+  count_(last_);
+  return last_.status == LbfgsStatus::converged;
+}
+
+void SmoothStart::settle_patch() {
+  CoupledMinimiserOptions finer = minimising_;
+  finer.tolerance = first_tolerance;
+  for (int update = 0; minimise(finer); ++update) {
+    near_ = true;
+    stack_.unstack();
+    if (update == 0 && stack_.passes_through()) {
+      crossed_ = true;
+      return;
+    }
+    if (update == most_updates) return;
+    const CoupledOptions& options = stack_.options;
+    const bool closed = stack_.largest_seam_gap() <= options.seam_tolerance * stack_.seam_radius;
+    const ContactState contact = stack_.contacts->refresh(stack_.scaled);
+    if (!closed) stack_.update_seams();
+    stack_.stack_contacts();
+    if (closed && is_settled(contact, options)) return;
+    if (!contact.touched.empty()) return;  // they join the unknowns of the whole
+    finer.tolerance = std::max(least_tolerance, tolerance_step * finer.tolerance);
+    finer.reuse_hessian = true;
+  }
+}
+
+}  // namespace vasorod

@@ -1,0 +1,161 @@
+// Starts from coarser walls, brought near their minimum at the seam and the contacts.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "coupled/joined_tubes.h"
+#include "coupled/smooth_start.h"
+
+namespace vasorod {
+namespace {
+
+using namespace testing;
+
+// Too wide beside the seam, as a coarser mesh's minimum is where walls bend within an edge.
+void widen_at_seam(CoupledProblem& problem) {
+  problem.start->roughness = Roughness::smooth;
+  for (size_t b = 0; b < 2; ++b) {
+    Points& points = problem.start->bodies[b].points;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const double away = points(i, 2) - joined_length;
+      points.row(i).head<2>() *= 1 + 0.2 * std::exp(-away * away / 2);
+    }
+  }
+}
+
+// Both tubes are moved onto a plate beside their seam, by 0.05 more than there is room. They start
+// flattened in front of it.
+void press(CoupledProblem& problem) {
+  const double room = 0.01, way = 0.06;
+  const double face = -joined_radius - room;
+  add_obstacle(problem, "plate", plate(face - joined_thickness / 2, 8, 18, 26));
+  problem.surfaces.contacts = {{0, 3}};
+  for (size_t b = 0; b < 2; ++b) {
+    problem.vessels[b]->sections.front().motion.move.x() -= way;
+    Points& points = problem.start->bodies[b].points;
+    points.col(0) = (points.col(0).array() - way).max(face);
+  }
+  problem.start->bodies.emplace_back();
+  problem.start->pressure.emplace_back();
+  carry_by_sections(problem);
+}
+
+// A stack at the problem's start, as the solver has it before its first minimisation.
+struct Started {
+  explicit Started(CoupledProblem problem, CoupledOptions options = {})
+      : stack(std::move(problem), options), path(stack) {
+    stack.build();
+    path.restart();
+    path.advance(1);
+    path.start_at_given();
+    stack.search_contacts();
+  }
+  double energy() const {
+    Eigen::VectorXd g;
+    return stack.system->gradient(stack.z, g).total();
+  }
+  Status bring_near(CoupledMinimiserOptions minimising = {}) {
+    minimising.largest_step = 0.3;
+    SmoothStart start(stack, path, minimising,
+                      [this](const CoupledMinimiserSummary&) { ++minimisations; });
+    const Status status = start.bring_near();
+    near = start.is_near();
+    crossed = start.is_crossed();
+    return status;
+  }
+
+  CoupledStack stack;
+  CoupledPath path;
+  int minimisations = 0;
+  bool near = false, crossed = false;
+};
+
+CoupledProblem wide(double pull = 0) {
+  CoupledProblem problem = joined_tubes(pull);
+  widen_at_seam(problem);
+  return problem;
+}
+
+TEST(SmoothStart, BringsWallsNearTheirMinimum) {
+  Started started(wide());
+  const int whole = started.stack.system->unknowns();
+  const double before = started.energy();  // over the minimum, which is that at rest
+  EXPECT_EQ(started.bring_near(), Status::converged);
+  EXPECT_TRUE(started.near);
+  EXPECT_FALSE(started.crossed);
+  EXPECT_FALSE(started.stack.is_narrow());
+  EXPECT_EQ(started.stack.system->unknowns(), whole);
+  EXPECT_LT(started.energy(), 1e-3 * before);
+}
+
+// Without multipliers a seam that carries a force stays open by the force over its stiffness.
+TEST(SmoothStart, ClosesASeamThatIsPulled) {
+  Started started(wide(6));
+  EXPECT_EQ(started.bring_near(), Status::converged);
+  const CoupledOptions options;
+  EXPECT_LT(started.stack.largest_seam_gap(), options.seam_tolerance * started.stack.seam_radius);
+  double force = 0;
+  for (const auto& join : started.stack.system->joins) force += join.multiplier.norm();
+  EXPECT_GT(force, 0);
+}
+
+// The pressures that another update would bring are those that are there.
+TEST(SmoothStart, FindsThePressuresOfContacts) {
+  CoupledProblem problem = wide();
+  press(problem);
+  Started started(std::move(problem));
+  EXPECT_EQ(started.bring_near(), Status::converged);
+  EXPECT_TRUE(started.stack.contacts->pressing());
+  EXPECT_LT(started.stack.contacts->refresh(started.stack.scaled).force_change, 0.02);
+}
+
+TEST(SmoothStart, LeavesMultipliersOfCrossedWallsAlone) {
+  CoupledOptions options;
+  int asked = 0;
+  options.passes_through = [&](const std::vector<Points>& now) {
+    ++asked;
+    EXPECT_EQ(now.size(), 3u);
+    return true;
+  };
+  Started started(wide(6), options);
+  EXPECT_EQ(started.bring_near(), Status::converged);
+  EXPECT_EQ(asked, 1);
+  EXPECT_TRUE(started.crossed);
+  EXPECT_EQ(started.minimisations, 3);
+  for (const auto& join : started.stack.system->joins) EXPECT_EQ(join.multiplier.norm(), 0);
+}
+
+TEST(SmoothStart, IsTheWholeAgainWhereItIsStopped) {
+  for (const int at : {0, 1, 2}) {
+    Started started(wide(6));
+    const int whole = started.stack.system->unknowns();
+    CoupledMinimiserOptions stopped;
+    stopped.stop = [&](int, double, double) { return started.minimisations == at; };
+    EXPECT_EQ(started.bring_near(stopped), Status::interrupted);
+    EXPECT_EQ(started.minimisations, at + 1);
+    EXPECT_EQ(started.stack.system->unknowns(), whole);
+    EXPECT_FALSE(started.near);
+  }
+}
+
+// A solve from a smooth start begins so, one from a near one does not; both end in one minimum.
+TEST(SmoothStart, IsHowASolveBegins) {
+  const auto solved = [](Roughness roughness) {
+    CoupledProblem problem = joined_tubes();
+    problem.start->roughness = roughness;
+    CoupledSolver solver(std::move(problem));
+    return solver.solve();
+  };
+  const CoupledSolution near = solved(Roughness::near), smooth = solved(Roughness::smooth);
+  ASSERT_EQ(near.status, Status::converged);
+  ASSERT_EQ(smooth.status, Status::converged);
+  EXPECT_GE(smooth.surface.outer_iterations, near.surface.outer_iterations + 3);
+  for (size_t b = 0; b < 2; ++b)
+    EXPECT_LT((smooth.surface.bodies[b].positions - near.surface.bodies[b].positions)
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              1e-6);
+}
+
+}  // namespace
+}  // namespace vasorod

@@ -98,7 +98,8 @@ struct CoupledOptions : SurfaceOptions {
   /// most once a second and for a hundredth of the time. May be empty.
   std::function<void(CoupledSolution&&)> keep;
   /// Whether walls at these positions, n x 3 per body, length, pass through each other: asked of
-  /// the first minimum found from a CoupledProblem::start that is not near it. Where it is true,
+  /// the first minimum found from a CoupledProblem::start that is not near it and, of a smooth one,
+  /// before that when its seam and contacts have come to rest (smooth_start.h). Where it is true,
   /// joined walls touch right up to their seam from there on, and what lies in each other is
   /// brought apart; where that fails they go on as they are. May be empty: they do not.
   std::function<bool(const std::vector<Points>& now)> passes_through;

@@ -66,12 +66,9 @@ void SmoothStart::settle_patch() {
       return;
     }
     if (update == most_updates) return;
-    const CoupledOptions& options = stack_.options;
-    const bool closed = stack_.largest_seam_gap() <= options.seam_tolerance * stack_.seam_radius;
     const ContactState contact = stack_.contacts->refresh(stack_.scaled);
-    if (!closed) stack_.update_seams();
     stack_.stack_contacts();
-    if (closed && is_settled(contact, options)) return;
+    if (is_settled(contact, stack_.options)) return;
     if (!contact.touched.empty()) return;  // they join the unknowns of the whole
     finer.tolerance = std::max(least_tolerance, tolerance_step * finer.tolerance);
     finer.reuse_hessian = true;

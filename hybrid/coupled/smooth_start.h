@@ -5,8 +5,10 @@
 // 1. What is near the seam comes to rest, roughly, without multipliers or another search of
 //    contacts: in a larger patch a vein would bend into what it does not touch.
 // 2. All walls go towards their minimum with the convex part of one Hessian.
-// 3. What is near the seam and the contacts comes to rest; then the multipliers are updated and the
-//    contacts found again, until they settle.
+// 3. What is near the seam and the contacts comes to rest; then the pressures of contacts are
+// updated
+//    and these found again, a few times. The seam's multipliers are left to a minimum of all walls:
+//    they are updated once, and what gap that leaves depends on where.
 #pragma once
 
 #include <functional>
@@ -30,7 +32,7 @@ class SmoothStart {
   /// Whether the patch of seam and contacts came to rest: the walls are near a minimum.
   bool is_near() const { return near_; }
   /// Whether its walls pass through each other (CoupledOptions::passes_through) before any
-  /// multiplier was updated; then none was.
+  /// pressure was updated; then none was.
   bool is_crossed() const { return crossed_; }
 
  private:

@@ -1,6 +1,5 @@
 #include "coupled/smooth_start.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace vasorod {
@@ -10,9 +9,9 @@ namespace {
 constexpr double rough = 1e-2;
 // Most of what one convex Hessian gains for all walls it gains at once.
 constexpr int iterations_of_all = 4;
-// Of the patch of seam and contacts: for its first minimum, how much less for each one after an
-// update, and the least.
-constexpr double first_tolerance = 1e-4, tolerance_step = 0.1, least_tolerance = 1e-7;
+// Of the patch of seam and contacts: for its first minimum, and how much less for each one after an
+// update.
+constexpr double first_tolerance = 1e-4, tolerance_step = 0.1;
 // Each makes the change of the pressures some seven times smaller. More would settle what the whole
 // then changes by a few percent.
 constexpr int most_updates = 3;
@@ -68,9 +67,9 @@ void SmoothStart::settle_patch() {
     if (update == most_updates) return;
     const ContactState contact = stack_.contacts->refresh(stack_.scaled);
     stack_.stack_contacts();
-    if (is_settled(contact, stack_.options)) return;
-    if (!contact.touched.empty()) return;  // they join the unknowns of the whole
-    finer.tolerance = std::max(least_tolerance, tolerance_step * finer.tolerance);
+    // What is touched only now joins the unknowns of the whole.
+    if (is_settled(contact, stack_.options) || !contact.touched.empty()) return;
+    finer.tolerance *= tolerance_step;
     finer.reuse_hessian = true;
   }
 }

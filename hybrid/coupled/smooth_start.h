@@ -6,9 +6,8 @@
 //    contacts: in a larger patch a vein would bend into what it does not touch.
 // 2. All walls go towards their minimum with the convex part of one Hessian.
 // 3. What is near the seam and the contacts comes to rest; then the pressures of contacts are
-// updated
-//    and these found again, a few times. The seam's multipliers are left to a minimum of all walls:
-//    they are updated once, and what gap that leaves depends on where.
+//    updated and these found again, a few times. The seam's multipliers are left to a minimum of
+//    all walls: they are updated once, and what gap that leaves depends on where.
 #pragma once
 
 #include <functional>

@@ -152,24 +152,43 @@ double Analysis::factor_nonzeros() const {
   return data_->cholmod.common.lnz;
 }
 
-// Column by column, as the factorisation reads them. CHOLMOD would sort each matrix anew.
+// Column by column, as the factorisation reads them, in any order within each.
+void Analysis::sort_places(const Matrix& matrix) {
+  Data& d = *data_;
+  const auto n = static_cast<size_t>(matrix.cols());
+  const auto* perm = static_cast<const int*>(d.symbolic->Perm);
+  std::vector<int> turn(n);  // of each unknown
+  for (size_t k = 0; k < n; ++k) turn[static_cast<size_t>(perm[k])] = static_cast<int>(k);
+  // `take(row, column, place)` for each entry of the lower triangle.
+  const auto for_lower = [&](auto take) {
+    for (int column = 0; column < matrix.cols(); ++column)
+      for (int p = matrix.outerIndexPtr()[column]; p < matrix.outerIndexPtr()[column + 1]; ++p) {
+        const int row = matrix.innerIndexPtr()[p];
+        if (row < column) continue;
+        const auto [first, last] =
+            std::minmax(turn[static_cast<size_t>(row)], turn[static_cast<size_t>(column)]);
+        take(last, first, p);
+      }
+  };
+  std::vector<int> next(n + 1, 0);
+  for_lower([&](int, int column, int) { ++next[static_cast<size_t>(column) + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const auto entries = static_cast<size_t>(next.back());
+  d.sorted = cholmod_allocate_sparse(n, n, entries, 0, 1, -1, CHOLMOD_REAL, &d.cholmod.common);
+  if (!d.sorted) fail(d.cholmod.common, "sorted");
+  std::copy(next.begin(), next.end(), static_cast<int*>(d.sorted->p));
+  auto* rows = static_cast<int*>(d.sorted->i);
+  d.place.resize(entries);
+  for_lower([&](int row, int column, int place) {
+    const int at = next[static_cast<size_t>(column)]++;
+    rows[at] = row;
+    d.place[static_cast<size_t>(at)] = place;
+  });
+}
+
 const cholmod_sparse& Analysis::in_order(const Matrix& matrix) {
   Data& d = *data_;
-  cholmod_common* common = &d.cholmod.common;
-  if (!d.sorted) {
-    std::vector<double> number(static_cast<size_t>(matrix.nonZeros()));
-    std::iota(number.begin(), number.end(), 0.0);
-    cholmod_sparse view = view_of(matrix);
-    view.x = number.data();
-    auto* perm = static_cast<int*>(d.symbolic->Perm);
-    cholmod_sparse* upper = cholmod_ptranspose(&view, 1, perm, nullptr, 0, common);
-    if (!upper) fail(*common, "sorted");
-    d.sorted = cholmod_ptranspose(upper, 1, nullptr, nullptr, 0, common);
-    cholmod_free_sparse(&upper, common);
-    if (!d.sorted) fail(*common, "sorted");
-    const auto* numbers = static_cast<const double*>(d.sorted->x);
-    d.place.assign(numbers, numbers + cholmod_nnz(d.sorted, common));
-  }
+  if (!d.sorted) sort_places(matrix);
   auto* values = static_cast<double*>(d.sorted->x);
   const double* from = matrix.valuePtr();
   for (size_t k = 0; k < d.place.size(); ++k) values[k] = from[d.place[k]];

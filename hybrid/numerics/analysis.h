@@ -37,11 +37,13 @@ class Analysis {
   const Supernodes& nodes() const;
   double factor_nonzeros() const;  ///< number of entries of the factor
 
-  /// The lower triangle of a matrix of the pattern in the order of elimination; it lives until the
-  /// next call.
+  /// The lower triangle of a matrix of the pattern in the order of elimination, the rows of each
+  /// column in any order; it lives until the next call.
   const cholmod_sparse_struct& in_order(const Eigen::SparseMatrix<double>& matrix);
 
  private:
+  void sort_places(const Eigen::SparseMatrix<double>& matrix);
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

@@ -1,6 +1,7 @@
 #include "numerics/cholesky.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,12 +11,40 @@
 namespace vasorod {
 namespace {
 
-// Largest relative difference of a single-precision solve; far below the preconditioner's own
-// error.
+// Largest relative error of a single-precision solve; far below the preconditioner's own error.
 constexpr double largest_difference = 1e-3;
 // A solve with a factor of so many entries ends about when a second thread begins: with 2 million
 // two threads were slower than one, with 34 million a third faster.
 constexpr std::size_t few_entries = 8'000'000;
+
+// Numbers of a factor. They are kept for the next one, which may have a few more: the system hands
+// out and clears a large block anew more slowly than it is filled.
+template <class Scalar>
+class Entries {
+ public:
+  Scalar* of(std::size_t size) {
+    if (size > room_) {
+      const std::size_t more = room_ > 0 ? size / 8 : 0;
+      room_ = 0;
+      values_.reset();
+      values_.reset(new Scalar[size + more]);
+      room_ = size + more;
+    }
+    return values_.get();
+  }
+  Scalar* data() { return values_.get(); }
+
+ private:
+  std::unique_ptr<Scalar[]> values_;
+  std::size_t room_ = 0;
+};
+
+// A right-hand side that excites everything.
+Eigen::VectorXd everything(Eigen::Index size) {
+  Eigen::VectorXd b(size);
+  for (Eigen::Index i = 0; i < size; ++i) b[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i));
+  return b;
+}
 
 }  // namespace
 
@@ -26,15 +55,17 @@ struct Cholesky::Data {
   std::optional<Analysis> analysis;
   std::optional<Fronts<double>> fronts;
   std::optional<Fronts<float>> single_fronts;
-  std::unique_ptr<double[]> factor;  // the entries of all supernodes
+  Entries<double> factor;  // of all supernodes
   TriangularSolves<double> solves;
   bool factorised = false;
   bool only_single = false;  // the factor is a rough one
-  // The last exact factor in single precision: not yet tried, good enough, or not.
-  enum class Single { untried, good, bad } single_is = Single::untried;
+  // What single precision is for: not yet tried, good enough, or not.
+  enum class Single { untried, good, bad };
+  Single copy_is = Single::untried;   // of the last exact factor
+  Single rough_is = Single::untried;  // of rough factorisations
   // Of rough factorisations that fail: the first is yet to be verified, was right, or was wrong.
   enum class Failure { unverified, right, wrong } failure_is = Failure::unverified;
-  std::vector<float> single;
+  Entries<float> single;
   TriangularSolves<float> single_solves;
 
   void count() const {
@@ -68,12 +99,10 @@ void Cholesky::analyse(const Matrix& matrix, const std::vector<int>& order) {
   const FactorTime time(data_->done);
   Data& d = *data_;
   d.factorised = d.only_single = false;
-  d.factor.reset();
   d.fronts.reset();
   d.single_fronts.reset();
   d.analysis.reset();
   d.analysis.emplace(matrix, order);
-  d.fronts.emplace(d.analysis->nodes());
 }
 
 bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision precision) {
@@ -82,25 +111,45 @@ bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision
   d.factorised = d.only_single = false;
   const size_t entries = d.analysis->nodes().entries();
   const auto& sorted = d.analysis->in_order(matrix);
-  const bool rough = precision == Precision::rough && d.single_is == Data::Single::good &&
-                     d.failure_is != Data::Failure::wrong;
+  using Failure = Data::Failure;
+  const bool rough = precision == Precision::rough && d.rough_is != Data::Single::bad &&
+                     d.failure_is != Failure::wrong;
+  bool failed = false;
   if (rough) {
     d.count();
     if (!d.single_fronts) d.single_fronts.emplace(d.analysis->nodes());
-    d.single.resize(entries);
-    d.factorised = d.only_single =
-        d.single_fronts->factorise(sorted, d.single.data(), d.threads(), stop);
-    if (d.factorised || d.failure_is == Data::Failure::right) return d.factorised;
+    failed = !d.single_fronts->factorise(sorted, d.single.of(entries), d.threads(), stop);
+    if (failed && d.failure_is == Failure::right) return false;
+    d.factorised = d.only_single = !failed && single_will_do(matrix);
+    if (d.factorised) return true;
   }
   d.count();
-  if (!d.factor) d.factor.reset(new double[entries]);
-  d.factorised = d.fronts->factorise(sorted, d.factor.get(), d.threads(), stop);
-  if (rough)
-    d.failure_is = d.factorised ? Data::Failure::wrong : Data::Failure::right;
-  else if (d.factorised && d.failure_is == Data::Failure::right)
-    d.failure_is = Data::Failure::unverified;
-  if (!rough || d.factorised) d.single_is = Data::Single::untried;
+  if (!d.fronts) d.fronts.emplace(d.analysis->nodes());
+  d.factorised = d.fronts->factorise(sorted, d.factor.of(entries), d.threads(), stop);
+  if (failed)
+    d.failure_is = d.factorised ? Failure::wrong : Failure::right;
+  else if (d.factorised && d.failure_is == Failure::right)
+    d.failure_is = Failure::unverified;
+  if (d.factorised) d.copy_is = Data::Single::untried;
   return d.factorised;
+}
+
+// Asked of the first rough factor: one step of iterative refinement, whose residual is in double
+// precision, tells the error of a solve.
+bool Cholesky::single_will_do(const Matrix& matrix) {
+  Data& d = *data_;
+  if (d.rough_is == Data::Single::untried) {
+    const Eigen::VectorXd b = everything(matrix.cols());
+    Eigen::VectorXd x(b.size()), error(b.size());
+    d.only_single = true;
+    solve(b.data(), x.data(), 1);
+    const Eigen::VectorXd left = b - matrix.selfadjointView<Eigen::Lower>() * x;
+    solve(left.data(), error.data(), 1);
+    d.only_single = false;
+    d.rough_is =
+        error.norm() < largest_difference * x.norm() ? Data::Single::good : Data::Single::bad;
+  }
+  return d.rough_is == Data::Single::good;
 }
 
 void Cholesky::solve(const double* b, double* x, int columns) {
@@ -109,13 +158,13 @@ void Cholesky::solve(const double* b, double* x, int columns) {
   if (d.only_single)
     d.single_solves.solve(d.analysis->nodes(), d.single.data(), b, x, columns, d.threads());
   else
-    d.solves.solve(d.analysis->nodes(), d.factor.get(), b, x, columns, d.threads());
+    d.solves.solve(d.analysis->nodes(), d.factor.data(), b, x, columns, d.threads());
 }
 
 void Cholesky::precondition(const double* b, double* x, int columns) {
   Data& d = *data_;
-  if (d.only_single || d.single_is == Data::Single::bad) return solve(b, x, columns);
-  const bool untried = d.single_is == Data::Single::untried;
+  if (d.only_single || d.copy_is == Data::Single::bad) return solve(b, x, columns);
+  const bool untried = d.copy_is == Data::Single::untried;
   const auto size = Eigen::Index{d.analysis->nodes().unknowns()} * columns;
   Eigen::VectorXd exact;
   if (untried) {
@@ -127,19 +176,19 @@ void Cholesky::precondition(const double* b, double* x, int columns) {
   d.single_solves.solve(d.analysis->nodes(), d.single.data(), b, x, columns, d.threads());
   if (!untried) return;
   const Eigen::Map<Eigen::VectorXd> single(x, size);
-  d.single_is = (single - exact).norm() < largest_difference * exact.norm() ? Data::Single::good
-                                                                            : Data::Single::bad;
-  if (d.single_is == Data::Single::bad) std::copy_n(exact.data(), size, x);
+  d.copy_is = (single - exact).norm() < largest_difference * exact.norm() ? Data::Single::good
+                                                                          : Data::Single::bad;
+  if (d.copy_is == Data::Single::bad) std::copy_n(exact.data(), size, x);
 }
 
 void Cholesky::copy_to_single() {
   Data& d = *data_;
   const size_t count = d.analysis->nodes().entries(), part = size_t{1} << 20;
-  d.single.resize(count);
+  float* single = d.single.of(count);
   in_parallel(d.threads(), static_cast<int>((count + part - 1) / part), [&](int p) {
     const size_t first = index(p) * part, size = std::min(part, count - first);
-    const double* from = d.factor.get() + first;
-    std::transform(from, from + size, d.single.begin() + static_cast<std::ptrdiff_t>(first),
+    const double* from = d.factor.data() + first;
+    std::transform(from, from + size, single + first,
                    [](double value) { return static_cast<float>(value); });
   });
 }

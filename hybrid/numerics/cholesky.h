@@ -15,8 +15,9 @@
 namespace vasorod {
 
 /// `exact`: in double precision. `rough`: for directions of search, in single precision, which
-/// takes about half the time. A rough factorisation is exact unless precondition() has used the
-/// last exact factor and found it good enough in single precision.
+/// takes about half the time, unless the first such factor is found not to be good enough: where
+/// one step of iterative refinement changes a solve by a thousandth, that one and all later ones
+/// are exact.
 enum class Precision { exact, rough };
 
 /// A sparse Cholesky factor: analyse() once per pattern, factorise() per matrix, then solve().
@@ -61,6 +62,7 @@ class Cholesky {
 
  private:
   void copy_to_single();
+  bool single_will_do(const Eigen::SparseMatrix<double>& matrix);
 
   struct Data;
   std::unique_ptr<Data> data_;

@@ -115,7 +115,7 @@ TEST(Cholesky, PreconditionsAlmostAsItSolves) {
 
 // A clamped beam of 3,000 finite differences, condition 1e13: single precision would solve a
 // different beam.
-TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
+Matrix long_beam() {
   constexpr int n = 3000;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i)
@@ -126,11 +126,16 @@ TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
     }
   Matrix m(n, n);
   m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
+  const Matrix m = long_beam();
   Cholesky cholesky;
   cholesky.analyse(m);
   ASSERT_TRUE(cholesky.factorise(m));
-  const Eigen::VectorXd load = Eigen::VectorXd::Ones(n);
-  Eigen::VectorXd exact(n), first(n), second(n);
+  const Eigen::VectorXd load = Eigen::VectorXd::Ones(m.cols());
+  Eigen::VectorXd exact(m.cols()), first(m.cols()), second(m.cols());
   cholesky.solve(load.data(), exact.data(), 1);
   cholesky.precondition(load.data(), first.data(), 1);
   cholesky.precondition(load.data(), second.data(), 1);
@@ -138,7 +143,7 @@ TEST(Cholesky, PreconditionsInDoublePrecisionWhereSingleWillNotDo) {
   EXPECT_EQ(second, exact);
 }
 
-TEST(Cholesky, IsRoughOnlyWhereSinglePrecisionWasFoundGoodEnough) {
+TEST(Cholesky, IsRoughWhereSinglePrecisionIsGoodEnough) {
   const Matrix a = random_positive(400, 1, 0), b = random_positive(400, 1, 1);
   const Eigen::VectorXd rhs = random_points(400, 2).col(0);
   Work work;
@@ -150,18 +155,56 @@ TEST(Cholesky, IsRoughOnlyWhereSinglePrecisionWasFoundGoodEnough) {
     cholesky.solve(rhs.data(), x.data(), 1);
     return x;
   };
-  const Eigen::VectorXd exact = solution(b, Precision::exact);
-  EXPECT_EQ(solution(b, Precision::rough), exact) << "nothing is known yet";
-  Eigen::VectorXd x(400);
-  cholesky.precondition(rhs.data(), x.data(), 1);
   const Eigen::VectorXd rough = solution(b, Precision::rough);
+  EXPECT_EQ(
+      work.counts,
+      (Counts{.factorisations = 1, .solves = 3, .factor_nonzeros = work.counts.factor_nonzeros}))
+      << "two solves tell the error of the first rough factor";
+  const Eigen::VectorXd exact = solution(b, Precision::exact);
+  EXPECT_LT((b * exact - rhs).norm(), 1e-13 * rhs.norm());
   EXPECT_NE(rough, exact);
   EXPECT_TRUE(rough.isApprox(exact, 1e-5));
+  EXPECT_EQ(solution(b, Precision::rough), rough) << "the exact factor has changed nothing";
+  Eigen::VectorXd x(400);
   cholesky.precondition(rhs.data(), x.data(), 1);
   EXPECT_EQ(x, rough);
   EXPECT_EQ(work.counts.factorisations, 3);
-  EXPECT_EQ(solution(b, Precision::exact), exact);
-  EXPECT_EQ(solution(b, Precision::rough), exact) << "of the last exact factor nothing is known";
+  EXPECT_EQ(work.counts.solves, 6);
+}
+
+// The beam's error in single precision is told without its exact factor.
+TEST(Cholesky, IsExactWhereARoughFactorWillNotDo) {
+  const Matrix m = long_beam();
+  const Eigen::VectorXd load = Eigen::VectorXd::Ones(m.cols());
+  Eigen::VectorXd exact(m.cols()), x(m.cols());
+  Cholesky other;
+  other.analyse(m);
+  ASSERT_TRUE(other.factorise(m));
+  other.solve(load.data(), exact.data(), 1);
+  Work work;
+  Cholesky cholesky(&work);
+  cholesky.analyse(m);
+  for (const int factorisations : {2, 3}) {  // the first rough one is done again
+    ASSERT_TRUE(cholesky.factorise(m, {}, Precision::rough));
+    EXPECT_EQ(work.counts.factorisations, factorisations);
+    cholesky.solve(load.data(), x.data(), 1);
+    EXPECT_EQ(x, exact);
+  }
+}
+
+// Factors of other patterns, smaller and larger ones, take the place of the last.
+TEST(Cholesky, FactorisesOnePatternAfterAnother) {
+  Cholesky cholesky;
+  for (const int n : {60, 400, 60, 420, 900})
+    for (const Precision precision : {Precision::rough, Precision::exact}) {
+      const Matrix m = random_positive(n, 1, 0);
+      const Eigen::VectorXd rhs = random_points(n, 2).col(0);
+      Eigen::VectorXd x(n);
+      cholesky.analyse(m);
+      ASSERT_TRUE(cholesky.factorise(m, {}, precision));
+      cholesky.solve(rhs.data(), x.data(), 1);
+      EXPECT_LT((m * x - rhs).norm(), (precision == Precision::rough ? 1e-5 : 1e-13) * rhs.norm());
+    }
 }
 
 // Single precision cannot tell 1 from 1 + 1e-9, so that the second pivot is none.

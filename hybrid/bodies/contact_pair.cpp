@@ -146,7 +146,7 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   else
     current_->refit(master);
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
-  const Points master_normals = vertex_normals(now);
+  const Points& master_normals = current_->normals();
   for (const int i : near) {
     const ClosestPoint::Hit hit = current_->query(slave.row(i));
     clear_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i)};

@@ -43,47 +43,38 @@ const Matrix& hessian_of(const CoupledWall& wall, const VectorXd& q, SecondDeriv
 
 }  // namespace
 
+// The unknowns of a wall ascend with its own entries, those of its poses follow, and those of the
+// next wall: the columns and their rows come in order.
 void CoupledSystem::finish() {
-  Entries pattern;
-  std::vector<const Matrix*> own(walls_.size());
-  in_parallel(threads(), static_cast<int>(walls_.size()), [&](int w) {
-    const CoupledWall& wall = walls_[index(w)];
-    own[index(w)] = &hessian_of(wall, wall.energy->rest(), SecondDerivatives::all);
-  });
-  for (size_t w = 0; w < walls_.size(); ++w) {
-    const CoupledWall& wall = walls_[w];
-    const Matrix& h = *own[w];
-    for (int column = 0; column < h.cols(); ++column)
-      for (Matrix::InnerIterator it(h, column); it; ++it) {
-        const int a = wall.unknown[index(it.row())], b = wall.unknown[index(column)];
-        if (a >= 0 && b >= 0) pattern.emplace_back(std::max(a, b), std::min(a, b), 0);
-      }
-    for (size_t s = 0; s < wall.sections.size(); ++s)
-      for (int k = 0; k < wall.sections[s].unknowns(); ++k)
-        pattern.emplace_back(wall.pose_unknown[s] + k, wall.pose_unknown[s] + k, 0);
-  }
+  Eigen::Index entries = unknowns_;
+  for (const CoupledWall& wall : walls_) entries += wall.energy->pattern().nonZeros();
   base_.resize(unknowns_, unknowns_);
-  base_.setFromTriplets(pattern.begin(), pattern.end());
+  base_.reserve(entries);
+  int next = 0;
+  const auto append = [&](int row, int column) {
+    base_.insertBack(row, column) = 0;
+    return next++;
+  };
   slot_.clear();
-  for (size_t w = 0; w < walls_.size(); ++w) {
-    const Matrix& h = *own[w];
-    std::vector<int> slots;
-    slots.reserve(index(h.nonZeros()));
-    for (int column = 0; column < h.cols(); ++column)
-      for (Matrix::InnerIterator it(h, column); it; ++it) {
-        const int a = walls_[w].unknown[index(it.row())], b = walls_[w].unknown[index(column)];
-        if (a < 0 || b < 0) {
-          slots.push_back(-1);
-          continue;
-        }
-        const int* rows = base_.innerIndexPtr();
-        const int first = base_.outerIndexPtr()[std::min(a, b)],
-                  last = base_.outerIndexPtr()[std::min(a, b) + 1];
-        slots.push_back(
-            static_cast<int>(std::lower_bound(rows + first, rows + last, std::max(a, b)) - rows));
+  for (const CoupledWall& wall : walls_) {
+    const Matrix& own = wall.energy->pattern();
+    std::vector<int>& slots = slot_.emplace_back();
+    slots.reserve(index(own.nonZeros()));
+    for (int c = 0; c < own.cols(); ++c) {
+      const int column = wall.unknown[index(c)];
+      if (column >= 0) base_.startVec(column);
+      for (Matrix::InnerIterator it(own, c); it; ++it) {
+        const int row = wall.unknown[index(it.row())];
+        slots.push_back(row < 0 || column < 0 ? -1 : append(row, column));
       }
-    slot_.push_back(std::move(slots));
+    }
+    for (size_t s = 0; s < wall.sections.size(); ++s)
+      for (int k = 0; k < wall.sections[s].unknowns(); ++k) {
+        base_.startVec(wall.pose_unknown[s] + k);
+        append(wall.pose_unknown[s] + k, wall.pose_unknown[s] + k);
+      }
   }
+  base_.finalize();
 }
 
 // Adds one entry of a symmetric matrix, given once for (p, q) and (q, p), in terms of the unknowns

@@ -214,6 +214,10 @@ ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) 
   return hit;
 }
 
+const Points& ClosestPoint::normals() const {
+  return tree_->vertex_normal;
+}
+
 void ClosestPoint::refit(const Points& points) {
   if (points == tree_->points) return;
   tree_->points = points;

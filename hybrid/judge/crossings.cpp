@@ -13,6 +13,7 @@
 #include "geometry/fans.h"
 #include "geometry/ray_hits.h"
 #include "geometry/triangle_surface.h"
+#include "numerics/threads.h"
 #include "surface_file/self_intersections.h"
 
 namespace vasorod {
@@ -136,6 +137,17 @@ class Whole {
   std::optional<RayHits> rays_;
 };
 
+// Whole::depth_of() of each vertex of a body.
+std::vector<Inside> depths_of(const Whole& now, int body, int vertices, double edge) {
+  constexpr int share = 256;  // of the vertices, on one thread
+  std::vector<Inside> depths(index(vertices));
+  in_parallel(threads(), (vertices + share - 1) / share, [&](int part) {
+    for (int v = part * share; v < std::min(vertices, (part + 1) * share); ++v)
+      depths[index(v)] = now.depth_of(body, v, edge);
+  });
+  return depths;
+}
+
 }  // namespace
 
 std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const CheckedSeam& seam,
@@ -163,8 +175,10 @@ std::vector<Crossing> crossings(const std::vector<CheckedBody>& bodies, const Ch
     const int body = static_cast<int>(i);
     if (!involved.contains(body)) continue;
     const double edge = mean_edge_length({*bodies[i].now, bodies[i].rest->triangles});
-    for (int v = 0; v < bodies[i].rest->points.rows(); ++v) {
-      const Inside inside = now.depth_of(body, v, edge);
+    const std::vector<Inside> depths =
+        depths_of(now, body, static_cast<int>(bodies[i].rest->points.rows()), edge);
+    for (int v = 0; v < std::ssize(depths); ++v) {
+      const Inside& inside = depths[index(v)];
       if (inside.body < 0) continue;
       const auto [a, b] = std::minmax(body, inside.body);
       const auto crossing_pairs = pairs.find({a, b});

@@ -137,6 +137,9 @@ class WallEnergy {
   const Eigen::SparseMatrix<double>& hessian(const Eigen::VectorXd& q,
                                              SecondDerivatives second = SecondDerivatives::all);
 
+  /// The pattern of hessian(), known without evaluating it; the values are whatever they are.
+  const Eigen::SparseMatrix<double>& pattern() const { return hessian_; }
+
   /// The part around the vertices that are marked. `vertices`: per vertex.
   WallPart part(const std::vector<char>& vertices) const;
   /// The same from a part alone: the energy of its triangles, in which the derivatives with respect

@@ -6,6 +6,7 @@
 
 #include "geometry/closest_point.h"
 #include "geometry/noisy_tube.h"
+#include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
@@ -60,7 +61,9 @@ TEST(ClosestPoint, FindsWhatTryingEveryTriangleFinds) {
       EXPECT_NEAR(std::abs(hit.signed_distance), best, 1e-12 * (1 + best));
       EXPECT_NEAR((p - hit.point).norm(), best, 1e-12 * (1 + best));
     }
+    EXPECT_EQ(closest.normals(), vertex_normals(tube));
     tube.points = (tube.points * 1.3).eval();
+    tube.points.col(0) += 0.1 * tube.points.col(2);  // shears the normals, too
     closest.refit(tube.points);
   }
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "judge/crossings.h"
+#include "numerics/threads.h"
 #include "straight_tube.h"
 #include "surface_file/self_intersections.h"
 
@@ -88,6 +89,25 @@ TEST(Crossings, TubesThatEnterEachOtherDoByTheirDepth) {
       EXPECT_LT((found[0].where - Vec3(10 - entered / 2, 0, 20)).norm(), edge + entered / 2);
     }
   }
+}
+
+TEST(Crossings, DoNotDependOnThreads) {
+  const TriangleSurface a = tube(10, 40, 48, 96);
+  TriangleSurface rest = a;
+  rest.points = moved(a, Mat3::Identity(), {100, 0, 0});
+  const Points b = moved(a, about(Vec3::UnitX(), 90), {18, 20, 20});
+  const auto found = [&](int threads) {
+    set_threads(threads);
+    const auto crossing = crossings({{&a, &a.points, 10}, {&rest, &b, 10}}, {});
+    set_threads(1);
+    return crossing;
+  };
+  const auto one = found(1), four = found(4);
+  ASSERT_EQ(one.size(), 1U);
+  ASSERT_EQ(four.size(), 1U);
+  EXPECT_EQ(four[0].pairs, one[0].pairs);
+  EXPECT_EQ(four[0].depth, one[0].depth);
+  EXPECT_EQ(four[0].where, one[0].where);
 }
 
 TEST(Crossings, WhatCrossesAtRestIsNotCounted) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <malloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -17,24 +18,29 @@ constexpr double set_aside = 0.5;
 constexpr std::uintptr_t large_page = std::uintptr_t{2} << 20;
 
 // An allocation that nothing reads or writes, or the compiler would leave it out.
-[[gnu::noinline]] void* allocate(std::size_t bytes) {
+void* allocate(std::size_t bytes) {
   void* volatile block = std::malloc(bytes);
   return block;
 }
 
+// Whether addresses count although nothing was put there: by a limit of the process, or for the
+// whole machine, where the system promises no more memory than it has.
 bool addresses_are_limited() {
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
     if (rlimit space{}; getrlimit(resource, &space) != 0 || space.rlim_cur != RLIM_INFINITY)
       return true;
-  return false;
+  constexpr int strict = 2;  // vm.overcommit_memory
+  int accounting = strict;
+  return !(std::ifstream("/proc/sys/vm/overcommit_memory") >> accounting) || accounting == strict;
 }
 
 // Addresses for the heap, which take no memory before they are used: the heap grows through them.
 // What it grows by later would have ordinary pages, as glibc asks for no others unless its
 // environment tells it to when the process begins.
 void set_large_pages_aside() {
+  if (addresses_are_limited()) return;
   const double most = memory_limit().value_or(0);
-  if (addresses_are_limited() || most <= 0) return;
+  if (most <= 0) return;
   const auto bytes = static_cast<std::size_t>(set_aside * most);
   void* block = allocate(bytes);
   if (block == nullptr) return;

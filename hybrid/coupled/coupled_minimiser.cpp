@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/generic_vector.h"
 #include "numerics/within_pattern.h"
 
 namespace vasorod {
@@ -241,9 +242,7 @@ bool CoupledMinimiser::factorise_as_analysed(Matrix& matrix, Precision precision
 // shifted factor finds the direction in which v.H v is most negative relative to v.K0 v. The line
 // search along v continues as long as the energy falls.
 CoupledMinimiser::Saddle CoupledMinimiser::leave_saddle(VectorXd& z) {
-  VectorXd v(z.size()), next(z.size());
-  for (Eigen::Index i = 0; i < v.size(); ++i)
-    v[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i % 7919));
+  VectorXd v = generic_vector(z.size()), next(z.size());
   for (int k = 0; k < inverse_iterations; ++k) {
     next = metric_.selfadjointView<Eigen::Lower>() * v;
     factor_.solve(next.data(), v.data(), 1);

@@ -1,11 +1,11 @@
 #include "numerics/cholesky.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "numerics/fronts.h"
+#include "numerics/generic_vector.h"
 #include "numerics/triangular_solves.h"
 
 namespace vasorod {
@@ -38,13 +38,6 @@ class Entries {
   std::unique_ptr<Scalar[]> values_;
   std::size_t room_ = 0;
 };
-
-// A right-hand side that excites everything.
-Eigen::VectorXd everything(Eigen::Index size) {
-  Eigen::VectorXd b(size);
-  for (Eigen::Index i = 0; i < size; ++i) b[i] = std::sin(1.0 + 12.9898 * static_cast<double>(i));
-  return b;
-}
 
 }  // namespace
 
@@ -139,7 +132,7 @@ bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision
 bool Cholesky::single_will_do(const Matrix& matrix) {
   Data& d = *data_;
   if (d.rough_is == Data::Single::untried) {
-    const Eigen::VectorXd b = everything(matrix.cols());
+    const Eigen::VectorXd b = generic_vector(matrix.cols());
     Eigen::VectorXd x(b.size()), error(b.size());
     d.only_single = true;
     solve(b.data(), x.data(), 1);

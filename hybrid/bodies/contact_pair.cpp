@@ -148,8 +148,9 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
   const Points& master_normals = current_->normals();
   for (const int i : near) {
-    const ClosestPoint::Hit hit = current_->query(slave.row(i));
-    clear_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i)};
+    const ClosestPoint::Hit hit = current_->query(slave.row(i), clear_[index(i)].triangle);
+    clear_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
+                        hit.triangle};
     const Feature feature = facing_feature(*current_, now, master_normals, master_, slave.row(i),
                                            slave_normals.row(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);

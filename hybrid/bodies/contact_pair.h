@@ -43,11 +43,12 @@ class ContactPair : public FoundContacts {
   void walls_are_parted() override;
 
  private:
-  // A vertex outside the master when it was last looked at.
+  // Where a vertex was when it was last looked at.
   struct Clear {
-    double distance = 0;  // from the master, length; 0: not outside
+    double distance = 0;  // outside the master, length; 0: not outside
     double travel = 0;    // travel_ then
     Vec3 place = Vec3::Zero();
+    int triangle = -1;  // of the master, nearest then; -1: not looked at
   };
 
   bool is_clear(int vertex, const Vec3& place, double margin) const;

@@ -56,7 +56,7 @@ std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface
       if (std::abs(height) > far * (p - closest.point).norm() + outside * x.norm()) return {};
       return NormalFoot{hit.triangle, weight, normal, height};
     }
-    hit = finder.query(x * weight);
+    hit = finder.query(x * weight, hit.triangle);
     if (hit.on_boundary) return {};
   }
   return {};

@@ -8,8 +8,10 @@
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -23,7 +25,7 @@ namespace {
 constexpr int between_looks = 100;                   // ms
 constexpr std::chrono::milliseconds patience(2000);  // between SIGTERM and SIGKILL
 
-// First byte of what a process sends.
+// First byte of an answer.
 constexpr char answered = 'a', refused_by_file_system = 'f', failed = 'x';
 
 std::string work(const std::function<std::string(int)>& job, int k) {
@@ -38,33 +40,76 @@ std::string work(const std::function<std::string(int)>& job, int k) {
   }
 }
 
-bool write_all(int to, const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t written = write(to, text.data() + at, text.size() - at);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    at += static_cast<std::size_t>(written);
+// False: nobody reads. No signal says so.
+bool send_all(int to, const void* bytes, std::size_t count) {
+  const char* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t sent = send(to, next, count, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    next += sent;
+    count -= static_cast<std::size_t>(sent);
   }
   return true;
 }
 
+// False: there is no more to come.
+bool receive(int from, int& number) {
+  std::array<char, sizeof(int)> bytes{};
+  for (std::size_t at = 0; at < bytes.size();) {
+    const ssize_t got = recv(from, bytes.data() + at, bytes.size() - at, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += static_cast<std::size_t>(got);
+  }
+  std::memcpy(&number, bytes.data(), bytes.size());
+  return true;
+}
+
+// In a process: asks for the number of a job and answers with the length of its answer and the
+// answer, until no number comes or a job fails: what a failed one leaves behind, another does not
+// meet.
+int answer_all(int socket, const std::function<std::string(int)>& job) {
+  for (int k = 0; receive(socket, k);) {
+    const std::string answer = work(job, k);
+    const std::size_t length = answer.size();
+    if (!send_all(socket, &length, sizeof length) || !send_all(socket, answer.data(), length))
+      return 1;
+    if (answer.front() != answered) break;
+  }
+  return 0;
+}
+
 struct Child {
   pid_t process = 0;
-  int from = -1;  // the pipe's end to read from
-  int job = 0;
-  std::string said;
+  int socket = -1;
+  int job = -1;      // -1: idle
+  std::string said;  // since it was given the job
+
+  // The answer, once it is all there.
+  std::optional<std::string> answer() const {
+    std::size_t length = 0;
+    if (said.size() < sizeof length) return {};
+    std::memcpy(&length, said.data(), sizeof length);
+    if (said.size() < sizeof length + length) return {};
+    return said.substr(sizeof length);
+  }
 };
 
-ApartEnding ending_of(const Child& child, int status) {
+ApartEnding ending_of(const std::string& answer) {
   ApartEnding ending;
-  const bool whole = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !child.said.empty();
-  if (whole && child.said.front() == answered)
-    ending.answer = child.said.substr(1);
-  else if (whole && child.said.front() == refused_by_file_system)
-    ending.file_error = child.said.substr(1);
-  else if (whole)
-    ending.failure = child.said.substr(1);
-  else if (WIFSIGNALED(status))
+  if (answer.front() == answered)
+    ending.answer = answer.substr(1);
+  else if (answer.front() == refused_by_file_system)
+    ending.file_error = answer.substr(1);
+  else
+    ending.failure = answer.substr(1);
+  return ending;
+}
+
+ApartEnding ending_without_answer(int status) {
+  ApartEnding ending;
+  if (WIFSIGNALED(status))
     ending.failure = "its process was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
                      strsignal(WTERMSIG(status)) + ")" +  // NOLINT(concurrency-mt-unsafe)
                      (WTERMSIG(status) == SIGKILL ? ", as where the memory does not suffice" : "");
@@ -82,12 +127,61 @@ class Children {
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
 
-  std::size_t running() const { return children_.size(); }
+  int working() const {
+    return static_cast<int>(std::count_if(children_.begin(), children_.end(),
+                                          [](const Child& child) { return child.job >= 0; }));
+  }
 
   void start(int k) {
-    std::array<int, 2> pipe_ends{};
-    if (pipe(pipe_ends.data()) != 0)
-      throw FileError(std::string("no pipe can be made: ") + std::strerror(errno));
+    auto idle = std::find_if(children_.begin(), children_.end(),
+                             [](const Child& child) { return child.job < 0; });
+    if (idle == children_.end()) {
+      children_.push_back(fork_one());
+      idle = children_.end() - 1;
+    }
+    idle->job = k;
+    idle->said.clear();
+    send_all(idle->socket, &k, sizeof k);  // wait() finds one that is not there any more
+  }
+
+  // Waits until one has something to say, at most for `between_looks`, and returns those that have
+  // ended their jobs.
+  std::vector<std::pair<int, ApartEnding>> wait() {
+    std::vector<pollfd> sockets;
+    for (const Child& child : children_) sockets.push_back({child.socket, POLLIN, 0});
+    std::vector<std::pair<int, ApartEnding>> ended;
+    if (poll(sockets.data(), sockets.size(), between_looks) <= 0) return ended;
+    for (std::size_t i = sockets.size(); i-- > 0;) {
+      if (sockets[i].revents == 0) continue;
+      Child& child = children_[i];
+      std::array<char, 65536> block{};
+      const ssize_t got = recv(child.socket, block.data(), block.size(), 0);
+      if (got < 0 && errno == EINTR) continue;
+      if (got > 0) {
+        child.said.append(block.data(), static_cast<std::size_t>(got));
+        const std::optional<std::string> answer = child.answer();
+        if (!answer) continue;
+        ended.emplace_back(child.job, ending_of(*answer));
+        child.job = -1;
+        if (ended.back().second.answer) continue;
+      }
+      const int job = child.job, status = leave(i);
+      if (job >= 0) ended.emplace_back(job, ending_without_answer(status));
+    }
+    return ended;
+  }
+
+  // Ends those that have no job.
+  void end_idle() {
+    for (std::size_t i = children_.size(); i-- > 0;)
+      if (children_[i].job < 0) leave(i);
+  }
+
+ private:
+  Child fork_one() const {
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
+      throw FileError(std::string("no socket can be made: ") + std::strerror(errno));
     std::cout.flush();
     std::cerr.flush();
     const pid_t parent = getpid();
@@ -96,41 +190,28 @@ class Children {
       prctl(PR_SET_PDEATHSIG, SIGTERM);
       if (options_.begin) options_.begin();
       if (getppid() != parent) _exit(1);  // it ended before it was asked to say so
-      close(pipe_ends[0]);
-      for (const Child& sibling : children_) close(sibling.from);
+      close(ends[0]);
+      for (const Child& sibling : children_) close(sibling.socket);
       // Not exit(): it would run what the parent's ending runs.
-      _exit(write_all(pipe_ends[1], work(job_, k)) ? 0 : 1);
+      _exit(answer_all(ends[1], job_));
     }
-    close(pipe_ends[1]);
+    close(ends[1]);
     if (process < 0) {
-      close(pipe_ends[0]);
+      close(ends[0]);
       throw FileError(std::string("no process can be started: ") + std::strerror(errno));
     }
-    children_.push_back({process, pipe_ends[0], k, {}});
+    return {process, ends[0], -1, {}};
   }
 
-  // Waits until one ends, at most for `between_looks`, and returns those that have.
-  std::vector<std::pair<int, ApartEnding>> wait() {
-    std::vector<pollfd> ends;
-    for (const Child& child : children_) ends.push_back({child.from, POLLIN, 0});
-    std::vector<std::pair<int, ApartEnding>> ended;
-    if (poll(ends.data(), ends.size(), between_looks) <= 0) return ended;
-    for (std::size_t i = ends.size(); i-- > 0;) {
-      if (ends[i].revents == 0) continue;
-      std::array<char, 65536> block{};
-      const ssize_t got = read(ends[i].fd, block.data(), block.size());
-      if (got < 0 && errno == EINTR) continue;
-      if (got > 0) {
-        children_[i].said.append(block.data(), static_cast<std::size_t>(got));
-        continue;
-      }
-      int status = 0;
-      reap(children_[i].process, status);
-      close(children_[i].from);
-      ended.emplace_back(children_[i].job, ending_of(children_[i], status));
-      children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(i));
+  // Closes the socket of a child that has ended or waits for a job, which it takes as its end.
+  // Returns how it ended.
+  int leave(std::size_t i) {
+    close(children_[i].socket);
+    int status = 0;
+    while (waitpid(children_[i].process, &status, 0) < 0 && errno == EINTR) {
     }
-    return ended;
+    children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(i));
+    return status;
   }
 
   void end_all() {
@@ -142,15 +223,9 @@ class Children {
         if (std::chrono::steady_clock::now() > last) kill(child.process, SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
-      close(child.from);
+      close(child.socket);
     }
     children_.clear();
-  }
-
- private:
-  static void reap(pid_t process, int& status) {
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
   }
 
   const std::function<std::string(int)>& job_;
@@ -165,10 +240,10 @@ bool run_apart(int count, const std::function<std::string(int)>& job,
                const ApartOptions& options) {
   Children children(job, options);
   int next = 0;
-  while (next < count || children.running() > 0) {
+  while (next < count || children.working() > 0) {
     if (options.stop && options.stop()) return false;
-    while (next < count && children.running() < static_cast<std::size_t>(options.at_once))
-      children.start(next++);
+    while (next < count && children.working() < options.at_once) children.start(next++);
+    if (next == count) children.end_idle();  // its memory is another's
     for (const auto& [k, ending] : children.wait()) take(k, ending);
   }
   return true;

@@ -80,23 +80,37 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) : items_(in_curve_order(boxes)) 
   for (const int item : items_) boxes_.push_back(boxes[index(item)]);
   nodes_.reserve(boxes.size());
   build(0, static_cast<int>(items_.size()));
+  fit_boxes();
 }
 
 int BoxTree::build(int first, int last) {
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, last, -1});
-  Box box;
-  if (last - first <= most_in_leaf) {
-    for (int k = first; k < last; ++k) box.add(boxes_[index(k)]);
-  } else {
+  if (last - first > most_in_leaf) {
     const int middle = first + (last - first) / 2;
-    box.add(nodes_[index(build(first, middle))].box);
+    build(first, middle);
     const int right = build(middle, last);
-    box.add(nodes_[index(right)].box);
     nodes_[index(here)].right = right;
   }
-  nodes_[index(here)].box = box;
   return here;
+}
+
+void BoxTree::refit(const std::vector<Box>& boxes) {
+  for (std::size_t k = 0; k < items_.size(); ++k) boxes_[k] = boxes[index(items_[k])];
+  fit_boxes();
+}
+
+void BoxTree::fit_boxes() {
+  for (std::size_t n = nodes_.size(); n-- > 0;) {  // children follow their parent
+    Node& node = nodes_[n];
+    node.box = {};
+    if (node.right >= 0) {
+      node.box.add(nodes_[n + 1].box);
+      node.box.add(nodes_[index(node.right)].box);
+    } else {
+      for (int k = node.first; k < node.last; ++k) node.box.add(boxes_[index(k)]);
+    }
+  }
 }
 
 std::vector<char> BoxTree::marked_nodes(const std::vector<char>& marked) const {

@@ -1,9 +1,13 @@
 // A binary tree of axis-parallel boxes, one box for each item, for searches that first ask boxes.
 // CGAL's box_intersection_d and AABB tree answer the same questions; for walls that are new with
-// every option, each asked a few times, sorting and building those takes longer than the answers.
+// every option or every step, each asked a few times, sorting and building those takes longer than
+// the answers.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +29,10 @@ struct Box {
   bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
+  /// From `point` to the nearest point of the box, squared; 0 inside.
+  double squared_distance(const Vec3& point) const {
+    return (point - point.cwiseMax(low).cwiseMin(high)).squaredNorm();
+  }
 };
 
 /// The boxes of a surface's triangles.
@@ -35,6 +43,17 @@ class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<Box>& boxes);
+
+  /// Gives the items other boxes, as many as before; their order stays. Searches are as right as
+  /// before, and slower where items have moved far against each other.
+  void refit(const std::vector<Box>& boxes);
+
+  /// The item nearest to `point`, of equally near ones the first; -1 where there is none nearer
+  /// than infinity. squared_distance(item) is asked for items whose box is no farther than the
+  /// nearest item so far. `first`: an item to ask first, as a near one saves others, or -1; the
+  /// answer does not depend on it.
+  template <class SquaredDistance>
+  int nearest(const Vec3& point, SquaredDistance&& squared_distance, int first = -1) const;
 
   /// Calls take(item) for every item for whose box, and for all boxes around it, touches(box) is
   /// true. The order is that of the tree.
@@ -71,12 +90,61 @@ class BoxTree {
   };
 
   int build(int first, int last);
+  void fit_boxes();
   std::vector<char> marked_nodes(const std::vector<char>& marked) const;
 
   std::vector<Box> boxes_;  // in the order of items_
   std::vector<int> items_;
   std::vector<Node> nodes_;
 };
+
+template <class SquaredDistance>
+int BoxTree::nearest(const Vec3& point, SquaredDistance&& squared_distance, int first) const {
+  struct Open {
+    int node;
+    double squared;  // from the point to the node's box
+  };
+  if (nodes_.empty()) return -1;
+  // Of two items at the same distance but for rounding the search would else miss one or not,
+  // depending on where it begins.
+  const Box& all = nodes_[0].box;
+  const double rounding =
+      1e-14 * std::max({point.cwiseAbs().maxCoeff(), all.low.cwiseAbs().maxCoeff(),
+                        all.high.cwiseAbs().maxCoeff()});
+  double least = std::numeric_limits<double>::infinity(), limit = least;
+  int found = -1;
+  const auto ask = [&](int item) {
+    const double squared = squared_distance(item);
+    if (!(squared < least) && !(squared == least && item < found)) return;
+    least = squared;
+    found = item;
+    const double far = std::sqrt(squared) + rounding;
+    limit = far * far;
+  };
+  if (first >= 0) ask(first);
+  std::array<Open, 80> open{};  // as in visit()
+  open[0] = {0, nodes_[0].box.squared_distance(point)};
+  for (std::size_t count = 1; count > 0;) {
+    const Open now = open[--count];
+    if (now.squared > limit) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(now.node)];
+    if (node.right < 0) {
+      for (int k = node.first; k < node.last; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (items_[at] != first && boxes_[at].squared_distance(point) <= limit) ask(items_[at]);
+      }
+      continue;
+    }
+    const auto child = [&](int n) {
+      return Open{n, nodes_[static_cast<std::size_t>(n)].box.squared_distance(point)};
+    };
+    Open near = child(now.node + 1), far = child(node.right);
+    if (far.squared < near.squared) std::swap(near, far);
+    if (far.squared <= limit) open[count++] = far;
+    if (near.squared <= limit) open[count++] = near;
+  }
+  return found;
+}
 
 template <class Take>
 void BoxTree::meeting_pairs(const std::vector<char>& marked, Take&& take) const {

@@ -1,9 +1,5 @@
 #include "geometry/closest_point.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -17,15 +13,6 @@
 
 namespace vasorod {
 namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangle3 = Kernel::Triangle_3;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle3>::const_iterator>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-Kernel::Point_3 to_cgal(const Vec3& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 // Parameter of the point of segment a-b closest to p.
 double closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -79,32 +66,36 @@ struct ClosestPoint::Tree {
                 e.triangle[1 - side];
       }
     }
-    rebuild();
+    boxes = BoxTree(triangle_boxes({points, triangles}));
+    find_normals();
   }
 
-  void rebuild() {
-    const auto count = static_cast<size_t>(triangles.rows());
-    soup.clear();
-    soup.reserve(count);
+  void move(const Points& moved) {
+    points = moved;
+    boxes.refit(triangle_boxes({points, triangles}));
+    find_normals();
+  }
+
+  void find_normals() {
     normals.resize(triangles.rows(), 3);
     for (int t = 0; t < triangles.rows(); ++t) {
       const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
-      soup.emplace_back(to_cgal(a), to_cgal(b), to_cgal(c));
       const Vec3 n = (b - a).cross(c - a);
       const double length = n.norm();
       normals.row(t) = (length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero())).transpose();
     }
     vertex_normal = vertex_normals({points, triangles});
-    aabb.clear();
-    aabb.insert(soup.cbegin(), soup.cend());
-    aabb.build();
-    aabb.accelerate_distance_queries();
   }
 
   Vec3 corner(int t, int k) const { return points.row(triangles(t, k)); }
 
-  AabbTree aabb;
-  std::vector<Triangle3> soup;
+  double squared_distance(const Vec3& p, int t) const {
+    const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+    const Vec3 share = closest_in_triangle(p, a, b, c);
+    return (p - share[0] * a - share[1] * b - share[2] * c).squaredNorm();
+  }
+
+  BoxTree boxes;  // of the triangles
   Points points;
   Triangles triangles;
   Points normals;        // unit, per triangle; zero where degenerate
@@ -119,12 +110,12 @@ ClosestPoint::~ClosestPoint() = default;
 ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
-ClosestPoint::Hit ClosestPoint::query(const Vec3& point) const {
+ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
   const Tree& tree = *tree_;
   Hit hit;
-  const auto found = tree.aabb.closest_point_and_primitive(to_cgal(point));
-  hit.triangle = static_cast<int>(found.second - tree.soup.cbegin());
-  const int t = hit.triangle;
+  const int found = tree.boxes.nearest(
+      point, [&](int t) { return tree.squared_distance(point, t); }, near);
+  const int t = hit.triangle = std::max(found, 0);  // -1 where a point is not finite
   hit.barycentric =
       closest_in_triangle(point, tree.corner(t, 0), tree.corner(t, 1), tree.corner(t, 2));
   hit.point = hit.barycentric[0] * tree.corner(t, 0) + hit.barycentric[1] * tree.corner(t, 1) +
@@ -220,8 +211,7 @@ const Points& ClosestPoint::normals() const {
 
 void ClosestPoint::refit(const Points& points) {
   if (points == tree_->points) return;
-  tree_->points = points;
-  tree_->rebuild();
+  tree_->move(points);
 }
 
 }  // namespace vasorod

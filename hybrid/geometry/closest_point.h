@@ -30,8 +30,9 @@ class ClosestPoint {
   ClosestPoint(ClosestPoint&&) noexcept;
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-  /// The closest point to `point`. Thread-safe.
-  Hit query(const Vec3& point) const;
+  /// The closest point to `point`. `near`: a triangle near it, from which the search is shorter, or
+  /// -1; the answer does not depend on it. Thread-safe.
+  Hit query(const Vec3& point, int near = -1) const;
 
   /// Moves the points (n x 3, as many as before); the triangles stay the same.
   void refit(const Points& points);

@@ -65,6 +65,32 @@ TEST_F(Apart, NoMoreRunAtOnceThanAsked) {
   EXPECT_LE(most, 2);
 }
 
+// As many processes as run at once: each does one job after the other, and what a job leaves behind
+// is there for the next.
+TEST_F(Apart, AProcessGoesOnUntilAJobFails) {
+  int done = 0;
+  const auto job = [&](int k) -> std::string {
+    ++done;  // of this process's copy
+    if (k == 2) throw std::runtime_error("a sentence");
+    return std::to_string(getpid()) + " " + std::to_string(done);
+  };
+  const auto endings = endings_of(5, job, {1, {}, {}});
+  std::vector<std::pair<pid_t, int>> said;
+  for (const int k : {0, 1, 3, 4}) {
+    std::istringstream answer(endings.at(k).answer.value());
+    answer >> said.emplace_back().first >> said.back().second;
+  }
+  EXPECT_EQ(done, 0);
+  EXPECT_NE(said[0].first, getpid());
+  EXPECT_EQ(said[1].first, said[0].first);
+  EXPECT_NE(said[2].first, said[0].first);
+  EXPECT_EQ(said[3].first, said[2].first);
+  EXPECT_EQ(said[0].second, 1);
+  EXPECT_EQ(said[1].second, 2);
+  EXPECT_EQ(said[2].second, 1);
+  EXPECT_EQ(said[3].second, 2);
+}
+
 TEST_F(Apart, WhatGoesWrongIsSaidAndLosesOneJobAlone) {
   const auto endings = endings_of(6,
                                   [](int k) -> std::string {

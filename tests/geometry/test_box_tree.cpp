@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -34,6 +35,57 @@ TEST(BoxTree, AVisitTakesWhatTryingEveryBoxTakes) {
       EXPECT_EQ(found, expected) << count << " " << x;
     }
   }
+}
+
+// Of points within the boxes: the low corner.
+int nearest_of_all(const std::vector<Box>& all, const Vec3& point) {
+  int nearest = -1;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (nearest < 0 || (point - all[i].low).squaredNorm() <
+                           (point - all[static_cast<std::size_t>(nearest)].low).squaredNorm())
+      nearest = static_cast<int>(i);
+  return nearest;
+}
+
+TEST(BoxTree, TheNearestIsThatOfTryingAllWhereverTheSearchBeginsAlsoAfterARefit) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-5, 5);
+  for (const int count : {0, 1, 3, 5, 300}) {
+    std::vector<Box> all = boxes(count);
+    BoxTree tree(all);
+    for (int round = 0; round < 2; ++round) {
+      int asked = 0;
+      for (int i = 0; i < 100; ++i) {
+        const Vec3 point(place(random), place(random), place(random));
+        const int expected = nearest_of_all(all, point);
+        const auto squared = [&](int item) {
+          ++asked;
+          return (point - all[static_cast<std::size_t>(item)].low).squaredNorm();
+        };
+        EXPECT_EQ(tree.nearest(point, squared), expected);
+        for (const int first : {0, expected, static_cast<int>(all.size()) - 1})
+          if (first >= 0 && !all.empty()) {
+            EXPECT_EQ(tree.nearest(point, squared, first), expected);
+          }
+      }
+      if (count == 300 && round == 0) {
+        EXPECT_LT(asked, 0.2 * 400 * static_cast<double>(all.size()));
+      }
+      for (Box& box : all) {  // all items elsewhere, one beside another
+        const Vec3 by(place(random), 0.1 * place(random), 0);
+        box.low += by;
+        box.high += by;
+      }
+      tree.refit(all);
+    }
+  }
+}
+
+TEST(BoxTree, NothingIsNearestToAPointThatIsNotANumber) {
+  const std::vector<Box> all = boxes(20);
+  const Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(BoxTree(all).nearest(point, [&](int i) { return (point - all[i].low).squaredNorm(); }),
+            -1);
 }
 
 TEST(BoxTree, MeetingPairsAreThoseOfTryingAllWithAMark) {

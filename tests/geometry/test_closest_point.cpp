@@ -60,6 +60,10 @@ TEST(ClosestPoint, FindsWhatTryingEveryTriangleFinds) {
       const auto hit = closest.query(p);
       EXPECT_NEAR(std::abs(hit.signed_distance), best, 1e-12 * (1 + best));
       EXPECT_NEAR((p - hit.point).norm(), best, 1e-12 * (1 + best));
+      // Wherever the search begins.
+      const auto same = closest.query(p, i % static_cast<int>(tube.triangles.rows()));
+      EXPECT_EQ(same.triangle, hit.triangle);
+      EXPECT_EQ(same.barycentric, hit.barycentric);
     }
     EXPECT_EQ(closest.normals(), vertex_normals(tube));
     tube.points = (tube.points * 1.3).eval();

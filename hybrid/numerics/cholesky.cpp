@@ -1,6 +1,7 @@
 #include "numerics/cholesky.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,26 +18,30 @@ constexpr double largest_difference = 1e-3;
 // two threads were slower than one, with 34 million a third faster.
 constexpr std::size_t few_entries = 8'000'000;
 
-// Numbers of a factor. They are kept for the next one, which may have a few more: the system hands
-// out and clears a large block anew more slowly than it is filled.
-template <class Scalar>
-class Entries {
+// Memory for the numbers of a factor. It is kept for the next one, which may have a few more: the
+// system hands out and clears a large block anew more slowly than it is filled.
+class Room {
  public:
-  Scalar* of(std::size_t size) {
-    if (size > room_) {
-      const std::size_t more = room_ > 0 ? size / 8 : 0;
-      room_ = 0;
-      values_.reset();
-      values_.reset(new Scalar[size + more]);
-      room_ = size + more;
+  template <class Scalar>
+  Scalar* of(std::size_t count) {
+    const std::size_t size = count * sizeof(Scalar);
+    if (size > size_) {
+      const std::size_t more = size_ > 0 ? size / 8 : 0;
+      size_ = 0;
+      bytes_.reset();
+      bytes_.reset(new std::byte[size + more]);
+      size_ = size + more;
     }
-    return values_.get();
+    return numbers<Scalar>();
   }
-  Scalar* data() { return values_.get(); }
+  template <class Scalar>
+  Scalar* numbers() {
+    return reinterpret_cast<Scalar*>(bytes_.get());
+  }
 
  private:
-  std::unique_ptr<Scalar[]> values_;
-  std::size_t room_ = 0;
+  std::unique_ptr<std::byte[]> bytes_;  // aligned for any number
+  std::size_t size_ = 0;
 };
 
 }  // namespace
@@ -48,7 +53,8 @@ struct Cholesky::Data {
   std::optional<Analysis> analysis;
   std::optional<Fronts<double>> fronts;
   std::optional<Fronts<float>> single_fronts;
-  Entries<double> factor;  // of all supernodes
+  // Of all supernodes. An exact factor takes the place of a rough one before it.
+  Room factor;
   TriangularSolves<double> solves;
   bool factorised = false;
   bool only_single = false;  // the factor is a rough one
@@ -58,7 +64,7 @@ struct Cholesky::Data {
   Single rough_is = Single::untried;  // of rough factorisations
   // Of rough factorisations that fail: the first is yet to be verified, was right, or was wrong.
   enum class Failure { unverified, right, wrong } failure_is = Failure::unverified;
-  Entries<float> single;
+  Room copy;  // of an exact factor, in single precision
   TriangularSolves<float> single_solves;
 
   void count() const {
@@ -111,14 +117,15 @@ bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision
   if (rough) {
     d.count();
     if (!d.single_fronts) d.single_fronts.emplace(d.analysis->nodes());
-    failed = !d.single_fronts->factorise(sorted, d.single.of(entries), d.threads(), stop);
+    d.factor.of<double>(entries);  // with room for the exact one that may follow
+    failed = !d.single_fronts->factorise(sorted, d.factor.numbers<float>(), d.threads(), stop);
     if (failed && d.failure_is == Failure::right) return false;
     d.factorised = d.only_single = !failed && single_will_do(matrix);
     if (d.factorised) return true;
   }
   d.count();
   if (!d.fronts) d.fronts.emplace(d.analysis->nodes());
-  d.factorised = d.fronts->factorise(sorted, d.factor.of(entries), d.threads(), stop);
+  d.factorised = d.fronts->factorise(sorted, d.factor.of<double>(entries), d.threads(), stop);
   if (failed)
     d.failure_is = d.factorised ? Failure::wrong : Failure::right;
   else if (d.factorised && d.failure_is == Failure::right)
@@ -149,9 +156,10 @@ void Cholesky::solve(const double* b, double* x, int columns) {
   Data& d = *data_;
   if (d.done) ++d.done->counts.solves;
   if (d.only_single)
-    d.single_solves.solve(d.analysis->nodes(), d.single.data(), b, x, columns, d.threads());
+    d.single_solves.solve(d.analysis->nodes(), d.factor.numbers<float>(), b, x, columns,
+                          d.threads());
   else
-    d.solves.solve(d.analysis->nodes(), d.factor.data(), b, x, columns, d.threads());
+    d.solves.solve(d.analysis->nodes(), d.factor.numbers<double>(), b, x, columns, d.threads());
 }
 
 void Cholesky::precondition(const double* b, double* x, int columns) {
@@ -166,7 +174,7 @@ void Cholesky::precondition(const double* b, double* x, int columns) {
     copy_to_single();
   }
   if (d.done) ++d.done->counts.solves;
-  d.single_solves.solve(d.analysis->nodes(), d.single.data(), b, x, columns, d.threads());
+  d.single_solves.solve(d.analysis->nodes(), d.copy.numbers<float>(), b, x, columns, d.threads());
   if (!untried) return;
   const Eigen::Map<Eigen::VectorXd> single(x, size);
   d.copy_is = (single - exact).norm() < largest_difference * exact.norm() ? Data::Single::good
@@ -177,10 +185,10 @@ void Cholesky::precondition(const double* b, double* x, int columns) {
 void Cholesky::copy_to_single() {
   Data& d = *data_;
   const size_t count = d.analysis->nodes().entries(), part = size_t{1} << 20;
-  float* single = d.single.of(count);
+  float* single = d.copy.of<float>(count);
   in_parallel(d.threads(), static_cast<int>((count + part - 1) / part), [&](int p) {
     const size_t first = index(p) * part, size = std::min(part, count - first);
-    const double* from = d.factor.data() + first;
+    const double* from = d.factor.numbers<double>() + first;
     std::transform(from, from + size, single + first,
                    [](double value) { return static_cast<float>(value); });
   });

@@ -4,6 +4,7 @@
 
 #include "coupled/coupled_system.h"
 #include "data/index.h"
+#include "numerics/sparse_sum.h"
 #include "numerics/threads.h"
 
 namespace vasorod {
@@ -213,7 +214,7 @@ Matrix CoupledSystem::with_extra(const Entries& extra) const {
   if (extra.empty()) return base_;
   Matrix more(unknowns_, unknowns_);
   more.setFromTriplets(extra.begin(), extra.end());
-  return base_ + more;
+  return sparse_sum(base_, more);
 }
 
 Matrix CoupledSystem::hessian(const VectorXd& z, SecondDerivatives second) {

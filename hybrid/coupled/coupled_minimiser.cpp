@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "numerics/generic_vector.h"
+#include "numerics/sparse_sum.h"
 #include "numerics/within_pattern.h"
 
 namespace vasorod {
@@ -93,7 +94,7 @@ void CoupledMinimiser::find_order() {
   if (!order_.empty()) return;
   // Only the pattern counts, which is that of any z.
   std::vector<ContactPoint> contacts = std::exchange(system_.contacts, {});
-  analysed_ = rest_ + system_.meeting_hessian(VectorXd::Zero(system_.unknowns()));
+  analysed_ = sparse_sum(rest_, system_.meeting_hessian(VectorXd::Zero(system_.unknowns())));
   system_.contacts = std::move(contacts);
   order_ = elimination_order(analysed_, system_.groups(), Ordering::nested_dissection, &work_);
   factor_.analyse(analysed_, order_);
@@ -214,7 +215,7 @@ bool CoupledMinimiser::factorise_turned_rest(const VectorXd& z, const Breaks& br
   breaks.before("Hessian at rest");
   Matrix turned = rest_;
   turn_matrix(turns_, turned);
-  turned += system_.meeting_hessian(z);
+  turned = sparse_sum(turned, system_.meeting_hessian(z));
   return factorise_as_analysed(turned, Precision::exact, breaks);
 }
 

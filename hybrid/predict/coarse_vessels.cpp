@@ -4,7 +4,6 @@
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
 #include "numerics/threads.h"
-#include "surface_file/remesh.h"
 #include "vessel/fork_reach.h"
 
 namespace vasorod {
@@ -33,7 +32,7 @@ std::vector<int> branches(const Points& points, const Vessel& fine) {
 PreparedVessel coarser(const PreparedVessel& fine, double edge) {
   PreparedVessel coarse = fine;
   Vessel& vessel = coarse.vessel;
-  vessel.surface = remesh(fine.vessel.surface, edge);
+  vessel.surface = *fine.remeshed->of(fine.vessel.surface, edge);
   if (coarse.obstacle()) return coarse;
   vessel.branch_of = branches(vessel.surface.points, fine.vessel);
   const std::vector<std::vector<int>> loops = boundary_loops(vessel.surface.triangles);

@@ -92,4 +92,17 @@ TriangleSurface remesh(const TriangleSurface& surface, double edge) {
   return ends_first(surface, remeshed);
 }
 
+std::shared_ptr<const TriangleSurface> KeptRemesh::of(const TriangleSurface& surface, double edge) {
+  const std::lock_guard<std::mutex> alone(one_);
+  const auto equal = [](const auto& a, const auto& b) { return a.rows() == b.rows() && a == b; };
+  const bool same = made_ && edge == edge_ && equal(surface.points, surface_.points) &&
+                    equal(surface.triangles, surface_.triangles);
+  if (!same) {
+    made_ = std::make_shared<const TriangleSurface>(remesh(surface, edge));
+    surface_ = surface;
+    edge_ = edge;
+  }
+  return made_;
+}
+
 }  // namespace vasorod

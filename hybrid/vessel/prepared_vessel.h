@@ -2,9 +2,14 @@
 // wall's stiffness.
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include <vasorod/scene.h>
 
 #include "surface_file/read_surface.h"
+#include "surface_file/remesh.h"
 #include "vessel/vessel.h"
 
 namespace vasorod {
@@ -18,6 +23,8 @@ struct PreparedVessel {
   /// Of the wall's prestress (wall/wall_energy.h), n x 3, length; empty: none.
   Points prestress_displacement;
   bool from_stress_free_shape = false;  ///< as in WallInput
+  /// Its surface with other edges (predict/coarse_vessels.h); copies share it.
+  std::shared_ptr<KeptRemesh> remeshed = std::make_shared<KeptRemesh>();
 
   bool obstacle() const { return spec.role == Role::obstacle; }
   double thickness() const { return spec.wall ? spec.wall->thickness : 0; }

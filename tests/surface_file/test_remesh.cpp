@@ -68,5 +68,21 @@ TEST(Remesh, LeavesNoTriangleBelowATwentiethOfTheTargetOnACoarseEnd) {
   EXPECT_GT(shortest, 0.2 * 2);
 }
 
+TEST(Remesh, IsKeptForTheSameSurfaceAndEdgeAlone) {
+  const TriangleSurface surface = tube_surface(small_tube());
+  TriangleSurface wider = surface;
+  wider.points.col(0) *= 1.2;
+  KeptRemesh kept;
+  const auto first = kept.of(surface, 2);
+  EXPECT_EQ(first->points, remesh(surface, 2).points);
+  EXPECT_EQ(kept.of(surface, 2), first);
+  const auto longer = kept.of(surface, 2.5);
+  EXPECT_EQ(longer->points, remesh(surface, 2.5).points);
+  EXPECT_EQ(kept.of(wider, 2.5)->points, remesh(wider, 2.5).points);
+  const TriangleSurface larger = remesh(surface, 1);
+  EXPECT_EQ(kept.of(larger, 2.5)->points, remesh(larger, 2.5).points);
+  EXPECT_EQ(kept.of(surface, 2)->points, first->points);
+}
+
 }  // namespace
 }  // namespace vasorod

@@ -1,7 +1,7 @@
 // A binary tree of axis-parallel boxes, one box for each item, for searches that first ask boxes.
 // CGAL's box_intersection_d and AABB tree answer the same questions; for walls that are new with
-// every option or every step, each asked a few times, sorting and building those takes longer than
-// the answers.
+// every option, each asked a few times, sorting and building those takes longer than the answers.
+// Nor does that AABB tree follow a wall that moves: it is built anew.
 #pragma once
 
 #include <algorithm>

@@ -77,7 +77,7 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
-      clear_(static_cast<size_t>(slave_.rest.points.rows())),
+      looked_(static_cast<size_t>(slave_.rest.points.rows())),
       master_then_(master_.rest.points),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
@@ -87,7 +87,7 @@ void ContactPair::walls_are_parted() {
 }
 
 bool ContactPair::is_clear(int vertex, const Vec3& place, double margin) const {
-  const Clear& last = clear_[index(vertex)];
+  const Looked& last = looked_[index(vertex)];
   return last.distance - (place - last.place).norm() - (travel_ - last.travel) > margin;
 }
 
@@ -148,9 +148,9 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
   const Points& master_normals = current_->normals();
   for (const int i : near) {
-    const ClosestPoint::Hit hit = current_->query(slave.row(i), clear_[index(i)].triangle);
-    clear_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
-                        hit.triangle};
+    const ClosestPoint::Hit hit = current_->query(slave.row(i), looked_[index(i)].triangle);
+    looked_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
+                         hit.triangle};
     const Feature feature = facing_feature(*current_, now, master_normals, master_, slave.row(i),
                                            slave_normals.row(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);

@@ -44,7 +44,7 @@ class ContactPair : public FoundContacts {
 
  private:
   // Where a vertex was when it was last looked at.
-  struct Clear {
+  struct Looked {
     double distance = 0;  // outside the master, length; 0: not outside
     double travel = 0;    // travel_ then
     Vec3 place = Vec3::Zero();
@@ -64,7 +64,7 @@ class ContactPair : public FoundContacts {
   Eigen::VectorXd area_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;
-  std::vector<Clear> clear_;
+  std::vector<Looked> looked_;
   double travel_ = 0;  // sum over all searches of the farthest that a vertex of the master went
   Points master_then_;
   std::vector<double> allowance_;  // min(0, gap at rest); NaN until computed

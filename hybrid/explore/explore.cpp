@@ -223,7 +223,7 @@ class Explorer {
                                                           }});
   }
 
-  // In a process of its own.
+  // In one of the processes.
   std::string solved(Job job) const {
     Row& row = job.row;
     SolveOptions options;

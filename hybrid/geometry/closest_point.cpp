@@ -48,13 +48,25 @@ Vec3 closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   return closest_on_edges(p, {a, b, c});
 }
 
+namespace {
+
+double squared_distance(const TriangleSurface& surface, const Vec3& p, int t) {
+  const Vec3 a = surface.points.row(surface.triangles(t, 0)),
+             b = surface.points.row(surface.triangles(t, 1)),
+             c = surface.points.row(surface.triangles(t, 2));
+  const Vec3 share = closest_in_triangle(p, a, b, c);
+  return (p - share[0] * a - share[1] * b - share[2] * c).squaredNorm();
+}
+
+}  // namespace
+
 struct ClosestPoint::Tree {
-  explicit Tree(const TriangleSurface& surface)
-      : points(surface.points), triangles(surface.triangles) {
+  explicit Tree(const TriangleSurface& given) : surface(given), boxes(triangle_boxes(surface)) {
+    const Triangles& triangles = surface.triangles;
     if (triangles.rows() == 0) throw InputError("a surface without triangles has no closest point");
     const auto count = static_cast<size_t>(triangles.rows());
     neighbour.assign(count, {-1, -1, -1});
-    on_boundary.assign(static_cast<size_t>(points.rows()), 0);
+    on_boundary.assign(static_cast<size_t>(surface.points.rows()), 0);
     for (const Edge& e : edges_of(triangles)) {
       if (e.boundary())
         on_boundary[static_cast<size_t>(e.a)] = on_boundary[static_cast<size_t>(e.b)] = 1;
@@ -66,38 +78,30 @@ struct ClosestPoint::Tree {
                 e.triangle[1 - side];
       }
     }
-    boxes = BoxTree(triangle_boxes({points, triangles}));
     find_normals();
   }
 
   void move(const Points& moved) {
-    points = moved;
-    boxes.refit(triangle_boxes({points, triangles}));
+    surface.points = moved;
+    boxes.refit(triangle_boxes(surface));
     find_normals();
   }
 
   void find_normals() {
-    normals.resize(triangles.rows(), 3);
-    for (int t = 0; t < triangles.rows(); ++t) {
+    normals.resize(surface.triangles.rows(), 3);
+    for (int t = 0; t < surface.triangles.rows(); ++t) {
       const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
       const Vec3 n = (b - a).cross(c - a);
       const double length = n.norm();
       normals.row(t) = (length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero())).transpose();
     }
-    vertex_normal = vertex_normals({points, triangles});
+    vertex_normal = vertex_normals(surface);
   }
 
-  Vec3 corner(int t, int k) const { return points.row(triangles(t, k)); }
+  Vec3 corner(int t, int k) const { return surface.points.row(surface.triangles(t, k)); }
 
-  double squared_distance(const Vec3& p, int t) const {
-    const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
-    const Vec3 share = closest_in_triangle(p, a, b, c);
-    return (p - share[0] * a - share[1] * b - share[2] * c).squaredNorm();
-  }
-
-  BoxTree boxes;  // of the triangles
-  Points points;
-  Triangles triangles;
+  TriangleSurface surface;
+  BoxTree boxes;         // of the triangles
   Points normals;        // unit, per triangle; zero where degenerate
   Points vertex_normal;  // unit, angle-weighted
   std::vector<std::array<int, 3>> neighbour;
@@ -114,7 +118,7 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
   const Tree& tree = *tree_;
   Hit hit;
   const int found = tree.boxes.nearest(
-      point, [&](int t) { return tree.squared_distance(point, t); }, near);
+      point, [&](int t) { return squared_distance(tree.surface, point, t); }, near);
   const int t = hit.triangle = std::max(found, 0);  // -1 where a point is not finite
   hit.barycentric =
       closest_in_triangle(point, tree.corner(t, 0), tree.corner(t, 1), tree.corner(t, 2));
@@ -135,7 +139,7 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
   } else {
     int k = 0;
     hit.barycentric.maxCoeff(&k);
-    const int vertex = tree.triangles(t, k);
+    const int vertex = tree.surface.triangles(t, k);
     hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
     hit.normal = tree.vertex_normal.row(vertex);
   }
@@ -144,7 +148,7 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
   if (hit.normal.squaredNorm() < 1e-24) {
     int k = 0;
     hit.barycentric.maxCoeff(&k);
-    hit.normal = tree.vertex_normal.row(tree.triangles(t, k));
+    hit.normal = tree.vertex_normal.row(tree.surface.triangles(t, k));
   }
   if (hit.normal.squaredNorm() > 0) hit.normal.normalize();
   const Vec3 away = point - hit.point;
@@ -160,12 +164,8 @@ int closest_triangle(const TriangleSurface& surface, const Vec3& point) {
   double least = std::numeric_limits<double>::infinity();
   for (int t = 0; t < surface.triangles.rows(); ++t) {
     const Box& box = boxes[static_cast<size_t>(t)];
-    if (!((point - point.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm() < least)) continue;
-    const Vec3 a = surface.points.row(surface.triangles(t, 0)),
-               b = surface.points.row(surface.triangles(t, 1)),
-               c = surface.points.row(surface.triangles(t, 2));
-    const Vec3 share = closest_in_triangle(point, a, b, c);
-    const double squared = (point - share[0] * a - share[1] * b - share[2] * c).squaredNorm();
+    if (!(box.squared_distance(point) < least)) continue;
+    const double squared = squared_distance(surface, point, t);
     if (!(squared < least)) continue;
     least = squared;
     closest = t;
@@ -210,7 +210,7 @@ const Points& ClosestPoint::normals() const {
 }
 
 void ClosestPoint::refit(const Points& points) {
-  if (points == tree_->points) return;
+  if (points == tree_->surface.points) return;
   tree_->move(points);
 }
 

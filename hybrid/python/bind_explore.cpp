@@ -1,5 +1,5 @@
-// vasorod._core.explore. The package calls it in a process of its own, since each option is forked
-// from it (explore/apart.h).
+// vasorod._core.explore. The package calls it in a process of its own, since those that solve
+// the options are forked from it (explore/apart.h).
 #include <cmath>
 #include <csignal>
 #include <memory>

@@ -37,7 +37,7 @@ TEST(BoxTree, AVisitTakesWhatTryingEveryBoxTakes) {
   }
 }
 
-// Of points within the boxes: the low corner.
+// Each item is a point: the low corner of its box.
 int nearest_of_all(const std::vector<Box>& all, const Vec3& point) {
   int nearest = -1;
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -33,6 +33,10 @@ constexpr double follow_from = 0.2;
 // overlap's depth.
 constexpr double held_band = 2;
 
+// Two changes of the multipliers are on one line where what the last one has beside that of the one
+// before is below this share of it. A factor above the largest one is too uncertain to sum up.
+constexpr double aside = 0.1, largest_factor = 0.95;
+
 // The slave is the deformable body. If both deform, the slave is the body with the finer mesh,
 // because its pressures resolve the contact patch better.
 bool first_is_slave(const ScaledBody& a, const ScaledBody& b) {
@@ -275,6 +279,24 @@ ContactState BodyContacts::state(const ScaledBodies& scaled, Features features) 
   }
   state.force_change = change > 0 ? change / std::max(sum, 1e-300) : 0;
   return state;
+}
+
+bool BodyContacts::extrapolate() {
+  FoundContacts::Changes all;
+  for (const Pair& pair : pairs_) {
+    if (!pair.contact) continue;
+    const FoundContacts::Changes mine = pair.contact->changes();
+    all.last += mine.last;
+    all.before += mine.before;
+    all.product += mine.product;
+  }
+  if (!(all.before > 0)) return false;
+  const double factor = all.product / all.before;
+  const double across = all.last - factor * all.product;  // to the change before, squared
+  if (!(factor > 0) || factor > largest_factor || across > aside * aside * all.last) return false;
+  for (Pair& pair : pairs_)
+    if (pair.contact) pair.contact->go_on(factor / (1 - factor));
+  return true;
 }
 
 bool BodyContacts::follow(const ScaledBodies& scaled) {

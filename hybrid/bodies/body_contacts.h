@@ -54,6 +54,12 @@ class BodyContacts {
   /// The same with the features found last, and walls that stick do so where they are now.
   ContactState update(const ScaledBodies& scaled);
 
+  /// Where the last update changed all multipliers by the same factor times what the one before
+  /// did: adds what all further ones would (Aitken's delta-squared process; for vectors: Macleod,
+  /// Acceleration of vector sequences by multi-dimensional delta-2 methods, 1986). False: nothing
+  /// was added.
+  bool extrapolate();
+
   /// Pressures per body and vertex with which different bodies that come within reach for the first
   /// time press, scaled stress; an empty one: none. Pairs with exchanged roles begin without.
   void expect(std::vector<Eigen::VectorXd> pressure) { expected_ = std::move(pressure); }

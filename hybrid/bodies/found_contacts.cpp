@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vasorod {
 
@@ -62,6 +63,7 @@ double FoundContacts::slip(const ContactPoint& contact, const Points& slave, con
 std::pair<double, double> FoundContacts::update_multipliers(const Points& slave,
                                                             const Points& master) {
   double change = 0, sum = 0;
+  change_before_ = std::exchange(change_, Eigen::VectorXd::Zero(multiplier_.size()));
   for (size_t i = 0; i < contacts_.size(); ++i) {
     ContactPoint& c = contacts_[i];
     const double apart = gap(c, slave, master);
@@ -69,9 +71,26 @@ std::pair<double, double> FoundContacts::update_multipliers(const Points& slave,
     sum += c.area * pressure;
     if (pressure > 0 && std::abs(apart) <= settled_) continue;
     change += c.area * std::abs(pressure - c.multiplier);
+    change_[slots_[i]] = pressure - c.multiplier;
     multiplier_[slots_[i]] = c.multiplier = pressure;
   }
   return {change, sum};
+}
+
+FoundContacts::Changes FoundContacts::changes() const {
+  if (change_before_.size() == 0) return {};
+  return {change_.squaredNorm(), change_before_.squaredNorm(), change_.dot(change_before_)};
+}
+
+void FoundContacts::go_on(double times) {
+  if (change_.size() == 0) return;
+  for (size_t i = 0; i < contacts_.size(); ++i) {
+    const Eigen::Index slot = slots_[i];
+    contacts_[i].multiplier = multiplier_[slot] =
+        std::max(0.0, multiplier_[slot] + times * change_[slot]);
+  }
+  change_.resize(0);
+  change_before_.resize(0);
 }
 
 }  // namespace vasorod

@@ -67,6 +67,15 @@ class FoundContacts {
   /// forces, sum of the contact forces), force.
   std::pair<double, double> update_multipliers(const Points& slave, const Points& master);
 
+  /// How the changes of the multipliers by the last two updates compare: their scalar product and
+  /// their squares, stress squared. All zero where there were no two since go_on().
+  struct Changes {
+    double last = 0, before = 0, product = 0;
+  };
+  Changes changes() const;
+  /// Changes the multipliers once more by so many times what the last update changed.
+  void go_on(double times);
+
   /// Gap of a contact at the given positions, length.
   static double gap(const ContactPoint& contact, const Points& slave, const Points& master);
   /// How far a contact that sticks slid at the given positions, length.
@@ -100,6 +109,7 @@ class FoundContacts {
 
  private:
   Eigen::VectorXd multiplier_, kept_;
+  Eigen::VectorXd change_, change_before_;  // by the last two updates, per slot; may be empty
   Eigen::VectorXd depth_;  // per slot, at most 0; empty: start_parting() was not called
   bool finds_depth_ = false;
   double allowed_ = 0;

@@ -99,6 +99,100 @@ TEST(BodyContacts, FindsTheGapOfWallsFarFromEachOther) {
   }
 }
 
+// Two plates face to face, the first a spring's end: it is `given` deep in the second where nothing
+// presses, and a pressure p moves it out by p / spring. Its minima are known in closed form.
+class PressedPlates {
+ public:
+  PressedPlates() : scaled_(scale_bodies(problem_)) {
+    for (ScaledBody& body : scaled_.bodies) body.modelled = true;
+    rest_ = scaled_.bodies[0].rest.points;
+    minimise();
+    contacts_.refresh(scaled_);
+  }
+  // The minimum with the multipliers at hand, and their update.
+  void update() {
+    minimise();
+    contacts_.refresh(scaled_);
+  }
+  // With another force of the spring from here on.
+  void pull(double deeper) { given_ += deeper; }
+  bool extrapolate() { return contacts_.extrapolate(); }
+  double multiplier() const { return points().empty() ? 0 : points().front().multiplier; }
+  double expected() const { return spring_ * given_; }
+
+ private:
+  static BodyProblem plates() {
+    BodyProblem problem;
+    for (const double side : {1.0, -1.0}) {
+      SurfaceBody& body = problem.bodies.emplace_back();
+      body.name = "plate";
+      body.rest = plate(side);
+      body.thickness = 0.2;
+      body.k = {1, 0.1, 0.4};
+    }
+    problem.contacts.emplace_back(0, 1);
+    return problem;
+  }
+  // In the plane z = 0.15 * side, its outside turned to the other; the second one is larger.
+  static TriangleSurface plate(double side) {
+    constexpr int cells = 6;
+    const double edge = side > 0 ? 1 : 1.5;
+    TriangleSurface plate;
+    plate.points.resize((cells + 1) * (cells + 1), 3);
+    plate.triangles.resize(2 * cells * cells, 3);
+    for (int i = 0, t = 0; i <= cells; ++i)
+      for (int j = 0; j <= cells; ++j) {
+        const int v = i * (cells + 1) + j;
+        plate.points.row(v) << edge * (i - 0.5 * cells), edge * (j - 0.5 * cells), 0.15 * side;
+        if (i == cells || j == cells) continue;
+        const int right = v + cells + 1, up = v + 1;
+        plate.triangles.row(t++) << v, side > 0 ? up : right, side > 0 ? right : up;
+        plate.triangles.row(t++) << right, side > 0 ? up : up + cells + 1,
+            side > 0 ? up + cells + 1 : up;
+      }
+    return plate;
+  }
+  std::vector<ContactPoint> points() const { return contacts_.stacked(scaled_, {0, 49}).points; }
+  void minimise() {
+    const double m = multiplier(), k = points().empty() ? 0 : points().front().stiffness;
+    if (k > 0) spring_ = 2 * k;
+    const double depth = k > 0 ? (spring_ * given_ - m) / (spring_ + k) : given_;
+    const double gap = 0.3 / scaled_.length;  // at rest
+    scaled_.bodies[0].now = rest_;
+    scaled_.bodies[0].now.col(2).array() -= gap + depth;
+  }
+
+  BodyProblem problem_ = plates();
+  ScaledBodies scaled_;
+  BodyContacts contacts_{problem_, scaled_, 10};
+  Points rest_;
+  double given_ = 0.02, spring_ = 1;
+};
+
+TEST(BodyContacts, ChangesThatBecomeSmallerByTheSameFactorAreSummedUp) {
+  PressedPlates plates;
+  plates.update();
+  EXPECT_FALSE(plates.extrapolate()) << "the first search was no update";
+  plates.update();
+  plates.update();
+  const double off = std::abs(plates.multiplier() - plates.expected());
+  ASSERT_GT(off, 1e-2 * plates.expected()) << plates.multiplier();
+  ASSERT_TRUE(plates.extrapolate());
+  EXPECT_NEAR(plates.multiplier(), plates.expected(), 1e-6 * plates.expected());
+  EXPECT_FALSE(plates.extrapolate()) << "what was added is no update";
+}
+
+TEST(BodyContacts, ChangesThatGrowOrTurnAreNot) {
+  PressedPlates plates;
+  for (int k = 0; k < 3; ++k) plates.update();
+  plates.pull(0.05);
+  plates.update();
+  EXPECT_FALSE(plates.extrapolate()) << "it is pulled in";
+  plates.pull(-0.05);
+  plates.update();
+  EXPECT_FALSE(plates.extrapolate()) << "it is let out again";
+}
+
 TEST(LateContacts, AreSearchedAtFewerAndFewerUpdates) {
   LateContacts late(12);
   std::vector<int> searched;

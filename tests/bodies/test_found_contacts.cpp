@@ -56,6 +56,30 @@ TEST(FoundContacts, WithinTheSettledGapTheMultiplierStays) {
   EXPECT_EQ(contact.contacts()[0].multiplier, 0);
 }
 
+// What further updates would add to changes that become smaller by the same factor each.
+TEST(FoundContacts, GoesOnWithTheLastChange) {
+  OverATriangle contact(0);
+  contact.refresh(at(0), triangle(), 1);
+  EXPECT_EQ(contact.changes().before, 0);
+  contact.update_multipliers(at(-0.5), triangle());
+  EXPECT_EQ(contact.changes().last, 0);
+  contact.refresh(at(0), triangle(), 1);
+  contact.update_multipliers(at(-0.25), triangle());
+  const FoundContacts::Changes changes = contact.changes();
+  EXPECT_EQ(changes.before, 25);
+  EXPECT_EQ(changes.last, 6.25);
+  EXPECT_EQ(changes.product, 12.5);
+  contact.go_on(1);
+  EXPECT_EQ(contact.contacts()[0].multiplier, 10);
+  EXPECT_EQ(contact.changes().before, 0);
+  contact.refresh(at(0), triangle(), 1);
+  EXPECT_EQ(contact.contacts()[0].multiplier, 10);  // kept by the search
+  contact.update_multipliers(at(0.25), triangle());
+  EXPECT_EQ(contact.changes().before, 0) << "what was added is no update";
+  contact.go_on(10);
+  EXPECT_EQ(contact.contacts()[0].multiplier, 0) << "nothing pulls";
+}
+
 // The same, which may be in the triangle as deep as it was found there.
 class InATriangle : public FoundContacts {
  public:

@@ -226,7 +226,9 @@ Status SeamClosing::settle(int most_updates, Walls walls) {
     }
     for (const int b : contact.touched) stack_.scaled.bodies[index(b)].modelled = true;
     check_free_motions(stack_.problem, stack_.scaled);
+    const bool was_narrow = stack_.is_narrow();
     path_.rebuild();
+    if (was_narrow) path_.narrow(Patch::seam_and_contacts);  // with what is touched now
   }
   const bool passable = walls == Walls::follow || penetration < passable_penetration;
   return passable ? Status::converged : Status::iteration_limit;

@@ -5,6 +5,8 @@
 #include <vasorod/error.h>
 
 #include "coupled/coupled_contacts.h"
+#include "coupled/joined_tubes.h"
+#include "coupled/seam_closing.h"
 #include "geometry/closest_point.h"
 
 namespace vasorod {
@@ -237,6 +239,36 @@ TEST(SeamClosing, WhatPassesThroughAtAStartIsPartedOnceAndFindsItsMinimum) {
       EXPECT_LT(largest_difference(parted.solution, found), 1e-5 * 6 * unit);
     }
   }
+}
+
+// The end of a third tube stands beside joined ones, by their seam, pressed into one of them by
+// 0.03, which nothing knows yet.
+TEST(SeamClosing, WhatIsTouchedInAPatchJoinsThePatch) {
+  CoupledProblem problem = joined_tubes();
+  const Vec3 there(2 * joined_radius + joined_thickness + 0.01 - 40, 0, 26.5);
+  problem.surfaces.bodies[2].rest.points.rowwise() += there.transpose();
+  for (HeldSection& section : problem.vessels[2]->sections) section.rest.position += there;
+  problem.vessels[2]->wall.rest = problem.surfaces.bodies[2].rest;
+  problem.surfaces.contacts = {{0, 2}};
+  for (size_t b = 0; b < 2; ++b) problem.start->bodies[b].points.col(0).array() += 0.04;
+  problem.start->bodies[2].points.resize(0, 3);
+  carry_by_sections(problem);
+  CoupledStack stack(std::move(problem), {});
+  CoupledPath path(stack);
+  stack.build();
+  path.restart();
+  path.advance(1);
+  path.start_at_given();
+  ASSERT_FALSE(stack.scaled.bodies[2].modelled);
+  int narrow = 0, wide = 0;
+  SeamClosing closing(stack, path, {}, [&](const CoupledMinimiserSummary&) {
+    (stack.is_narrow() ? narrow : wide) += 1;
+  });
+  EXPECT_EQ(closing.part(), Status::converged);
+  EXPECT_TRUE(stack.scaled.bodies[2].modelled);
+  EXPECT_FALSE(stack.is_narrow());
+  EXPECT_GT(narrow, 1);
+  EXPECT_EQ(wide, 0);
 }
 
 // A roof whose ridge runs along the wall between two columns of vertices. `out`: from the axis

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 #include <vasorod/error.h>
 #include <vasorod/result_folder.h>
@@ -163,11 +162,7 @@ class Explorer {
   }
 
   // False: stopped.
-  bool solve(int stage) {
-    std::vector<int> places = chosen(stage);
-    if (stage > 0) places = in_order_of_work(std::move(places), request_.threads);
-    return solve(places, stage, spec_.stages[index(stage)]);
-  }
+  bool solve(int stage) { return solve(chosen(stage), stage, spec_.stages[index(stage)]); }
 
   // Solves rows at a stage.
   bool solve(const std::vector<int>& places, int stage, const std::string& doing) {

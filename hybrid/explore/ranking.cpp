@@ -134,10 +134,4 @@ std::vector<RankedRow> ranked(const std::vector<Row>& rows, const ExploreSpec& s
   return sorted;
 }
 
-std::vector<int> in_order_of_work(std::vector<int> best_first, int processes) {
-  if (processes > 1 && !best_first.empty())
-    std::rotate(best_first.begin(), best_first.end() - 1, best_first.end());
-  return best_first;
-}
-
 }  // namespace vasorod

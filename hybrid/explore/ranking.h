@@ -64,9 +64,4 @@ struct RankedRow {
 /// does not see adds nothing to the score: scores of different stages are not comparable.
 std::vector<RankedRow> ranked(const std::vector<Row>& rows, const ExploreSpec& spec);
 
-/// The order in which options, best first, are begun: so, that a stopped run has the best. Of
-/// several `processes` one begins with what ranks last: it folds most, takes longest, and would
-/// leave the others idle at the end.
-std::vector<int> in_order_of_work(std::vector<int> best_first, int processes);
-
 }  // namespace vasorod

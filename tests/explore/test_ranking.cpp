@@ -139,12 +139,6 @@ TEST(Ranking, WithinAStageWhatIsInTheModelsRangeStandsFirst) {
             (std::vector<std::string>{"inside", "outside", "early"}));
 }
 
-TEST(Ranking, OneOfSeveralProcessesBeginsWithWhatRanksLast) {
-  EXPECT_EQ(in_order_of_work({3, 1, 2}, 1), (std::vector{3, 1, 2}));
-  EXPECT_EQ(in_order_of_work({3, 1, 2}, 2), (std::vector{2, 3, 1}));
-  EXPECT_TRUE(in_order_of_work({}, 2).empty());
-}
-
 TEST(Ranking, AWeightTurnsTheOrder) {
   const std::vector<Row> rows{row_of("twisted", Status::converged, ideal_but("twist_shear", 0.08)),
                               row_of("narrow", Status::converged, ideal_but("mouth", 0.8))};

@@ -490,6 +490,7 @@ class CoupledSolver::Data {
       }
       if (!seam_closed) stack_.update_seams();
       if (!tied) stack_.system->update_ties(stack_.z);
+      // The slowest pattern of pressures goes on to its limit, unless others press now.
       if (!contact.pressed_changed) stack_.contacts->extrapolate();
       const double least = good ? finest_tolerance : options.tolerance;
       if (summary.residual <= tolerance) tolerance = std::max(least, tolerance * tolerance_step);

@@ -106,8 +106,7 @@ class PressedPlates {
   PressedPlates() : scaled_(scale_bodies(problem_)) {
     for (ScaledBody& body : scaled_.bodies) body.modelled = true;
     rest_ = scaled_.bodies[0].rest.points;
-    minimise();
-    contacts_.refresh(scaled_);
+    update();
   }
   // The minimum with the multipliers at hand, and their update.
   void update() {
@@ -152,7 +151,9 @@ class PressedPlates {
       }
     return plate;
   }
-  std::vector<ContactPoint> points() const { return contacts_.stacked(scaled_, {0, 49}).points; }
+  std::vector<ContactPoint> points() const {
+    return contacts_.stacked(scaled_, {0, static_cast<int>(rest_.rows())}).points;
+  }
   void minimise() {
     const double m = multiplier(), k = points().empty() ? 0 : points().front().stiffness;
     if (k > 0) spring_ = 2 * k;
@@ -182,7 +183,7 @@ TEST(BodyContacts, ChangesThatBecomeSmallerByTheSameFactorAreSummedUp) {
   EXPECT_FALSE(plates.extrapolate()) << "what was added is no update";
 }
 
-TEST(BodyContacts, ChangesThatGrowOrTurnAreNot) {
+TEST(BodyContacts, ChangesThatGrowOrTurnAreNotSummedUp) {
   PressedPlates plates;
   for (int k = 0; k < 3; ++k) plates.update();
   plates.pull(0.05);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupled/coupled_contacts.h"
+#include "coupled/coupled_path.h"
 
 namespace vasorod::testing {
 
@@ -30,6 +31,14 @@ inline CoupledProblem joined_tubes(double pull = 0) {
     start.pressure.emplace_back(Eigen::VectorXd::Zero(rest.rows()));
   }
   return problem;
+}
+
+/// Builds a stack and puts it at its problem's start, as the solver does.
+inline void put_at_start(CoupledStack& stack, CoupledPath& path) {
+  stack.build();
+  path.restart();
+  path.advance(1);
+  path.start_at_given();
 }
 
 }  // namespace vasorod::testing

@@ -83,6 +83,20 @@ TEST(CoupledContact, TheForceDoesNotDependOnThePenalty) {
   EXPECT_NEAR(forces[0], forces[1], 1e-3 * forces[0]);
 }
 
+// With so soft a penalty the pressures converge slowly, by the same factor at each update: without
+// extrapolation after 35.
+TEST(CoupledContact, PressuresThatConvergeAlongOneLineTakeFewUpdates) {
+  CoupledOptions options;
+  options.contact_stiffness = 0.3;
+  CoupledSolver soft(pressed(3), options), stiff(pressed(3));
+  const CoupledSolution slow = soft.solve(), fast = stiff.solve();
+  expect_settled(slow);
+  EXPECT_LT(slow.surface.work.counts.outer, 25);
+  EXPECT_GT(slow.surface.work.counts.outer, fast.surface.work.counts.outer);
+  EXPECT_NEAR(slow.surface.contacts[0].force.x(), fast.surface.contacts[0].force.x(),
+              1e-4 * fast.surface.contacts[0].force.x());
+}
+
 // Pressures settle over several minimisations, and the certificate is asked for once, at the end:
 // without it the same minimum takes one factorisation and one Hessian less. One factor serves
 // several of them.

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "coupled/coupled_path.h"
 #include "coupled/joined_tubes.h"
 
 namespace vasorod {
@@ -15,12 +14,7 @@ constexpr double rounding = 1e-10;
 
 class CoupledPatchTest : public ::testing::Test {
  protected:
-  CoupledPatchTest() : stack_(joined_tubes(), {}), path_(stack_) {
-    stack_.build();
-    path_.restart();
-    path_.advance(1);
-    path_.start_at_given();
-  }
+  CoupledPatchTest() : stack_(joined_tubes(), {}), path_(stack_) { put_at_start(stack_, path_); }
   Points positions() const { return stack_.system->state(stack_.z).positions; }
 
   CoupledStack stack_;
@@ -105,10 +99,7 @@ TEST(CoupledPatch, OneThatWouldHoldLittleIsNotMade) {
   }
   CoupledStack stack(std::move(problem), {});
   CoupledPath path(stack);
-  stack.build();
-  path.restart();
-  path.advance(1);
-  path.start_at_given();
+  put_at_start(stack, path);
   const Eigen::VectorXd z = stack.z;
   EXPECT_FALSE(path.narrow(Patch::seam_and_contacts));
   EXPECT_FALSE(stack.is_narrow());

@@ -255,10 +255,7 @@ TEST(SeamClosing, WhatIsTouchedInAPatchJoinsThePatch) {
   carry_by_sections(problem);
   CoupledStack stack(std::move(problem), {});
   CoupledPath path(stack);
-  stack.build();
-  path.restart();
-  path.advance(1);
-  path.start_at_given();
+  put_at_start(stack, path);
   ASSERT_FALSE(stack.scaled.bodies[2].modelled);
   int narrow = 0, wide = 0;
   SeamClosing closing(stack, path, {}, [&](const CoupledMinimiserSummary&) {

@@ -43,10 +43,7 @@ void press(CoupledProblem& problem) {
 struct Started {
   explicit Started(CoupledProblem problem, CoupledOptions options = {})
       : stack(std::move(problem), options), path(stack) {
-    stack.build();
-    path.restart();
-    path.advance(1);
-    path.start_at_given();
+    put_at_start(stack, path);
     stack.search_contacts();
   }
   double energy() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -10,6 +11,7 @@
 #include <new>
 #include <optional>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -18,6 +20,8 @@
 #include <vector>
 
 #include <vasorod/error.h>
+
+#include "numerics/threads.h"
 
 namespace vasorod {
 namespace {
@@ -119,6 +123,27 @@ ApartEnding ending_without_answer(int status) {
   return ending;
 }
 
+// A number that this process and those that it forks see.
+class SharedNumber {
+ public:
+  SharedNumber()
+      : page_(mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE,
+                   MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (page_ == MAP_FAILED) throw std::bad_alloc();
+    number_ = new (page_) std::atomic<int>(1);
+  }
+  ~SharedNumber() { munmap(page_, sizeof(std::atomic<int>)); }
+  SharedNumber(const SharedNumber&) = delete;
+  SharedNumber& operator=(const SharedNumber&) = delete;
+
+  std::atomic<int>* get() const { return number_; }
+
+ private:
+  static_assert(std::atomic<int>::is_always_lock_free);
+  void* page_;
+  std::atomic<int>* number_;
+};
+
 class Children {
  public:
   Children(const std::function<std::string(int)>& job, const ApartOptions& options)
@@ -143,6 +168,9 @@ class Children {
     idle->said.clear();
     send_all(idle->socket, &k, sizeof k);  // wait() finds one that is not there any more
   }
+
+  // Gives those that work the threads of all.
+  void share_threads(int working) { *threads_each_.get() = options_.at_once / working; }
 
   // Waits until one has something to say, at most for `between_looks`, and returns those that have
   // ended their jobs.
@@ -191,6 +219,7 @@ class Children {
       if (options_.begin) options_.begin();
       if (getppid() != parent) _exit(1);  // it ended before it was asked to say so
       close(ends[0]);
+      follow_threads(threads_each_.get());
       for (const Child& sibling : children_) close(sibling.socket);
       // Not exit(): it would run what the parent's ending runs.
       _exit(answer_all(ends[1], job_));
@@ -230,6 +259,7 @@ class Children {
 
   const std::function<std::string(int)>& job_;
   const ApartOptions& options_;
+  SharedNumber threads_each_;
   std::vector<Child> children_;
 };
 
@@ -242,6 +272,7 @@ bool run_apart(int count, const std::function<std::string(int)>& job,
   int next = 0;
   while (next < count || children.working() > 0) {
     if (options.stop && options.stop()) return false;
+    children.share_threads(std::min(options.at_once, children.working() + count - next));
     while (next < count && children.working() < options.at_once) children.start(next++);
     if (next == count) children.end_idle();  // its memory is another's
     for (const auto& [k, ending] : children.wait()) take(k, ending);

@@ -20,7 +20,7 @@ struct ApartEnding {
 };
 
 struct ApartOptions {
-  int at_once = 1;              ///< processes at once, at least 1
+  int at_once = 1;              ///< processes at once, and threads of all, at least 1
   std::function<bool()> stop;   ///< asked ten times a second; true ends the processes
   std::function<void()> begin;  ///< called first in each process; may be empty
 };
@@ -28,6 +28,8 @@ struct ApartOptions {
 /// Calls job(0) to job(count - 1) in forked processes that have the state of this one and of the
 /// jobs that they did before, and take(k, ending) in this process in the order in which they end. A
 /// job's answer must not depend on those before it; after one that failed, another process goes on.
+/// Where fewer jobs are left than may run at once, threads() of each becomes its part of all, also
+/// in the middle of a job.
 /// Call it while this process has one thread. A process ends with its parent, however that ends.
 /// False: it was stopped; what had not ended is not taken. An exception of `take` ends the
 /// processes too.

@@ -6,6 +6,19 @@ namespace vasorod {
 namespace {
 
 thread_local int chosen = 1;
+thread_local const std::atomic<int>* followed = nullptr;
+thread_local int with_buffers = 1;  // threads that the BLAS was found to have buffers for
+
+bool find_buffers(int count) {
+  if (count <= with_buffers) return true;
+  try {
+    require_blas_buffers(count);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  with_buffers = count;
+  return true;
+}
 
 }  // namespace
 
@@ -15,7 +28,12 @@ void set_threads(int count) {
 }
 
 int threads() {
-  return chosen;
+  const int more = followed ? followed->load(std::memory_order_relaxed) : 1;
+  return more > chosen && find_buffers(more) ? more : chosen;
+}
+
+void follow_threads(const std::atomic<int>* count) {
+  followed = count;
 }
 
 std::future<void> in_background(std::function<void()> task) {

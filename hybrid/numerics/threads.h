@@ -18,6 +18,11 @@ namespace vasorod {
 void set_threads(int count);
 int threads();
 
+/// Sets that threads() is `*count` where that is more and the BLAS's buffers for them fit into the
+/// memory: another thread or process may change it while a solve runs. nullptr: no longer. `*count`
+/// must outlive its use.
+void follow_threads(const std::atomic<int>* count);
+
 /// The processors of this machine, 1 to 64.
 int processors();
 

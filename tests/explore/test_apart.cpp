@@ -13,6 +13,7 @@
 #include <vasorod/error.h>
 
 #include "explore/apart.h"
+#include "numerics/threads.h"
 #include "scratch_folder.h"
 
 namespace vasorod::testing {
@@ -63,6 +64,23 @@ TEST_F(Apart, NoMoreRunAtOnceThanAsked) {
   int running = 0, most = 0;
   for (const auto& [time, change] : changes) most = std::max(most, running += change);
   EXPECT_LE(most, 2);
+}
+
+// A job waits until it has the threads of the one beside it, which ends first.
+TEST_F(Apart, ThreadsOfThoseThatHaveEndedAreTheOthers) {
+  const auto job = [](int k) -> std::string {
+    const int first = threads();
+    const auto last = std::chrono::steady_clock::now() + 20s;
+    while (k == 2 && threads() == 1 && std::chrono::steady_clock::now() < last)
+      std::this_thread::sleep_for(1ms);
+    if (k == 1) std::this_thread::sleep_for(100ms);
+    return std::to_string(first) + " " + std::to_string(threads());
+  };
+  const auto endings = endings_of(3, job, {2, {}, {}});
+  EXPECT_EQ(endings.at(0).answer, "1 1");
+  EXPECT_EQ(endings.at(1).answer, "1 1");
+  EXPECT_EQ(endings.at(2).answer, "1 2");
+  EXPECT_EQ(endings_of(1, job, {4, {}, {}}).at(0).answer, "4 4");
 }
 
 // As many processes as run at once: each does one job after the other, and what a job leaves behind

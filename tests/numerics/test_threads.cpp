@@ -66,6 +66,24 @@ TEST(Threads, ATaskInTheBackgroundRunsBesideAndItsFailureIsThrownByGet) {
   set_threads(1);
 }
 
+TEST(Threads, FollowANumberThatOthersChange) {
+  std::atomic<int> count = 1;
+  follow_threads(&count);
+  EXPECT_EQ(threads(), 1);
+  count = 3;
+  EXPECT_EQ(threads(), 3);
+  std::thread([] { EXPECT_EQ(threads(), 1); }).join();
+  set_threads(2);
+  EXPECT_EQ(threads(), 3);
+  count = 1;
+  EXPECT_EQ(threads(), 2);
+  count = 1'000'000;  // 136 TB of buffers
+  EXPECT_EQ(threads(), 2);
+  follow_threads(nullptr);
+  set_threads(1);
+  EXPECT_EQ(threads(), 1);
+}
+
 TEST(Threads, AreThoseOfTheThreadThatAsks) {
   EXPECT_EQ(threads(), 1);
   set_threads(3);

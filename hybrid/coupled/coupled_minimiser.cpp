@@ -96,7 +96,7 @@ void CoupledMinimiser::find_order() {
   std::vector<ContactPoint> contacts = std::exchange(system_.contacts, {});
   analysed_ = sparse_sum(rest_, system_.meeting_hessian(VectorXd::Zero(system_.unknowns())));
   system_.contacts = std::move(contacts);
-  order_ = elimination_order(analysed_, system_.groups(), Ordering::nested_dissection, &work_);
+  order_ = elimination_order(analysed_, system_.groups(), Ordering::cheaper, &work_);
   factor_.analyse(analysed_, order_);
   order_nonzeros_ = factor_.factor_nonzeros();
 }
@@ -113,7 +113,7 @@ void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Bre
     if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
   }
   breaks.before("ordering");
-  order_ = elimination_order(matrix, system_.groups(), Ordering::nested_dissection, &work_);
+  order_ = elimination_order(matrix, system_.groups(), Ordering::cheaper, &work_);
   factor.analyse(matrix, order_);
   order_nonzeros_ = factor.factor_nonzeros();
 }

@@ -19,9 +19,10 @@ namespace vasorod {
 /// have the same rows outside the group.
 ///
 /// Nested dissection (METIS) costs ten times as much as minimum degree (AMD) and halves the flops
-/// of the factorisation for shells. It pays off from the second factorisation on. The time is added
-/// to `work`, which may be null.
-enum class Ordering { minimum_degree, nested_dissection };
+/// of the factorisation for shells. It pays off from the second factorisation on. `cheaper`: for a
+/// few factorisations; minimum degree where the graph is small and that order's work little, else
+/// nested dissection. The time is added to `work`, which may be null.
+enum class Ordering { minimum_degree, nested_dissection, cheaper };
 std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& matrix,
                                    const std::vector<int>& groups, Ordering ordering,
                                    Work* work = nullptr);

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "wall/degeneracy_barriers.h"
@@ -12,29 +13,39 @@ namespace vasorod {
 
 namespace {
 
+// det C, with the gradient of its logarithm.
+struct Determinant {
+  double value;
+  Vec3 log_gradient;
+
+  // A triangle collapsed to a line keeps finite forces.
+  explicit Determinant(const Vec3& c)
+      : value(std::max(c[0] * c[1] - c[2] * c[2], 1e-24)),
+        log_gradient(Vec3(c[1], c[0], -2 * c[2]) / value) {}
+};
+
 // Height over edge k with the derivatives of ln h, q = g_k turned by 90 degrees:
 //   h = sqrt(det C / (q^T C q))
 struct Height {
-  Vec3 length_gradient, det_gradient;  // of ln (q^T C q) and of ln det C
-  double det, value;
+  Vec3 length_gradient;  // of ln (q^T C q)
+  double value;
 
-  Height(const Vec2& g, const Vec3& c)
-      : length_gradient(g[1] * g[1], g[0] * g[0], -2 * g[0] * g[1]),
-        // A triangle collapsed to a line keeps finite forces.
-        det(std::max(c[0] * c[1] - c[2] * c[2], 1e-24)) {
+  Height(const Vec2& g, const Vec3& c, const Determinant& det)
+      : length_gradient(g[1] * g[1], g[0] * g[0], -2 * g[0] * g[1]) {
     const double square = length_gradient.dot(c);
-    value = std::sqrt(det / square);
+    value = std::sqrt(det.value / square);
     length_gradient /= square;
-    det_gradient = Vec3(c[1], c[0], -2 * c[2]) / det;
   }
-  Vec3 log_gradient() const { return (det_gradient - length_gradient) / 2; }
-  Mat3 log_hessian() const {
-    Mat3 h =
-        (length_gradient * length_gradient.transpose() - det_gradient * det_gradient.transpose()) /
-        2;
-    h(0, 1) += 0.5 / det;
-    h(1, 0) += 0.5 / det;
-    h(2, 2) -= 1 / det;
+  Vec3 log_gradient(const Determinant& det) const {
+    return (det.log_gradient - length_gradient) / 2;
+  }
+  Mat3 log_hessian(const Determinant& det) const {
+    Mat3 h = (length_gradient * length_gradient.transpose() -
+              det.log_gradient * det.log_gradient.transpose()) /
+             2;
+    h(0, 1) += 0.5 / det.value;
+    h(1, 0) += 0.5 / det.value;
+    h(2, 2) -= 1 / det.value;
     return h;
   }
 };
@@ -65,9 +76,40 @@ double relieved(const TriangleRest& rest, const TriangleState& state, const Vec6
   return rest.relief / 4 * apart * apart;
 }
 
-double slope(const TriangleState& s, int k) {
-  return s.half_sine[k] + FoldBarrier(s.half_sine[k], s.half_cosine[k]).value +
-         s.xi[k] * s.half_cosine[k];
+// What the strains and their derivatives are made of.
+struct Parts {
+  MembraneStrain membrane;
+  Determinant det;
+  std::array<Height, 3> height;
+  std::array<FoldBarrier, 3> fold;
+
+  Parts(Law law, const TriangleRest& rest, const TriangleState& state)
+      : membrane(membrane_strain(law, state.metric)),
+        det(state.metric),
+        height{height_over(rest, state, 0), height_over(rest, state, 1),
+               height_over(rest, state, 2)},
+        fold{FoldBarrier(state.half_sine[0], state.half_cosine[0]),
+             FoldBarrier(state.half_sine[1], state.half_cosine[1]),
+             FoldBarrier(state.half_sine[2], state.half_cosine[2])} {}
+
+ private:
+  Height height_over(const TriangleRest& rest, const TriangleState& state, int k) const {
+    return {rest.gradients.col(k), state.metric, det};
+  }
+};
+
+Vec6 strains_of(const TriangleRest& rest, const TriangleState& state, const Parts& parts) {
+  Vec6 y;
+  y.head<3>() = parts.membrane.strain;
+  for (int k = 0; k < 3; ++k) {
+    const auto at = static_cast<size_t>(k);
+    const double slope =
+        state.half_sine[k] + parts.fold[at].value + state.xi[k] * state.half_cosine[k];
+    y[3 + k] = (state.given[at] ? state.half_sine[k] : 2 * parts.height[at].value * slope) -
+               rest.bending[k];
+  }
+  if (rest.leaning) y += of_lean(rest, state);
+  return y;
 }
 
 }  // namespace
@@ -78,15 +120,7 @@ Vec6 prestrain(const TriangleRest& rest) {
 }
 
 Vec6 triangle_strains(Law law, const TriangleRest& rest, const TriangleState& state) {
-  Vec6 y;
-  y.head<3>() = membrane_strain(law, state.metric).strain;
-  for (int k = 0; k < 3; ++k)
-    y[3 + k] = (state.given[static_cast<size_t>(k)]
-                    ? state.half_sine[k]
-                    : 2 * Height(rest.gradients.col(k), state.metric).value * slope(state, k)) -
-               rest.bending[k];
-  if (rest.leaning) y += of_lean(rest, state);
-  return y;
+  return strains_of(rest, state, Parts(law, rest, state));
 }
 
 double triangle_value(Law law, const TriangleRest& rest, const TriangleState& state) {
@@ -102,8 +136,9 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   const bool with_hessian = second != SecondDerivatives::none,
              all = second == SecondDerivatives::all;
   TriangleEnergy e;
-  const MembraneStrain membrane = membrane_strain(law, state.metric);
-  e.strains = triangle_strains(law, rest, state);
+  const Parts parts(law, rest, state);
+  const Mat3& strain_by_metric = parts.membrane.derivative;
+  e.strains = strains_of(rest, state, parts);
   const Mat6* stiffness = &rest.stiffness;
   Mat6 tangent;
   if (rest.large) {
@@ -131,13 +166,13 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
   const CollapseBarrier stop(state.metric);
   e.value += collapse_stiffness(rest) * stop.value;
   e.gradient.setZero();
-  e.gradient.head<3>() = membrane.derivative.transpose() * e.stress.head<3>() +
-                         collapse_stiffness(rest) * stop.gradient;
+  e.gradient.head<3>() =
+      strain_by_metric.transpose() * e.stress.head<3>() + collapse_stiffness(rest) * stop.gradient;
 
   Eigen::Matrix<double, 6, 9>& d = e.strain_slopes;
   if (with_hessian) {
     d.setZero();
-    d.topLeftCorner<3, 3>() = membrane.derivative;
+    d.topLeftCorner<3, 3>() = strain_by_metric;
     e.hessian.setZero();
     if (all)
       e.hessian.topLeftCorner<3, 3>() =
@@ -151,14 +186,14 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
       if (with_hessian) d(3 + k, 3 + k) = 1;
       continue;
     }
-    const Height h(rest.gradients.col(k), state.metric);
-    const FoldBarrier fold(state.half_sine[k], state.half_cosine[k]);
+    const Height& h = parts.height[static_cast<size_t>(k)];
+    const FoldBarrier& fold = parts.fold[static_cast<size_t>(k)];
     const double over = state.half_sine[k] + state.xi[k] * state.half_cosine[k];
     const double b = 2 * h.value * (over + fold.value);
     const double by_angle =
         h.value * (state.half_cosine[k] - state.xi[k] * state.half_sine[k] + fold.first);
     const double by_xi = 2 * h.value * state.half_cosine[k];
-    const Vec3 log_gradient = h.log_gradient();
+    const Vec3 log_gradient = h.log_gradient(parts.det);
     e.gradient.head<3>() += moment * b * log_gradient;
     e.gradient[3 + k] = moment * by_angle;
     e.gradient[6 + k] = moment * by_xi;
@@ -168,7 +203,7 @@ TriangleEnergy triangle_energy(Law law, const TriangleRest& rest, const Triangle
     d(3 + k, 6 + k) = by_xi;
     if (!all) continue;
     e.hessian.topLeftCorner<3, 3>() +=
-        moment * b * (h.log_hessian() + log_gradient * log_gradient.transpose());
+        moment * b * (h.log_hessian(parts.det) + log_gradient * log_gradient.transpose());
     const Vec3 metric_angle = moment * by_angle * log_gradient,
                metric_xi = moment * by_xi * log_gradient;
     e.hessian.block<3, 1>(0, 3 + k) = metric_angle;

@@ -24,6 +24,40 @@ TEST(Analysis, OrderingsAtTheSameTimeAreThoseOfOneAlone) {
   for (const std::vector<int>& one : together) EXPECT_EQ(one, alone);
 }
 
+// A cube of points, each coupled with its six neighbours.
+Eigen::SparseMatrix<double> cube(int side) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const int n = side * side * side;
+  for (int here = 0; here < n; ++here) {
+    entries.emplace_back(here, here, 7);
+    for (const int step : {1, side, side * side})
+      if (here / step % side + 1 < side) {
+        entries.emplace_back(here, here + step, -1);
+        entries.emplace_back(here + step, here, -1);
+      }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Minimum degree's where that is little work; not in a cube, nor where the graph is large.
+TEST(Analysis, TheCheaperOrder) {
+  struct Case {
+    Eigen::SparseMatrix<double> matrix;
+    int group;
+    Ordering taken;
+  };
+  for (const auto& [matrix, group, taken] : {Case{grid(40), 3, Ordering::minimum_degree},
+                                             {cube(30), 1, Ordering::nested_dissection},
+                                             {grid(230), 3, Ordering::nested_dissection}}) {
+    std::vector<int> groups;
+    for (int first = 0; first < matrix.cols(); first += group) groups.push_back(first);
+    const std::vector<int> cheaper = elimination_order(matrix, groups, Ordering::cheaper);
+    EXPECT_TRUE(cheaper == elimination_order(matrix, groups, taken)) << groups.size() << " groups";
+  }
+}
+
 TEST(Analysis, OrdersTheLowerTriangleOfEachMatrixOfThePattern) {
   AnalysedGrid a(9);
   for (const double factor : {1.0, -3.0}) {

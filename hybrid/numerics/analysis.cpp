@@ -25,7 +25,7 @@ constexpr int small_graph = 50000;
 // Up to this much work of minimum degree's order (CHOLMOD's flops of the graph, over its nodes),
 // what nested dissection spares a few factorisations is less than what it costs. Irregular walls of
 // 7,000 vertices stay below it; a regular tube of 4,000, for which minimum degree is bad, does not.
-constexpr double little_work = 15000;
+constexpr double little_work = 10000;
 
 // CHOLMOD's settings and workspace.
 struct Cholmod {

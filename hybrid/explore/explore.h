@@ -24,7 +24,7 @@ struct ExploreProgress {
 
 struct ExploreRequest {
   std::filesystem::path folder;
-  int threads = 1;     ///< options at once, in as many processes of one thread each
+  int threads = 1;     ///< options at once, in as many processes, and threads of all
   bool report = true;  ///< pictures and report.html of kept results, pictures of index.html
   std::function<bool()> stop = [] { return false; };
   std::function<void(const ExploreProgress&)> progress = [](const ExploreProgress&) {};

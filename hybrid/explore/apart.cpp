@@ -126,13 +126,13 @@ ApartEnding ending_without_answer(int status) {
 // A number that this process and those that it forks see.
 class SharedNumber {
  public:
-  SharedNumber()
-      : page_(mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE,
-                   MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
-    if (page_ == MAP_FAILED) throw std::bad_alloc();
-    number_ = new (page_) std::atomic<int>(1);
+  SharedNumber() {
+    void* memory =
+        mmap(nullptr, sizeof *number_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    number_ = new (memory) std::atomic<int>(1);
   }
-  ~SharedNumber() { munmap(page_, sizeof(std::atomic<int>)); }
+  ~SharedNumber() { munmap(number_, sizeof *number_); }
   SharedNumber(const SharedNumber&) = delete;
   SharedNumber& operator=(const SharedNumber&) = delete;
 
@@ -140,7 +140,6 @@ class SharedNumber {
 
  private:
   static_assert(std::atomic<int>::is_always_lock_free);
-  void* page_;
   std::atomic<int>* number_;
 };
 

@@ -1,8 +1,6 @@
-// Jobs in processes beside this one, a few at once. METIS draws its orderings from the C library's
-// one sequence of random numbers: solved in threads of one process, options would differ in
-// rounding from run to run. A process that crashes or finds no memory loses one option, and one in
-// the middle of a factorisation can be ended at any time. A process does one job after the other:
-// memory that the system has cleared for it once is there for the next.
+// Jobs in processes beside this one, a few at once. A process that crashes or finds no memory loses
+// one option, and one in the middle of a factorisation can be ended at any time. A process does one
+// job after the other: memory that the system has cleared for it once is there for the next.
 #pragma once
 
 #include <functional>
@@ -29,10 +27,9 @@ struct ApartOptions {
 /// jobs that they did before, and take(k, ending) in this process in the order in which they end. A
 /// job's answer must not depend on those before it; after one that failed, another process goes on.
 /// Where fewer jobs are left than may run at once, threads() of each becomes its part of all, also
-/// in the middle of a job.
-/// Call it while this process has one thread. A process ends with its parent, however that ends.
-/// False: it was stopped; what had not ended is not taken. An exception of `take` ends the
-/// processes too.
+/// in the middle of a job. Call it while this process has one thread. A process ends with its
+/// parent, however that ends. False: it was stopped; what had not ended is not taken. An exception
+/// of `take` ends the processes too.
 bool run_apart(int count, const std::function<std::string(int)>& job,
                const std::function<void(int, const ApartEnding&)>& take,
                const ApartOptions& options);

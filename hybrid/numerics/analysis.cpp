@@ -99,7 +99,7 @@ Matrix group_graph(const Matrix& m, const std::vector<int>& groups) {
 
 std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>& groups,
                                    Ordering ordering, Work* work) {
-  const FactorTime time(work);
+  std::optional<FactorTime> time(std::in_place, work);
   const OneCholmodThread one_thread;
   Matrix graph = group_graph(matrix, groups);
   cholmod_sparse view = view_of(graph);
@@ -114,7 +114,9 @@ std::vector<int> elimination_order(const Matrix& matrix, const std::vector<int>&
             scratch.common.fl <= little_work * static_cast<double>(graph.cols());
   }
   if (!found) {
+    time.reset();  // waiting is none of it
     const std::lock_guard<std::mutex> alone(one_metis);
+    time.emplace(work);
     if (!cholmod_metis(&view, nullptr, 0, 1, order.data(), &scratch.common))
       fail(scratch.common, "ordered");
   }

@@ -4,7 +4,7 @@
   glenn_table.py PROGRAM      PROGRAM is a built `vasorod`
 
 Every run uses a result folder in a temporary directory. A timed scene runs three times; the run
-with the least wall time is reported. adult.yaml is left out where its surfaces
+with the least wall time is reported. The adult is left out where its surfaces
 are absent. Run it on an idle machine."""
 
 import argparse
@@ -27,7 +27,9 @@ TIMED = (
     ("infant", "paper", 2),
     ("infant", "skin", 1),
     ("infant", "rod", 1),
+    ("adult", "coupled", 1),
     ("adult", "paper", 1),
+    ("adult_physiological", "coupled", 1),
 )
 CUTS = (("short", "infant_short"), ("middle", "infant"), ("long", "infant_long"))
 STAGES = ("read", "fit", "surgery", "solve", "collect", "write", "total")

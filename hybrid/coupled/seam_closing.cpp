@@ -107,7 +107,7 @@ Status SeamClosing::let_out() {
   if (status == Status::iteration_limit)
     note_ = "walls that were joined inflated could not be let out, and no equilibrium was found";
   else if (status == Status::converged)
-    note_ = "the vessels were joined inflated, as the vein folds, and then let out";
+    note_ = let_out_note;
   return status;
 }
 

@@ -28,6 +28,9 @@ class SeamClosing {
  public:
   /// CoupledMinimiserOptions::release_shift: walls that fold have indefinite Hessians.
   static constexpr double release_shift = 5;
+  /// note() of walls that were let out.
+  static constexpr const char* let_out_note =
+      "the vessels were joined inflated, as the vein folds, and then let out";
 
   /// `stack` and `path` must outlive this; the path is at its start. `minimising`: options of all
   /// minimisations, of which tolerances and limits are chosen here. `count` is called after each.

@@ -95,6 +95,8 @@ class FoundContacts {
   void begin();
   /// Takes a contact with the multiplier of its slot.
   void add(ContactPoint contact, Eigen::Index slot);
+  /// The slot of each of contacts().
+  const std::vector<Eigen::Index>& slots() const { return slots_; }
   /// The multiplier of a slot.
   double multiplier(Eigen::Index slot) const { return multiplier_[slot]; }
   /// What is added to the slack of the slot's contact, whose gap is this without it, length.

@@ -129,7 +129,22 @@ void SelfContact::search(int vertex, double nearer, double reach) {
   }
 }
 
+void SelfContact::keep(const std::vector<Pressing>& pressing, const Points& slave) {
+  std::vector<char> met(index(slave.rows()), 0);
+  for (const ContactPoint& contact : contacts()) met[index(contact.slave)] = 1;
+  for (auto [contact, slot] : pressing) {
+    if (met[index(contact.slave)]) continue;
+    const double pressure = multiplier(slot) - stiffness_ * gap(contact, slave, slave);
+    contact.stick = std::max(0.0, pressure) / edge_;
+    contact.held = apart(contact, slave, slave);
+    add(contact, slot);
+  }
+}
+
 void SelfContact::refresh(const Points& slave, const Points&, double reach) {
+  std::vector<Pressing> pressing;
+  for (size_t i = 0; held_ && i < contacts().size(); ++i)
+    if (contacts()[i].multiplier > 0) pressing.push_back({contacts()[i], slots()[i]});
   begin();
   // Two walls come together by at most twice the largest motion.
   double nearer = searched_.rows() == slave.rows()
@@ -147,6 +162,7 @@ void SelfContact::refresh(const Points& slave, const Points&, double reach) {
     now_ = slave;
     for (int i = 0; i < slave.rows(); ++i) search(i, nearer, reach);
   }
+  keep(pressing, slave);
   end();
 }
 

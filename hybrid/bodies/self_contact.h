@@ -20,6 +20,10 @@
 // the normal one. The caller accepts a result where nothing slips further than a small share of an
 // edge (ContactState::slip); the tangential force that is left is this share of the normal force.
 //
+// A vertex on a sharp fold may press and yet face nothing at the next search: its normal has turned
+// past the wall, which then goes into the other one until it is found again, and so on. From hold()
+// on such a vertex keeps its plane as long as it presses.
+//
 // A wall that is bent sharply is not in contact with itself: what is nearer along the surface than
 // half a turn of the wall about its own face, or a few edges, does not count. Nor do rims of open
 // ends, where the multipliers of soft sections and of contact would hinder each other, and what the
@@ -50,13 +54,20 @@ class SelfContact : public FoundContacts {
   ~SelfContact() override;
 
   void refresh(const Points& slave, const Points& master, double reach) override;
+  void hold() override { held_ = true; }
 
  private:
+  struct Pressing {
+    ContactPoint contact;
+    Eigen::Index slot;
+  };
   void search(int vertex, double nearer, double reach);
   // `deepest`: overlap beyond which they are not in contact, length.
   void meet(int vertex, bool outside, const FacingWall& wall, double reach, double deepest);
   bool own(int vertex, const std::array<int, 3>& corner) const;
   double allowance(const FacingWall& wall, int vertex, bool outside) const;
+  // From hold() on: contacts that press and are not found again, where `slave` is now.
+  void keep(const std::vector<Pressing>& pressing, const Points& slave);
 
   ContactSide side_;
   std::array<double, 2> offset_;  // from the surface to the inner, outer face
@@ -64,6 +75,7 @@ class SelfContact : public FoundContacts {
   Eigen::VectorXd area_;
   double edge_;                // mean
   std::vector<char> on_seam_;  // per vertex
+  bool held_ = false;          // see hold()
   double deepest_;             // overlap beyond which walls are not in contact, length
   std::unique_ptr<NearOnSurface> near_;
   std::unique_ptr<FacingWalls> walls_;  // made by the first search

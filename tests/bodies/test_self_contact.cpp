@@ -136,6 +136,32 @@ TEST(SelfContact, WallsThatPressStickUntilTheNextSearch) {
   for (const ContactPoint& c : contact.contacts()) EXPECT_LT(contact_slip(c, slid).norm(), 1e-14);
 }
 
+// What presses and faces nothing at the next search keeps its plane, once it is held, for as long
+// as it presses; before, it is let go.
+TEST(SelfContact, FromHoldOnWhatPressesKeepsItsPlane) {
+  const TriangleSurface rest = tube();
+  const Points flat = flattened(rest, 0.3), &apart = rest.points;
+  for (const bool held : {false, true}) {
+    SelfContact contact = contact_of(rest);
+    contact.refresh(flat, flat, 1);
+    contact.update_multipliers(flat, flat);
+    if (held) contact.hold();
+    int pressing = 0;
+    for (const ContactPoint& c : contact.contacts()) pressing += c.multiplier > 0 ? 1 : 0;
+    ASSERT_GT(pressing, 5);
+    contact.refresh(apart, apart, 1);
+    ASSERT_EQ(contact.contacts().size(), held ? static_cast<size_t>(pressing) : 0u);
+    for (const ContactPoint& c : contact.contacts()) {
+      EXPECT_GT(c.multiplier, 0);
+      EXPECT_GT(FoundContacts::gap(c, apart, apart), 1);
+      EXPECT_EQ(FoundContacts::slip(c, apart, apart), 0);
+    }
+    contact.update_multipliers(apart, apart);
+    contact.refresh(apart, apart, 1);
+    EXPECT_TRUE(contact.contacts().empty());
+  }
+}
+
 TEST(SelfContact, RimsAndWhatIsExcludedAreLeftOut) {
   const TriangleSurface rest = tube();
   std::vector<double> share(static_cast<size_t>(rest.points.rows()), 1);

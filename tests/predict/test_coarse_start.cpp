@@ -14,6 +14,8 @@ using namespace testing;
 
 constexpr double radius = 6;
 constexpr int around = 56;
+constexpr const char* found_on_coarse =
+    "the vein's folds were found on walls with edges twice as long";
 
 Result solved(const Scene& scene) {
   SolveOptions options;
@@ -96,10 +98,21 @@ TEST(CoarseStart, AVeinThatFoldsDoesSoOnCoarseWallsFirst) {
   EXPECT_TRUE(coarse.certificate.smallest_curvature_positive.value_or(false));
   EXPECT_TRUE(coarse.self_intersections.empty());
   const auto& notes = coarse.certificate.notes;
-  EXPECT_EQ(std::count(notes.begin(), notes.end(),
-                       "the vein's folds were found on walls with edges twice as long"),
-            1);
+  EXPECT_EQ(std::count(notes.begin(), notes.end(), found_on_coarse), 1);
   expect_same(coarse, closed, 1e-4);
+}
+
+TEST(CoarseStart, FoldsOfCoarseWallsAreKeptWhereTimeEndsBeforeTheFineOnes) {
+  bool fine = false;
+  SolveOptions options;
+  options.fidelity = "coupled";
+  options.progress = [&](const std::string& stage) { fine |= stage == "walls: ordering"; };
+  options.stop = [&] { return fine; };
+  const Result result = predict(t_glenn(around, 12), options);
+  ASSERT_TRUE(fine);
+  EXPECT_EQ(result.status, Status::interrupted) << to_string(result.status);
+  const auto& notes = result.certificate.notes;
+  EXPECT_EQ(std::count(notes.begin(), notes.end(), found_on_coarse), 1);
 }
 
 TEST(CoarseStart, MeshesThatAreCoarseAlreadyAreNotCoarsened) {

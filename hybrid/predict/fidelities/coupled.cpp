@@ -106,7 +106,8 @@ const char* how_found(const CoupledSolution& on_coarse) {
 
 // A vein that folds snaps from fold to fold: coarse walls do so for a tenth of the time, and the
 // fine ones start in the folds that they found. Empty: there are no coarse walls, or they or the
-// fine ones found no minimum that passes through nothing.
+// fine ones found no minimum that passes through nothing. Fine ones that are interrupted are the
+// best there is.
 std::optional<CoupledOutcome> folded_on_coarse(CoupledAttempt& attempt, Prediction& prediction,
                                                const SolveOptions& options) {
   std::optional<Prediction> coarse = coarse_prediction(prediction, options);
@@ -115,11 +116,12 @@ std::optional<CoupledOutcome> folded_on_coarse(CoupledAttempt& attempt, Predicti
   // Of edges as long as these any depth is too deep to be parted.
   const CoupledOutcome found = joined(on_coarse, on_coarse.closed(true), true, 0, options);
   prediction.work += coarse->work;
-  if (!found.minimum() || found.crossed() || options.stop()) return std::nullopt;
+  if (!found.minimum() || found.crossed()) return std::nullopt;
   CoupledSolution fine = attempt.refined(*coarse, found.solution);
   fine.notes.emplace_back(how_found(found.solution));
   CoupledOutcome outcome = attempt.outcome(std::move(fine));
-  if (!outcome.minimum() || outcome.crossed()) return std::nullopt;
+  const bool interrupted = outcome.solution.status == Status::interrupted;
+  if (!interrupted && (!outcome.minimum() || outcome.crossed())) return std::nullopt;
   return outcome;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "bodies/normal_foot.h"
 #include "bodies/reach.h"
@@ -66,14 +65,13 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
 }  // namespace
 
 ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness)
-    : FoundContacts(slave.rest.points.rows()),
+    : FoundContacts(slave.rest.points.rows(), mean_edge_length(slave.rest)),
       slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
-      deepest_(slave_.joined ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) *
-                                   mean_edge_length(slave_.rest)
-                             : std::numeric_limits<double>::infinity()),
-      edge_(mean_edge_length(slave_.rest)),
+      deepest_(slave_.joined
+                   ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) * edge_
+                   : std::numeric_limits<double>::infinity()),
       area_(vertex_areas(slave_.rest)),
       slave_rest_normals_(vertex_normals(slave_.rest)),
       master_rest_normals_(vertex_normals(master_.rest)),
@@ -107,12 +105,6 @@ double ContactPair::allowance(int vertex) {
   return value;
 }
 
-void ContactPair::stick(ContactPoint& contact, const Points& slave, const Points& master) const {
-  const double pressure = multiplier(contact.slave) - stiffness_ * gap(contact, slave, master);
-  contact.stick = std::max(0.0, pressure) / edge_;
-  contact.held = apart(contact, slave, master);
-}
-
 bool ContactPair::inside_at_rest(int vertex) {
   if (!rest_) rest_.emplace(master_.rest);
   const ClosestPoint::Hit hit = rest_->query(slave_.rest.points.row(vertex));
@@ -120,10 +112,6 @@ bool ContactPair::inside_at_rest(int vertex) {
 }
 
 void ContactPair::refresh(const Points& slave, const Points& master, double reach) {
-  std::map<int, ContactPoint> before;
-  if (held_)
-    for (const ContactPoint& contact : contacts())
-      if (contact.multiplier > 0) before.emplace(contact.slave, contact);
   begin();
   // An overlap at rest only lowers the slack. From outside, a feature farther away than this cannot
   // have a gap below `reach`; from inside every feature counts.
@@ -156,12 +144,7 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;
-    if (const auto last = before.find(i); !feature.valid && last != before.end()) {
-      ContactPoint contact = last->second;
-      stick(contact, slave, master);
-      add(contact, i);
-      continue;
-    }
+    if (!feature.valid && keep(i, slave, master)) continue;
     if (!feature.valid || feature.distance - faces > reach) continue;
     const double rest = allowance(i);
     if (feature.distance - faces - rest > reach) continue;
@@ -169,7 +152,7 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const double slack = faces + rest + allowed_depth(i, feature.distance - faces - rest);
     ContactPoint contact{i,     feature.vertex, feature.weight, feature.normal,
                          slack, area_[i],       stiffness_,     0};
-    if (held_) stick(contact, slave, master);
+    if (held()) stick(contact, i, slave, master);
     add(contact, i);
   }
   end();

@@ -39,7 +39,6 @@ class ContactPair : public FoundContacts {
   ContactPair(ContactSide slave, ContactSide master, double stiffness);
 
   void refresh(const Points& slave, const Points& master, double reach) override;
-  void hold() override { held_ = true; }
   void walls_are_parted() override;
 
  private:
@@ -53,14 +52,11 @@ class ContactPair : public FoundContacts {
 
   bool is_clear(int vertex, const Vec3& place, double margin) const;
   double allowance(int vertex);
-  void stick(ContactPoint& contact, const Points& slave, const Points& master) const;
   bool inside_at_rest(int vertex);
 
   ContactSide slave_, master_;
   double stiffness_;
-  bool held_ = false;  // see hold()
-  double deepest_;     // overlap beyond which walls are not in contact, length
-  double edge_;        // mean, of the slave, length
+  double deepest_;  // overlap beyond which walls are not in contact, length
   Eigen::VectorXd area_;
   Points slave_rest_normals_, master_rest_normals_;
   std::optional<ClosestPoint> rest_, current_;

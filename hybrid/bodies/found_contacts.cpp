@@ -7,6 +7,9 @@
 namespace vasorod {
 
 void FoundContacts::begin() {
+  pressed_.clear();
+  for (size_t i = 0; held_ && i < contacts_.size(); ++i)
+    if (contacts_[i].multiplier > 0) pressed_.push_back({contacts_[i], slots_[i]});
   contacts_.clear();
   slots_.clear();
   swallowed_ = 0;
@@ -17,6 +20,16 @@ void FoundContacts::add(ContactPoint contact, Eigen::Index slot) {
   contact.multiplier = kept_[slot] = multiplier_[slot];
   contacts_.push_back(contact);
   slots_.push_back(slot);
+}
+
+bool FoundContacts::keep(Eigen::Index slot, const Points& slave, const Points& master) {
+  const auto last = std::find_if(pressed_.begin(), pressed_.end(),
+                                 [slot](const Pressed& one) { return one.slot == slot; });
+  if (last == pressed_.end()) return false;
+  ContactPoint contact = last->contact;
+  stick(contact, slot, slave, master);
+  add(contact, slot);
+  return true;
 }
 
 void FoundContacts::end() {
@@ -34,6 +47,13 @@ double FoundContacts::allowed_depth(Eigen::Index slot, double gap) {
   if (depth_.size() == 0) return 0;
   if (finds_depth_) depth_[slot] = std::min(0.0, gap);
   return allowed_ * depth_[slot];
+}
+
+void FoundContacts::stick(ContactPoint& contact, Eigen::Index slot, const Points& slave,
+                          const Points& master) const {
+  const double pressure = multiplier(slot) - contact.stiffness * gap(contact, slave, master);
+  contact.stick = std::max(0.0, pressure) / edge_;
+  contact.held = apart(contact, slave, master);
 }
 
 void FoundContacts::hold_here(const Points& slave, const Points& master) {

@@ -31,8 +31,9 @@ class FoundContacts {
   /// `reach` (length). Multipliers are kept for vertices that stay within reach.
   virtual void refresh(const Points& slave, const Points& master, double reach) = 0;
 
-  /// From the next search on, walls that press on each other stick until the one after.
-  virtual void hold() {}
+  /// From the next search on, walls that press on each other stick until the one after, and what
+  /// presses and is not found again keeps its plane.
+  void hold() { held_ = true; }
 
   /// From the next search on, nothing lies deep in a wall that it meets up to the seam: what seems
   /// so is a wall whose side is mistaken.
@@ -82,8 +83,10 @@ class FoundContacts {
   static double slip(const ContactPoint& contact, const Points& slave, const Points& master);
 
  protected:
-  /// `slots`: multipliers that are kept, as many as contacts can be told apart.
-  explicit FoundContacts(Eigen::Index slots) : multiplier_(Eigen::VectorXd::Zero(slots)) {}
+  /// `slots`: multipliers that are kept, as many as contacts can be told apart. `edge`: mean, of
+  /// the slave, length.
+  FoundContacts(Eigen::Index slots, double edge)
+      : edge_(edge), multiplier_(Eigen::VectorXd::Zero(slots)) {}
   FoundContacts(const FoundContacts&) = default;
   FoundContacts& operator=(const FoundContacts&) = default;
   FoundContacts(FoundContacts&&) = default;
@@ -91,12 +94,23 @@ class FoundContacts {
 
   /// From the place on the master to the slave's vertex, length.
   static Vec3 apart(const ContactPoint& contact, const Points& slave, const Points& master);
-  /// Forgets the contacts; add() afterwards, then end().
+  bool held() const { return held_; }
+  /// Walls that press stick until the next search where they are now, with the stiffness at which a
+  /// slip of one edge takes a tangential force as large as the normal one.
+  void stick(ContactPoint& contact, Eigen::Index slot, const Points& slave,
+             const Points& master) const;
+  /// Forgets the contacts; add() and keep() afterwards, then end().
   void begin();
   /// Takes a contact with the multiplier of its slot.
   void add(ContactPoint contact, Eigen::Index slot);
-  /// The slot of each of contacts().
-  const std::vector<Eigen::Index>& slots() const { return slots_; }
+  /// What pressed before begin(), if it is held.
+  struct Pressed {
+    ContactPoint contact;
+    Eigen::Index slot;
+  };
+  const std::vector<Pressed>& pressed() const { return pressed_; }
+  /// Takes what pressed in this slot with its plane, sticking. False: nothing did.
+  bool keep(Eigen::Index slot, const Points& slave, const Points& master);
   /// The multiplier of a slot.
   double multiplier(Eigen::Index slot) const { return multiplier_[slot]; }
   /// What is added to the slack of the slot's contact, whose gap is this without it, length.
@@ -104,6 +118,7 @@ class FoundContacts {
   /// Multipliers of slots that were not taken are zero from here on.
   void end();
 
+  double edge_;  ///< see the constructor
   int swallowed_ = 0;
   /// Length. Where each of two walls is the other's slave, their gaps cannot all be zero, and the
   /// multipliers would grow for ever.
@@ -117,6 +132,8 @@ class FoundContacts {
   double allowed_ = 0;
   std::vector<ContactPoint> contacts_;
   std::vector<Eigen::Index> slots_;  // of contacts_
+  std::vector<Pressed> pressed_;
+  bool held_ = false;  // see hold()
 };
 
 }  // namespace vasorod

@@ -32,12 +32,11 @@ size_t slot_of(int vertex, bool outside) {
 }  // namespace
 
 SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
-    : FoundContacts(2 * side.rest.points.rows()),
+    : FoundContacts(2 * side.rest.points.rows(), mean_edge_length(side.rest)),
       side_(std::move(side)),
       offset_{thickness - side_.offset, side_.offset},
       stiffness_(stiffness),
       area_(vertex_areas(side_.rest)),
-      edge_(mean_edge_length(side_.rest)),
       deepest_(side_.joined ? deepest_when_joined * edge_
                             : std::numeric_limits<double>::infinity()),
       never_(2 * index(side_.rest.points.rows()), 0) {
@@ -129,22 +128,14 @@ void SelfContact::search(int vertex, double nearer, double reach) {
   }
 }
 
-void SelfContact::keep(const std::vector<Pressing>& pressing, const Points& slave) {
-  std::vector<char> met(index(slave.rows()), 0);
+void SelfContact::keep_planes(const Points& now) {
+  std::vector<char> met(index(now.rows()), 0);
   for (const ContactPoint& contact : contacts()) met[index(contact.slave)] = 1;
-  for (auto [contact, slot] : pressing) {
-    if (met[index(contact.slave)]) continue;
-    const double pressure = multiplier(slot) - stiffness_ * gap(contact, slave, slave);
-    contact.stick = std::max(0.0, pressure) / edge_;
-    contact.held = apart(contact, slave, slave);
-    add(contact, slot);
-  }
+  for (const Pressed& one : pressed())
+    if (!met[index(one.contact.slave)]) keep(one.slot, now, now);
 }
 
 void SelfContact::refresh(const Points& slave, const Points&, double reach) {
-  std::vector<Pressing> pressing;
-  for (size_t i = 0; held_ && i < contacts().size(); ++i)
-    if (contacts()[i].multiplier > 0) pressing.push_back({contacts()[i], slots()[i]});
   begin();
   // Two walls come together by at most twice the largest motion.
   double nearer = searched_.rows() == slave.rows()
@@ -162,7 +153,7 @@ void SelfContact::refresh(const Points& slave, const Points&, double reach) {
     now_ = slave;
     for (int i = 0; i < slave.rows(); ++i) search(i, nearer, reach);
   }
-  keep(pressing, slave);
+  keep_planes(slave);
   end();
 }
 

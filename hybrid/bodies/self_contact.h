@@ -54,28 +54,21 @@ class SelfContact : public FoundContacts {
   ~SelfContact() override;
 
   void refresh(const Points& slave, const Points& master, double reach) override;
-  void hold() override { held_ = true; }
 
  private:
-  struct Pressing {
-    ContactPoint contact;
-    Eigen::Index slot;
-  };
   void search(int vertex, double nearer, double reach);
   // `deepest`: overlap beyond which they are not in contact, length.
   void meet(int vertex, bool outside, const FacingWall& wall, double reach, double deepest);
   bool own(int vertex, const std::array<int, 3>& corner) const;
   double allowance(const FacingWall& wall, int vertex, bool outside) const;
-  // From hold() on: contacts that press and are not found again, where `slave` is now.
-  void keep(const std::vector<Pressing>& pressing, const Points& slave);
+  // The planes of vertices that pressed and face nothing now.
+  void keep_planes(const Points& now);
 
   ContactSide side_;
   std::array<double, 2> offset_;  // from the surface to the inner, outer face
   double stiffness_;
   Eigen::VectorXd area_;
-  double edge_;                // mean
   std::vector<char> on_seam_;  // per vertex
-  bool held_ = false;          // see hold()
   double deepest_;             // overlap beyond which walls are not in contact, length
   std::unique_ptr<NearOnSurface> near_;
   std::unique_ptr<FacingWalls> walls_;  // made by the first search

@@ -8,7 +8,7 @@ namespace {
 // One vertex over one triangle in the plane z = 0, area 2, stiffness 10.
 class OverATriangle : public FoundContacts {
  public:
-  explicit OverATriangle(double settled) : FoundContacts(1) { settled_ = settled; }
+  explicit OverATriangle(double settled) : FoundContacts(1, 1) { settled_ = settled; }
   void refresh(const Points&, const Points&, double) override {
     begin();
     add({0, {0, 1, 2}, Vec3::Constant(1. / 3), Vec3::UnitZ(), 0, 2, 10, 0}, 0);
@@ -83,7 +83,7 @@ TEST(FoundContacts, GoesOnWithTheLastChange) {
 // The same, which may be in the triangle as deep as it was found there.
 class InATriangle : public FoundContacts {
  public:
-  InATriangle() : FoundContacts(1) {}
+  InATriangle() : FoundContacts(1, 1) {}
   void refresh(const Points& slave, const Points&, double) override {
     begin();
     const double height = slave(0, 2);

@@ -52,13 +52,28 @@ void expect_same(const Result& a, const Prediction& b, double tolerance) {
   }
 }
 
+struct BothWays {
+  Result coarse;
+  Prediction closed;
+};
+
+BothWays solved_both_ways(const Scene& scene) {
+  BothWays both{solved(scene), closed_only(scene)};
+  EXPECT_EQ(both.coarse.status, Status::converged) << to_string(both.coarse.status);
+  EXPECT_EQ(both.closed.surfaces->solution.status, Status::converged);
+  EXPECT_TRUE(both.coarse.certificate.smallest_curvature_positive.value_or(false));
+  EXPECT_TRUE(both.coarse.self_intersections.empty());
+  return both;
+}
+
+int times_noted(const Result& result, const std::string& note) {
+  const auto& notes = result.certificate.notes;
+  return static_cast<int>(std::count(notes.begin(), notes.end(), note));
+}
+
 TEST(CoarseStart, TheMinimumIsThatOfAClosedStart) {
   const Scene scene = t_glenn(around, 4);
-  const Result coarse = solved(scene);
-  const Prediction closed = closed_only(scene);
-  EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
-  EXPECT_EQ(closed.surfaces->solution.status, Status::converged);
-  EXPECT_TRUE(coarse.certificate.smallest_curvature_positive.value_or(false));
+  const auto [coarse, closed] = solved_both_ways(scene);
   expect_same(coarse, closed, 1e-6);
   // Both meshes count.
   EXPECT_GT(coarse.counts->outer, closed.work.counts.outer);
@@ -78,9 +93,7 @@ TEST(CoarseStart, WhatIsTouchedTakesPartFromTheBeginning) {
       end.hold = false;
       end.move = Vec3(0, 0, -0.3);
     }
-  const Result coarse = solved(scene);
-  const Prediction closed = closed_only(scene);
-  EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
+  const auto [coarse, closed] = solved_both_ways(scene);
   double pressure = 0;
   for (const ContactSolution& contact : closed.surfaces->solution.contacts)
     pressure = std::max(pressure, contact.largest_pressure);
@@ -91,14 +104,8 @@ TEST(CoarseStart, WhatIsTouchedTakesPartFromTheBeginning) {
 // Its rod says that it has to fold; its walls flatten, and have one minimum.
 TEST(CoarseStart, AVeinThatFoldsDoesSoOnCoarseWallsFirst) {
   const Scene scene = t_glenn(around, 12);
-  const Result coarse = solved(scene);
-  const Prediction closed = closed_only(scene);
-  EXPECT_EQ(coarse.status, Status::converged) << to_string(coarse.status);
-  EXPECT_EQ(closed.surfaces->solution.status, Status::converged);
-  EXPECT_TRUE(coarse.certificate.smallest_curvature_positive.value_or(false));
-  EXPECT_TRUE(coarse.self_intersections.empty());
-  const auto& notes = coarse.certificate.notes;
-  EXPECT_EQ(std::count(notes.begin(), notes.end(), found_on_coarse), 1);
+  const auto [coarse, closed] = solved_both_ways(scene);
+  EXPECT_EQ(times_noted(coarse, found_on_coarse), 1);
   expect_same(coarse, closed, 1e-4);
 }
 
@@ -111,8 +118,7 @@ TEST(CoarseStart, FoldsOfCoarseWallsAreKeptWhereTimeEndsBeforeTheFineOnes) {
   const Result result = predict(t_glenn(around, 12), options);
   ASSERT_TRUE(fine);
   EXPECT_EQ(result.status, Status::interrupted) << to_string(result.status);
-  const auto& notes = result.certificate.notes;
-  EXPECT_EQ(std::count(notes.begin(), notes.end(), found_on_coarse), 1);
+  EXPECT_EQ(times_noted(result, found_on_coarse), 1);
 }
 
 TEST(CoarseStart, MeshesThatAreCoarseAlreadyAreNotCoarsened) {

@@ -41,7 +41,6 @@ class Best {
   Best(CoupledAttempt& attempt, CoupledSolution&& first)
       : attempt_(attempt), found_(attempt.outcome(std::move(first))) {}
 
-  const CoupledOutcome& operator*() const { return found_; }
   const CoupledOutcome* operator->() const { return &found_; }
 
   void offer(CoupledSolution&& solution) {
@@ -104,7 +103,7 @@ const char* how_found(const CoupledSolution& on_coarse) {
                "were joined inflated and then let out";
 }
 
-// A vein that folds snaps from fold to fold: coarse walls do so for a tenth of the time, and the
+// A vein that folds snaps from fold to fold, which coarse walls do at a fraction of the cost; the
 // fine ones start in the folds that they found. Empty: there are no coarse walls, or they or the
 // fine ones found no minimum that passes through nothing. Fine ones that are interrupted are the
 // best there is.

@@ -147,6 +147,22 @@ TEST_F(Explore, TheLastStageIsKeptWithItsFolders) {
   EXPECT_TRUE(fs::exists(folder / "dir" / summary.rows[0].row.folder / "result.json"));
 }
 
+// Twist wrinkles the vein, so that more of it takes longer.
+TEST_F(Explore, WhatIsExpectedToTakeLongestBeginsFirst) {
+  const ExploreSummary summary = explore(
+      small_exploration("rotation_deg: [60, 0, 90], stages: [rod, skin], best: 3"), request());
+  std::vector<std::pair<fs::file_time_type, std::string>> ended;
+  for (const RankedRow& one : summary.rows)
+    ended.emplace_back(
+        fs::last_write_time(folder / "dir" / "finished" / (one.row.name() + ".json")),
+        one.row.values.front().second);
+  std::sort(ended.begin(), ended.end());
+  ASSERT_EQ(ended.size(), 3U);
+  EXPECT_EQ(ended[0].second, "90");
+  EXPECT_EQ(ended[1].second, "60");
+  EXPECT_EQ(ended[2].second, "0");
+}
+
 // The same samples for every option, each as if its scene had been written by hand.
 TEST_F(Explore, SamplesAreThoseOfPredictWithTheirWallsAndPicks) {
   Scene scene = small_exploration("rotation_deg: [0, 40, 90], stages: skin");

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes docs/speed.md: the stages' times of the Glenn scenes, and the contact of three cuts.
+"""Writes docs/speed.md: the times of the Glenn scenes and of an exploration, and three cuts.
 
   glenn_table.py PROGRAM      PROGRAM is a built `vasorod`
 
 Every run uses a result folder in a temporary directory. A timed scene runs three times; the run
-with the least wall time is reported. The adult is left out where its surfaces
-are absent. Run it on an idle machine."""
+with the least wall time is reported, of the exploration every run. The adult is left out where its
+surfaces are absent. Run it on an idle machine."""
 
 import argparse
 import json
@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import textwrap
+import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 SCENES = REPOSITORY / "benchmarks" / "cases" / "glenn"
@@ -31,6 +32,7 @@ TIMED = (
     ("adult", "paper", 1),
     ("adult_physiological", "coupled", 1),
 )
+EXPLORED = "infant_options.yaml"
 CUTS = (("short", "infant_short"), ("middle", "infant"), ("long", "infant_long"))
 STAGES = ("read", "fit", "surgery", "solve", "collect", "write", "total")
 REPEATS = 3
@@ -47,18 +49,24 @@ def points(surface):
     return int(re.search(rb'NumberOfPoints="(\d+)"', surface.read_bytes()).group(1))
 
 
+def run(*arguments):
+    """Processor seconds of a program and its children. Exit codes 0 and 1 write results."""
+    process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode not in (0, 1):
+        sys.exit(f"{' '.join(arguments)}: exit code {process.returncode}")
+    return usage.ru_utime + usage.ru_stime
+
+
 def solve(program, scene, fidelity, threads=1):
-    """(result.json, processor seconds of the whole program). Exit codes 0 and 1 write a result."""
+    """(result.json, processor seconds of the whole program)."""
     with tempfile.TemporaryDirectory() as folder:
         arguments = [program, "solve", str(SCENES / f"{scene}.yaml"), "-o", f"{folder}/result"]
         arguments += ["--fidelity", fidelity, "--threads", str(threads), "--quiet"]
-        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode not in (0, 1):
-            sys.exit(f"{scene}, {fidelity}: exit code {process.returncode}")
+        processor = run(*arguments)
         result = json.loads(pathlib.Path(folder, "result", "result.json").read_text())
-    return result, usage.ru_utime + usage.ru_stime
+    return result, processor
 
 
 def table(header, rows):
@@ -73,6 +81,21 @@ def time_row(program, scene, fidelity, threads):
     vertices = f"{result['model']['vertices']:,}"
     name = f"`{scene}.yaml`, `{fidelity}`"
     return [name, str(threads), result["status"], vertices, *seconds, f"{processor:.2f}"]
+
+
+def explored(program):
+    """Row of one exploration: its stages end when their last option is kept."""
+    with tempfile.TemporaryDirectory() as folder:
+        began = time.time()
+        processor = run(program, "explore", str(SCENES / EXPLORED), "-o", folder)
+        ended = time.time()
+        kept = pathlib.Path(folder, "finished")
+        first, last = (
+            max(file.stat().st_mtime for file in kept.glob(f"*-{fidelity}.json"))
+            for fidelity in ("skin", "coupled")
+        )
+    seconds = (first - began, last - first, ended - last, ended - began, processor)
+    return [f"{second:.1f}" for second in seconds]
 
 
 def length(vector):
@@ -157,6 +180,18 @@ def times_section(program):
     ]
 
 
+def exploration_section(program):
+    header = ("fit, 100 at `skin`", "ten at `coupled`", "table, page, pictures", "total")
+    return [
+        "## An exploration",
+        paragraph(
+            f"Seconds of `vasorod explore benchmarks/cases/glenn/{EXPLORED} -o DIR`, one row for",
+            "each run: wall times of its parts, and the processor time of all its processes.",
+        ),
+        table((*header, "processor time"), [explored(program) for _ in range(REPEATS)]),
+    ]
+
+
 def cuts_section(program):
     cuts = [(name, scene, solve(program, scene, "paper")[0]) for name, scene in CUTS]
     worst = max(seam_gap(result) for _, _, result in cuts)
@@ -175,7 +210,8 @@ def cuts_section(program):
 
 
 def page(program):
-    sections = introduction(os.getloadavg()[0]) + times_section(program) + cuts_section(program)
+    sections = introduction(os.getloadavg()[0]) + times_section(program)
+    sections += exploration_section(program) + cuts_section(program)
     return "\n\n".join(part.rstrip() for part in sections) + "\n"
 
 

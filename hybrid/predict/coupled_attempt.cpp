@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "data/index.h"
-#include "judge/crossings.h"
 #include "numerics/threads.h"
 #include "paper/joined_skin.h"
 #include "predict/coarse_start.h"
@@ -282,15 +281,16 @@ CoupledProblem CoupledAttempt::closed_problem(Work& work) {
 
 // Whether joined walls pass through each other or themselves.
 bool CoupledAttempt::passes_through(const std::vector<Points>& now) const {
-  std::vector<CheckedBody> joined;
-  for (const OperatedVessel& vessel : prediction_.operation->vessels) {
-    const size_t v = vessel_named(prediction_, vessel.name);
-    const Vessel& whole = prediction_.vessels[v].prepared.vessel;
-    joined.push_back({&whole.surface, &now[v], whole.mean_radius});
-  }
-  const std::vector<Crossing> found = crossings(joined, {0, 1, prediction_.operation->pairs});
-  return std::any_of(found.begin(), found.end(),
-                     [](const Crossing& crossing) { return crossing.depth > 0; });
+  Prediction state = prediction_;
+  for (size_t v = 0; v < now.size(); ++v) state.vessels[v].positions = now[v];
+  const auto joined = [&](const std::string& name) {
+    const auto& vessels = prediction_.operation->vessels;
+    return name == vessels[0].name || name == vessels[1].name;
+  };
+  const std::vector<NamedCrossing> found = named_crossings(state);
+  return std::any_of(found.begin(), found.end(), [&](const NamedCrossing& named) {
+    return named.crossing.depth > 0 && joined(named.a) && joined(named.b);
+  });
 }
 
 // Of walls that crumple; 0: as many factorisations as they need.

@@ -14,6 +14,7 @@
 #include "app/program.h"
 #include "app/stop.h"
 #include "data/sentence.h"
+#include "numerics/blas.h"
 #include "numerics/threads.h"
 
 namespace {
@@ -296,5 +297,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   vasorod::choose_blas_kernels(argv);
+  vasorod::end_blas_threads();
   return vasorod::as_program("vasorod", [&] { return run(argc, argv); });
 }

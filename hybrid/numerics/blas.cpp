@@ -12,6 +12,8 @@ extern "C" {
 char* openblas_get_config(void);
 int openblas_get_num_threads(void);
 void openblas_set_num_threads(int);
+// What OpenBLAS itself does before a fork. Not in a library without threads.
+int blas_thread_shutdown_(void) __attribute__((weak));
 void dpotrf_(const char* side, const int* n, double* matrix, const int* stride, int* info);
 }
 
@@ -56,6 +58,12 @@ void set_blas_threads(int threads) {
   std::call_once(threads_chosen, [] {});
   if (threads > openblas_get_num_threads()) require_buffers(threads - openblas_get_num_threads());
   openblas_set_num_threads(std::max(threads, 1));
+}
+
+void end_blas_threads() {
+  std::call_once(threads_chosen, [] {});
+  openblas_set_num_threads(1);  // before: it begins threads where there are none
+  if (blas_thread_shutdown_) blas_thread_shutdown_();
 }
 
 void require_blas_buffers(int threads) {

@@ -14,6 +14,11 @@ std::string blas_name();
 /// std::bad_alloc where the BLAS's buffers do not fit into the memory.
 void set_blas_threads(int threads);
 
+/// Back to one thread, and the BLAS's own threads end. OpenBLAS begins one for each processor when
+/// it is loaded, and each looks for work for a tenth of a second, which is then a third of the
+/// processor time of a short solve. To be called at the beginning of a program.
+void end_blas_threads();
+
 /// Throws std::bad_alloc where the memory does not suffice for calls from so many threads at once.
 void require_blas_buffers(int threads);
 

@@ -16,6 +16,7 @@
 
 #include "app/kernels.h"
 #include "app/program.h"
+#include "numerics/blas.h"
 #include "planner/http_server.h"
 #include "planner/open_browser.h"
 #include "planner/save.h"
@@ -99,5 +100,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   vasorod::choose_blas_kernels(argv);
+  vasorod::end_blas_threads();
   return vasorod::as_program("vasorod-plan", [&] { return run(argc, argv); });
 }

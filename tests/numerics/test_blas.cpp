@@ -1,7 +1,11 @@
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <omp.h>
 
+#include "numerics/analysed_grid.h"
 #include "numerics/blas.h"
+#include "numerics/cholesky.h"
 
 extern "C" int openblas_get_num_threads(void);
 
@@ -27,6 +31,27 @@ TEST(Blas, TakesTheThreadsItIsGivenAndNeverNone) {
   { const OneCholmodThread one; }
   EXPECT_EQ(openblas_get_num_threads(), 2);
   set_blas_threads(1);
+}
+
+// Its own ones, whatever other threads there are.
+TEST(Blas, ItsThreadsEndAndItGoesOnWithOne) {
+  const auto threads = [] {
+    const std::filesystem::directory_iterator begin("/proc/self/task");
+    return std::distance(begin, std::filesystem::directory_iterator());
+  };
+  end_blas_threads();
+  const auto without = threads();
+  set_blas_threads(3);
+  EXPECT_EQ(threads(), without + 2);
+  end_blas_threads();
+  EXPECT_EQ(threads(), without);
+  EXPECT_EQ(openblas_get_num_threads(), 1);
+  { const OneCholmodThread one; }
+  const testing::AnalysedGrid a(9);
+  Cholesky cholesky;
+  cholesky.analyse(a.matrix);
+  EXPECT_TRUE(cholesky.factorise(a.matrix));
+  EXPECT_EQ(threads(), without);
 }
 
 TEST(Blas, OneCholmodThreadKeepsParallelRegionsToOneThreadAndGivesThemBack) {

@@ -151,31 +151,40 @@ void BoxTree::meeting_pairs(const std::vector<char>& marked, Take&& take) const 
   if (nodes_.empty()) return;
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const std::vector<char> marks = marked_nodes(marked);
-  std::vector<std::pair<int, int>> open{{0, 0}};
+  std::vector<std::pair<int, int>> open;
+  const auto later = [&](int a, int b) {
+    if ((marks[at(a)] || marks[at(b)]) && (a == b || nodes_[at(a)].box.meets(nodes_[at(b)].box)))
+      open.emplace_back(a, b);
+  };
+  later(0, 0);
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
-    if (!marks[at(a)] && !marks[at(b)]) continue;
     const Node &one = nodes_[at(a)], &two = nodes_[at(b)];
-    if (a != b && !one.box.meets(two.box)) continue;
     if (one.right >= 0 && (two.right < 0 || one.last - one.first >= two.last - two.first)) {
       if (a == b) {
-        open.insert(open.end(), {{a + 1, a + 1}, {one.right, one.right}, {a + 1, one.right}});
+        later(a + 1, a + 1);
+        later(one.right, one.right);
+        later(a + 1, one.right);
       } else {
-        open.insert(open.end(), {{a + 1, b}, {one.right, b}});
+        later(a + 1, b);
+        later(one.right, b);
       }
       continue;
     }
     if (two.right >= 0) {
-      open.insert(open.end(), {{a, b + 1}, {a, two.right}});
+      later(a, b + 1);
+      later(a, two.right);
       continue;
     }
-    for (int k = one.first; k < one.last; ++k)
+    for (int k = one.first; k < one.last; ++k) {
+      if (a != b && !boxes_[at(k)].meets(two.box)) continue;
       for (int l = a == b ? k + 1 : two.first; l < two.last; ++l) {
+        if (!boxes_[at(k)].meets(boxes_[at(l)])) continue;
         const int i = items_[at(k)], j = items_[at(l)];
-        if ((marked[at(i)] || marked[at(j)]) && boxes_[at(k)].meets(boxes_[at(l)]) && !take(i, j))
-          return;
+        if ((marked[at(i)] || marked[at(j)]) && !take(i, j)) return;
       }
+    }
   }
 }
 

@@ -77,4 +77,9 @@ std::vector<std::array<int, 2>> crossing_triangles(const TriangleSurface& surfac
   return pairs;
 }
 
+std::vector<std::array<int, 2>> self_intersections(const TriangleSurface& surface) {
+  return crossing_triangles(surface, std::vector<char>(index(surface.triangles.rows()), 1),
+                            most_self_intersections);
+}
+
 }  // namespace vasorod

@@ -14,7 +14,6 @@
 #include "geometry/ray_hits.h"
 #include "geometry/triangle_surface.h"
 #include "numerics/threads.h"
-#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 namespace {
@@ -117,7 +116,7 @@ class Whole {
         const Vec3 direction = sign * (normal + tilt * aside + skew).normalized();
         // Back through the wall too: another that touches it there may lie closer than `off`.
         const bool through = sign != from;
-        const auto hits = rays_->along(point + from * off, direction);
+        const auto hits = rays_->along(point + from * off, direction, inside.depth);
         const auto wall = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
           // Neither the fans that close ends nor the wall that the ray passes through.
           return hit.triangle < surface_.triangles.rows() && counts(hit) &&

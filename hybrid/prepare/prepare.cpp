@@ -8,6 +8,7 @@
 
 #include "data/sentence.h"
 #include "geometry/closest_point.h"
+#include "geometry/crossing_triangles.h"
 #include "geometry/triangle_surface.h"
 #include "mask/mask_surface.h"
 #include "prepare/guess_unit.h"
@@ -21,7 +22,6 @@
 #include "surface_file/open_caps.h"
 #include "surface_file/read_polydata.h"
 #include "surface_file/remesh.h"
-#include "surface_file/self_intersections.h"
 #include "surface_file/surface_file.h"
 #include "vessel/vessel.h"
 

@@ -5,14 +5,15 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <unordered_map>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 #include <vasorod/error.h>
 
 #include "data/sentence.h"
+#include "geometry/crossing_triangles.h"
 #include "geometry/triangle_surface.h"
-#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 
@@ -80,45 +81,65 @@ void check_edges(const std::string& file, const TriangleSurface& surface) {
   }
 }
 
+// The sides that leave each point, of triangles that all have one orientation: no two lead to the
+// same point.
+class Spokes {
+ public:
+  explicit Spokes(const TriangleSurface& surface)
+      : begin_(static_cast<size_t>(surface.points.rows()) + 1, 0),
+        spokes_(static_cast<size_t>(surface.triangles.size())) {
+    const Triangles& triangles = surface.triangles;
+    for (const int from : triangles.reshaped()) ++begin_[static_cast<size_t>(from) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<size_t> next(begin_.begin(), begin_.end() - 1);
+    for (int t = 0; t < triangles.rows(); ++t)
+      for (int k = 0; k < 3; ++k)
+        spokes_[next[static_cast<size_t>(triangles(t, k))]++] = {triangles(t, (k + 1) % 3),
+                                                                 triangles(t, (k + 2) % 3)};
+    for (size_t v = 0; v + 1 < begin_.size(); ++v)
+      std::sort(spokes_.begin() + static_cast<std::ptrdiff_t>(begin_[v]),
+                spokes_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]),
+                [](const Spoke& l, const Spoke& r) { return l.to < r.to; });
+  }
+
+  int count(int from) const { return static_cast<int>(end(from) - first(from)); }
+  int any(int from) const { return first(from)->to; }
+  // The third point of the triangle left of the side; -1: there is none.
+  int third(int from, int to) const {
+    const Spoke* found = std::lower_bound(first(from), end(from), to,
+                                          [](const Spoke& s, int other) { return s.to < other; });
+    return found != end(from) && found->to == to ? found->third : -1;
+  }
+
+ private:
+  struct Spoke {
+    int to = -1, third = -1;
+  };
+  const Spoke* first(int from) const { return spokes_.data() + begin_[static_cast<size_t>(from)]; }
+  const Spoke* end(int from) const {
+    return spokes_.data() + begin_[static_cast<size_t>(from) + 1];
+  }
+
+  std::vector<size_t> begin_;
+  std::vector<Spoke> spokes_;
+};
+
 // Walks around each point from triangle to triangle through shared edges. If the walk misses a
 // triangle of the point, two sheets touch only there.
 void check_fans(const std::string& file, const TriangleSurface& surface) {
-  const auto count = static_cast<size_t>(surface.points.rows());
-  std::vector<int> triangles_at(count, 0), first(count, -1), edge_count(count, 0);
-  for (int t = 0; t < surface.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) ++triangles_at[static_cast<size_t>(surface.triangles(t, k))];
-  std::unordered_map<long long, int> third;  // of the triangle left of the side from, to
-  third.reserve(static_cast<size_t>(surface.triangles.rows()) * 3);
-  auto key = [&](int from, int to) {
-    return static_cast<long long>(from) * static_cast<long long>(count) + to;
-  };
-  for (int t = 0; t < surface.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int i = surface.triangles(t, k), j = surface.triangles(t, (k + 1) % 3);
-      third[key(i, j)] = surface.triangles(t, (k + 2) % 3);
-      first[static_cast<size_t>(i)] = j;
-    }
-  for (size_t v = 0; v < count; ++v) {
-    if (triangles_at[v] == 0) continue;
-    const int center = static_cast<int>(v), start = first[v];
-    int walked = 0;
-    int spoke = start;
-    for (auto at = third.find(key(center, spoke)); at != third.end();
-         at = third.find(key(center, spoke))) {
-      ++walked;
-      spoke = at->second;
-      if (spoke == start) break;
-    }
-    if (spoke != start ||
-        walked == 0) {  // the walk met an end: continue on the other side of the first spoke
-      spoke = start;
-      for (auto at = third.find(key(spoke, center)); at != third.end();
-           at = third.find(key(spoke, center))) {
+  const Spokes spokes(surface);
+  for (int center = 0; center < surface.points.rows(); ++center) {
+    if (spokes.count(center) == 0) continue;
+    const int start = spokes.any(center);
+    int walked = 0, spoke = start;
+    do {
+      spoke = spokes.third(center, spoke);
+      if (spoke >= 0) ++walked;
+    } while (spoke >= 0 && spoke != start);
+    if (spoke < 0)  // the walk met an end: continue on the other side of the first spoke
+      for (spoke = spokes.third(start, center); spoke >= 0; spoke = spokes.third(spoke, center))
         ++walked;
-        spoke = at->second;
-      }
-    }
-    if (walked != triangles_at[v])
+    if (walked != spokes.count(center))
       refuse(file,
              "a non-manifold point where two parts of the surface only touch at " +
                  place_text(point_of(surface, center)),

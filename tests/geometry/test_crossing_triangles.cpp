@@ -1,11 +1,15 @@
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <random>
+#include <utility>
 
 #include "geometry/crossing_triangles.h"
 #include "geometry/triangle_surface.h"
 #include "straight_tube.h"
-#include "surface_file/self_intersections.h"
+#include "surface_file/cgal_surface.h"
 
 namespace vasorod {
 namespace {
@@ -14,6 +18,20 @@ constexpr std::size_t most = 100000;
 
 std::vector<char> all(const TriangleSurface& surface) {
   return std::vector<char>(static_cast<std::size_t>(surface.triangles.rows()), 1);
+}
+
+// Those of CGAL.
+std::vector<std::array<int, 2>> of_cgal(const TriangleSurface& surface) {
+  const CgalMesh mesh = to_cgal(surface);
+  std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> found;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(found));
+  std::vector<std::array<int, 2>> pairs;
+  for (const auto& [a, b] : found) {
+    const int i = static_cast<int>(a.idx()), j = static_cast<int>(b.idx());
+    pairs.push_back({std::min(i, j), std::max(i, j)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 TriangleSurface tube() {
@@ -25,7 +43,7 @@ TriangleSurface together(TriangleSurface a, const TriangleSurface& b) {
   return a;
 }
 
-TEST(CrossingTriangles, AreThoseOfTheSearchThatChecksAllPairs) {
+TEST(CrossingTriangles, AreThoseOfCgal) {
   const TriangleSurface one = tube();
   EXPECT_TRUE(crossing_triangles(one, all(one), most).empty());
   for (const double entered : {-0.1, 0.0, 0.3, 4.0, 9.0}) {
@@ -34,7 +52,7 @@ TEST(CrossingTriangles, AreThoseOfTheSearchThatChecksAllPairs) {
         (one.points * Eigen::AngleAxisd(-1.3, Vec3::UnitX()).toRotationMatrix()).rowwise() +
         Vec3(20 - entered, 17, 20).transpose();
     const TriangleSurface both = together(one, other);
-    const auto expected = self_intersections(both);
+    const auto expected = of_cgal(both);
     EXPECT_EQ(crossing_triangles(both, all(both), most), expected) << entered;
     EXPECT_EQ(expected.empty(), entered <= 0) << entered;
     // All pairs are between the two: either one marked has them all.
@@ -46,15 +64,16 @@ TEST(CrossingTriangles, AreThoseOfTheSearchThatChecksAllPairs) {
 }
 
 // Vertices thrown about: neighbours over a vertex cross, and neighbours over an edge fold.
-TEST(CrossingTriangles, AreThoseOfTheOtherSearchInACrumpledSurface) {
+TEST(CrossingTriangles, AreThoseOfCgalInACrumpledSurface) {
   std::mt19937 random(11);
   for (const double thrown : {1.0, 1.5, 4.0}) {
     TriangleSurface surface = tube();
     std::uniform_real_distribution<double> off(-thrown, thrown);
     for (double& x : surface.points.reshaped()) x += off(random);
-    const auto expected = self_intersections(surface);
+    const auto expected = of_cgal(surface);
     EXPECT_GT(expected.size(), 10U) << thrown;
     EXPECT_EQ(crossing_triangles(surface, all(surface), most), expected) << thrown;
+    EXPECT_EQ(self_intersections(surface), expected) << thrown;
     EXPECT_EQ(crossing_triangles(surface, all(surface), 7).size(), 7U);
   }
 }

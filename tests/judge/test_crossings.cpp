@@ -4,10 +4,10 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/crossing_triangles.h"
 #include "judge/crossings.h"
 #include "numerics/threads.h"
 #include "straight_tube.h"
-#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 namespace {

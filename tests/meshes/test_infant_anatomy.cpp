@@ -10,10 +10,10 @@
 #include <vasorod/read_scene.h>
 
 #include "geometry/closest_point.h"
+#include "geometry/crossing_triangles.h"
 #include "geometry/plane_section.h"
 #include "geometry/triangle_surface.h"
 #include "surface_file/read_surface.h"
-#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <vasorod/error.h>
 
+#include "geometry/crossing_triangles.h"
 #include "geometry/triangle_surface.h"
 #include "real_anatomy.h"
 #include "scratch_folder.h"
 #include "surface_file/read_surface.h"
 #include "surface_file/sample_surfaces.h"
-#include "surface_file/self_intersections.h"
 
 namespace vasorod {
 namespace {

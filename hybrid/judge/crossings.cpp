@@ -116,6 +116,7 @@ class Whole {
         const Vec3 direction = sign * (normal + tilt * aside + skew).normalized();
         // Back through the wall too: another that touches it there may lie closer than `off`.
         const bool through = sign != from;
+        // None farther than the nearest so far.
         const auto hits = rays_->along(point + from * off, direction, inside.depth);
         const auto wall = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
           // Neither the fans that close ends nor the wall that the ray passes through.

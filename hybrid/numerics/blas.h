@@ -15,8 +15,8 @@ std::string blas_name();
 void set_blas_threads(int threads);
 
 /// Back to one thread, and the BLAS's own threads end. OpenBLAS begins one for each processor when
-/// it is loaded, and each looks for work for a tenth of a second, which is then a third of the
-/// processor time of a short solve. To be called at the beginning of a program.
+/// it is loaded, and each looks for work for a while before it sleeps, which a short solve would
+/// pay for. To be called at the beginning of a program.
 void end_blas_threads();
 
 /// Throws std::bad_alloc where the memory does not suffice for calls from so many threads at once.

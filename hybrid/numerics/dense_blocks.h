@@ -26,6 +26,10 @@ void dtrsv_(const char*, const char*, const char*, const int*, const double*, co
             const int*);
 void strsv_(const char*, const char*, const char*, const int*, const float*, const int*, float*,
             const int*);
+void daxpy_(const int*, const double*, const double*, const int*, double*, const int*);
+void saxpy_(const int*, const float*, const float*, const int*, float*, const int*);
+double ddot_(const int*, const double*, const int*, const double*, const int*);
+float sdot_(const int*, const float*, const int*, const float*, const int*);
 void dgemv_(const char*, const int*, const int*, const double*, const double*, const int*,
             const double*, const int*, const double*, double*, const int*);
 void sgemv_(const char*, const int*, const int*, const float*, const float*, const int*,
@@ -76,6 +80,28 @@ void minus_product(int rows_a, int rows_b, int columns, const Scalar* a, const S
                              &zero, c, &stride_c);
 }
 
+/// x = L^-1 x, or L^-T x, column by column: what trsv of OpenBLAS does with so few, bit for bit,
+/// but without its lock, at which threads with small blocks wait longer than they compute.
+template <class Scalar>
+void divide_small(bool transposed, int size, const Scalar* l, int stride, Scalar* x) {
+  const int step = 1;
+  const auto pivot = [&](int j) { return l + std::ptrdiff_t{j} * stride + j; };
+  if (transposed) {
+    for (int j = size - 1, after = 0; j >= 0; --j, ++after) {
+      if (after > 0)
+        x[j] -= of<Scalar>(ddot_, sdot_)(&after, pivot(j) + 1, &step, x + j + 1, &step);
+      x[j] /= *pivot(j);
+    }
+    return;
+  }
+  for (int j = 0, after = size - 1; j < size; ++j, --after) {
+    x[j] /= *pivot(j);
+    const Scalar minus = -x[j];
+    if (after > 0)
+      of<Scalar>(daxpy_, saxpy_)(&after, &minus, pivot(j) + 1, &step, x + j + 1, &step);
+  }
+}
+
 /// X = L^-1 X, or L^-T X, for `count` right-hand sides.
 template <class Scalar>
 void divide(bool transposed, int size, int count, const Scalar* l, int stride, Scalar* x,
@@ -83,7 +109,10 @@ void divide(bool transposed, int size, int count, const Scalar* l, int stride, S
   const char* t = transposed ? "T" : "N";
   const Scalar one = 1;
   const int step = 1;
-  if (count == 1)
+  constexpr int small = 64;  // columns that trsv takes at once
+  if (count == 1 && size <= small)
+    divide_small(transposed, size, l, stride, x);
+  else if (count == 1)
     of<Scalar>(dtrsv_, strsv_)("L", t, "N", &size, l, &stride, x, &step);
   else
     of<Scalar>(dtrsm_, strsm_)("L", "L", t, "N", &size, &count, &one, l, &stride, x, &stride_x);

@@ -26,32 +26,45 @@ void for_panels(int threads, int size, Task task) {
 
 }  // namespace
 
-// What the children changed in the supernode's own columns.
+// The numbers of the matrix in the columns `first` ... `end` - 1 of the supernode, and what the
+// children changed there. Each column is of one thread, which so is the first to use its memory.
 template <class Scalar>
-void Fronts<Scalar>::add_own(int k, Scalar* columns) const {
+void Fronts<Scalar>::set_own(int k, const cholmod_sparse& matrix, const Places& places, int first,
+                             int end, Scalar* columns) const {
   const Supernode node = nodes_[k];
+  const auto* begin = static_cast<const int*>(matrix.p);
+  const auto* row = static_cast<const int*>(matrix.i);
+  const auto* entry = static_cast<const double*>(matrix.x);
+  for (int j = first; j < end; ++j) {
+    Scalar* to = columns + std::ptrdiff_t{j} * node.rows;
+    std::fill(to + j, to + node.rows, Scalar{0});
+    for (int p = begin[node.start + j]; p < begin[node.start + j + 1]; ++p)
+      to[places[index(row[p])]] = static_cast<Scalar>(entry[p]);
+  }
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
     const Scalar* from = changes_[index(c)].get();
-    for (int j = 0; j < child.of_parent; ++j, from += child.below) {
+    for (int j = child.first_from(first); j < child.of_parent && child.place[j] < end; ++j) {
       Scalar* to = columns + std::ptrdiff_t{child.place[j]} * node.rows;
-      for (int i = j; i < child.below; ++i) to[child.place[i]] += from[i];
+      const Scalar* column = from + std::ptrdiff_t{j} * child.below;
+      for (int i = j; i < child.below; ++i) to[child.place[i]] += column[i];
     }
   });
 }
 
 // What they changed in the columns after them.
 template <class Scalar>
-void Fronts<Scalar>::add_below(int k, Scalar* change) {
+void Fronts<Scalar>::add_below(int k, int first, int end, Scalar* change) const {
   const Supernode node = nodes_[k];
   nodes_.for_children(k, [&](int c) {
     const Supernode child = nodes_[c];
-    const Scalar* from = changes_[index(c)].get() + std::ptrdiff_t{child.of_parent} * child.below;
-    for (int j = child.of_parent; j < child.below; ++j, from += child.below) {
+    const Scalar* from = changes_[index(c)].get();
+    for (int j = child.first_from(node.columns + first);
+         j < child.below && child.place[j] - node.columns < end; ++j) {
       Scalar* to = change + std::ptrdiff_t{child.place[j] - node.columns} * node.below;
-      for (int i = j; i < child.below; ++i) to[child.place[i] - node.columns] += from[i];
+      const Scalar* column = from + std::ptrdiff_t{j} * child.below;
+      for (int i = j; i < child.below; ++i) to[child.place[i] - node.columns] += column[i];
     }
-    changes_[index(c)].reset();
   });
 }
 
@@ -61,19 +74,15 @@ bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* fact
   const Supernode node = nodes_[k];
   Scalar* columns = factor + node.entry;
   for (int i = 0; i < node.rows; ++i) places[index(node.row[i])] = i;
-  const auto* begin = static_cast<const int*>(matrix.p);
-  const auto* row = static_cast<const int*>(matrix.i);
-  const auto* entry = static_cast<const double*>(matrix.x);
-  for (int j = 0; j < node.columns; ++j) {
-    Scalar* to = columns + std::ptrdiff_t{j} * node.rows;
-    std::fill(to + j, to + node.rows, Scalar{0});
-    for (int p = begin[node.start + j]; p < begin[node.start + j + 1]; ++p)
-      to[places[index(row[p])]] = static_cast<Scalar>(entry[p]);
-  }
-  add_own(k, columns);
+  const auto release_children = [&] {
+    nodes_.for_children(k, [&](int c) { changes_[index(c)].reset(); });
+  };
+  for_panels(threads, node.columns, [&](int first, int size) {
+    set_own(k, matrix, places, first, first + size, columns);
+  });
   if (!dense::cholesky(node.columns, columns, node.rows)) return false;
   if (node.below == 0) {
-    nodes_.for_children(k, [&](int c) { changes_[index(c)].reset(); });
+    release_children();
     return true;
   }
   Scalar* below = columns + node.columns;
@@ -88,8 +97,9 @@ bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* fact
     if (const int rest = node.below - first - size; rest > 0)
       dense::minus_product(rest, size, node.columns, below + first + size, below + first, node.rows,
                            to + size, node.below);
+    add_below(k, first, first + size, change);
   });
-  add_below(k, change);
+  release_children();
   return true;
 }
 

@@ -37,8 +37,9 @@ class Fronts {
 
   bool eliminate(int k, const cholmod_sparse_struct& matrix, Scalar* factor, Places& places,
                  int threads);
-  void add_own(int k, Scalar* columns) const;
-  void add_below(int k, Scalar* change);
+  void set_own(int k, const cholmod_sparse_struct& matrix, const Places& places, int first, int end,
+               Scalar* columns) const;
+  void add_below(int k, int first, int end, Scalar* change) const;
 
   const Supernodes& nodes_;
   // Per supernode, from its elimination to that of its parent: what it changes in later columns,

@@ -3,6 +3,7 @@
 // ancestors only, so subtrees that do not hold each other are independent.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <utility>
@@ -24,6 +25,11 @@ struct Supernode {
   const int* place;      ///< of the rows below: their place among the rows of the parent, ascending
   std::ptrdiff_t entry;  ///< first entry in the factor, column-major with stride `rows`
   std::ptrdiff_t first_row;  ///< number of the first row index below among all
+
+  /// The first row below whose place among the rows of the parent is `parents` or after it.
+  int first_from(int parents) const {
+    return static_cast<int>(std::lower_bound(place, place + below, parents) - place);
+  }
 };
 
 /// The supernodes of a factor, numbered so that a subtree's are successive and its top is the last.

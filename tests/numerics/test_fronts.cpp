@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <numeric>
 #include <thread>
 
 #include "numerics/analysed_grid.h"
@@ -39,6 +40,36 @@ TEST(Fronts, ThreadsDoNotChangeABit) {
   }
   EXPECT_EQ(found[1], found[0]);
   EXPECT_EQ(found[2], found[0]);
+}
+
+// Three groups of unknowns, each full: the third, of several panels, is coupled in parts to both
+// others, which so are its children.
+TEST(Fronts, AWideFrontIsPutTogetherByAllThreads) {
+  constexpr int narrow = 200, wide = 420, coupled = 300, n = 2 * narrow + wide;
+  Eigen::MatrixXd full = Eigen::MatrixXd::Random(n, n);
+  full.block(narrow, 0, narrow, narrow).setZero();
+  full.block(2 * narrow + coupled, 0, wide - coupled, narrow).setZero();
+  full.block(2 * narrow, narrow, wide - coupled, narrow).setZero();
+  full.triangularView<Eigen::Upper>() = full.transpose();
+  full.diagonal().array() = n;
+  const Eigen::SparseMatrix<double> matrix = full.sparseView();
+  std::vector<int> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  Analysis analysis(matrix, order);
+  const Supernodes& nodes = analysis.nodes();
+  ASSERT_EQ(nodes[nodes.size() - 1].columns, wide);
+  int children = 0;
+  nodes.for_children(nodes.size() - 1, [&](int) { ++children; });
+  ASSERT_EQ(children, 2);
+  std::vector<Eigen::MatrixXd> found;
+  for (const int threads : {1, 2, 5}) {
+    std::vector<double> factor(nodes.entries());
+    ASSERT_TRUE(Fronts<double>(nodes).factorise(analysis.in_order(matrix), factor.data(), threads));
+    found.push_back(dense_factor(nodes, factor));
+    EXPECT_EQ(found.back(), found.front()) << threads;
+  }
+  const Eigen::MatrixXd expected = in_order(nodes, full);
+  EXPECT_LT((found[0] * found[0].transpose() - expected).norm(), 1e-14 * expected.norm());
 }
 
 // And one that is, after it.

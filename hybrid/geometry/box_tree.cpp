@@ -127,4 +127,20 @@ std::vector<char> BoxTree::marked_nodes(const std::vector<char>& marked) const {
   return marks;
 }
 
+// A search is shared where its parts take longer than to wake a thread.
+std::vector<BoxTree::NodePair> BoxTree::parts_of_search(const std::vector<char>& marks) const {
+  if (nodes_.empty() || !marks[0]) return {};
+  const int most = std::max(1024, static_cast<int>(items_.size() / 16));  // items of a part
+  const auto items = [&](int n) { return nodes_[index(n)].last - nodes_[index(n)].first; };
+  std::vector<NodePair> open{{0, 0}}, parts;
+  while (!open.empty()) {
+    const NodePair nodes = open.back();
+    open.pop_back();
+    if (items(nodes.first) + items(nodes.second) <= most ||
+        !divide(nodes, marks, [&](NodePair below) { open.push_back(below); }))
+      parts.push_back(nodes);
+  }
+  return parts;
+}
+
 }  // namespace vasorod

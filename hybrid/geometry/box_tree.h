@@ -13,6 +13,8 @@
 
 #include <vasorod/types.h>
 
+#include "data/in_parallel.h"
+
 namespace vasorod {
 
 /// An axis-parallel box with its faces, length.
@@ -80,7 +82,25 @@ class BoxTree {
   /// Calls take(i, j) once for every two items whose boxes meet and of which at least one is
   /// marked; `marked`: one entry for each item. `take` returns false to end the search.
   template <class Take>
-  void meeting_pairs(const std::vector<char>& marked, Take&& take) const;
+  void meeting_pairs(const std::vector<char>& marked, Take&& take) const {
+    meeting_pairs(marked, marked_nodes(marked), {0, 0}, take);
+  }
+
+  /// The same search on up to `threads` threads: take(part, i, j), where the pairs of a part are
+  /// asked one after the other on one thread, and false ends this part alone. begin(parts) is
+  /// called first. The pairs of one part after those of another are in meeting_pairs()' order; the
+  /// parts are the same for any number of threads.
+  template <class Begin, class Take>
+  void meeting_pairs(const std::vector<char>& marked, int threads, Begin&& begin,
+                     Take&& take) const {
+    const std::vector<char> marks = marked_nodes(marked);
+    const std::vector<NodePair> parts = parts_of_search(marks);
+    begin(parts.size());
+    in_parallel(threads, static_cast<int>(parts.size()), [&](int p) {
+      const auto part = static_cast<std::size_t>(p);
+      meeting_pairs(marked, marks, parts[part], [&](int i, int j) { return take(part, i, j); });
+    });
+  }
 
  private:
   // Items first to last - 1; the left child follows its parent. right -1: a leaf.
@@ -89,9 +109,18 @@ class BoxTree {
     int first = 0, last = 0, right = -1;
   };
 
+  // Two nodes whose items are asked against each other; the same twice: among themselves.
+  using NodePair = std::pair<int, int>;
+
   int build(int first, int last);
   void fit_boxes();
   std::vector<char> marked_nodes(const std::vector<char>& marked) const;
+  std::vector<NodePair> parts_of_search(const std::vector<char>& marks) const;
+  template <class Later>
+  bool divide(NodePair nodes, const std::vector<char>& marks, Later&& later) const;
+  template <class Take>
+  void meeting_pairs(const std::vector<char>& marked, const std::vector<char>& marks, NodePair part,
+                     Take&& take) const;
 
   std::vector<Box> boxes_;  // in the order of items_
   std::vector<int> items_;
@@ -146,37 +175,45 @@ int BoxTree::nearest(const Vec3& point, SquaredDistance&& squared_distance, int 
   return found;
 }
 
-template <class Take>
-void BoxTree::meeting_pairs(const std::vector<char>& marked, Take&& take) const {
-  if (nodes_.empty()) return;
+// Calls later(pair) with the pairs of nodes of which `nodes` consists and that may have items to
+// ask; false: there are no nodes below them.
+template <class Later>
+bool BoxTree::divide(NodePair nodes, const std::vector<char>& marks, Later&& later) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const std::vector<char> marks = marked_nodes(marked);
-  std::vector<std::pair<int, int>> open;
-  const auto later = [&](int a, int b) {
-    if ((marks[at(a)] || marks[at(b)]) && (a == b || nodes_[at(a)].box.meets(nodes_[at(b)].box)))
-      open.emplace_back(a, b);
+  const auto [a, b] = nodes;
+  const Node &one = nodes_[at(a)], &two = nodes_[at(b)];
+  const auto meet = [&](int c, int d) {
+    if ((marks[at(c)] || marks[at(d)]) && (c == d || nodes_[at(c)].box.meets(nodes_[at(d)].box)))
+      later(NodePair(c, d));
   };
-  later(0, 0);
+  if (one.right >= 0 && (two.right < 0 || one.last - one.first >= two.last - two.first)) {
+    if (a == b) {
+      meet(a + 1, a + 1);
+      meet(one.right, one.right);
+      meet(a + 1, one.right);
+    } else {
+      meet(a + 1, b);
+      meet(one.right, b);
+    }
+    return true;
+  }
+  if (two.right < 0) return false;
+  meet(a, b + 1);
+  meet(a, two.right);
+  return true;
+}
+
+template <class Take>
+void BoxTree::meeting_pairs(const std::vector<char>& marked, const std::vector<char>& marks,
+                            NodePair part, Take&& take) const {
+  if (nodes_.empty() || !marks[0]) return;
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<NodePair> open{part};
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
+    if (divide({a, b}, marks, [&](NodePair nodes) { open.push_back(nodes); })) continue;
     const Node &one = nodes_[at(a)], &two = nodes_[at(b)];
-    if (one.right >= 0 && (two.right < 0 || one.last - one.first >= two.last - two.first)) {
-      if (a == b) {
-        later(a + 1, a + 1);
-        later(one.right, one.right);
-        later(a + 1, one.right);
-      } else {
-        later(a + 1, b);
-        later(one.right, b);
-      }
-      continue;
-    }
-    if (two.right >= 0) {
-      later(a, b + 1);
-      later(a, two.right);
-      continue;
-    }
     for (int k = one.first; k < one.last; ++k) {
       if (a != b && !boxes_[at(k)].meets(two.box)) continue;
       for (int l = a == b ? k + 1 : two.first; l < two.last; ++l) {

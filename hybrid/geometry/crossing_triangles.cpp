@@ -2,6 +2,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <algorithm>
+#include <atomic>
+#include <limits>
 
 #include "data/index.h"
 #include "geometry/box_tree.h"
@@ -58,21 +60,32 @@ class Corners {
 }  // namespace
 
 std::vector<std::array<int, 2>> crossing_triangles(const TriangleSurface& surface,
-                                                   const std::vector<char>& moved,
-                                                   std::size_t most) {
+                                                   const std::vector<char>& moved, std::size_t most,
+                                                   int threads) {
+  using Pairs = std::vector<std::array<int, 2>>;
   const Corners corners(surface);
-  std::vector<std::array<int, 2>> pairs;
+  Pairs pairs;
   std::vector<char> flat(index(surface.triangles.rows()));
   for (int t = 0; t < surface.triangles.rows(); ++t) {
     flat[index(t)] = corners.flat(t) ? 1 : 0;
-    if (flat[index(t)] && moved[index(t)] && pairs.size() < most) pairs.push_back({t, t});
+    if (flat[index(t)] && moved[index(t)]) pairs.push_back({t, t});
   }
-  BoxTree(triangle_boxes(surface)).meeting_pairs(moved, [&](int s, int t) {
-    if (pairs.size() >= most) return false;
-    if (!flat[index(s)] && !flat[index(t)] && corners.cross(s, t))
-      pairs.push_back({std::min(s, t), std::max(s, t)});
-    return true;
-  });
+  std::vector<Pairs> found;
+  std::atomic<std::size_t> last = std::numeric_limits<std::size_t>::max();  // part that is enough
+  BoxTree(triangle_boxes(surface))
+      .meeting_pairs(
+          moved, threads, [&](std::size_t parts) { found.resize(parts); },
+          [&](std::size_t part, int s, int t) {
+            if (part > last) return false;
+            if (!flat[index(s)] && !flat[index(t)] && corners.cross(s, t))
+              found[part].push_back({std::min(s, t), std::max(s, t)});
+            if (found[part].size() < most) return true;
+            for (std::size_t before = last; part < before;)
+              if (last.compare_exchange_weak(before, part)) break;
+            return false;
+          });
+  for (const Pairs& more : found) pairs.insert(pairs.end(), more.begin(), more.end());
+  pairs.resize(std::min(pairs.size(), most));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -70,7 +70,8 @@ class Whole {
     for (int t = 0; t < surface_.triangles.rows(); ++t)
       triangles[index(t)] = marked[index(body_of(t))];
     std::map<std::array<int, 2>, int> count;
-    for (const auto& [s, t] : crossing_triangles(surface_, triangles, most_self_intersections))
+    for (const auto& [s, t] :
+         crossing_triangles(surface_, triangles, most_self_intersections, threads()))
       ++count[{body_of(s), body_of(t)}];
     return count;
   }

@@ -267,9 +267,7 @@ CoupledOutcome CoupledAttempt::outcome(CoupledSolution&& solution) {
   prediction_.work += solution.surface.work;
   CoupledOutcome outcome{prediction_, std::move(solution)};
   keep(CoupledSolution(outcome.solution), outcome.state);
-  if (outcome.minimum())
-    for (const NamedCrossing& found : named_crossings(outcome.state))
-      outcome.depth = std::max(outcome.depth, found.crossing.depth);
+  if (outcome.minimum()) outcome.depth = deepest_crossing(outcome.state);
   return outcome;
 }
 

@@ -65,9 +65,18 @@ std::vector<NamedCrossing> named_crossings(const Prediction& prediction) {
   return named;
 }
 
+double deepest_crossing(Prediction& prediction) {
+  if (!prediction.crossings) prediction.crossings = named_crossings(prediction);
+  double depth = 0;
+  for (const NamedCrossing& found : *prediction.crossings)
+    depth = std::max(depth, found.crossing.depth);
+  return depth;
+}
+
 void name_crossings(const Prediction& prediction, Result& result) {
   if (result.status == Status::interrupted) return;
-  for (const NamedCrossing& named : named_crossings(prediction)) {
+  const auto found = prediction.crossings ? *prediction.crossings : named_crossings(prediction);
+  for (const NamedCrossing& named : found) {
     const auto& [a, b, crossing] = named;
     result.self_intersections.push_back({a, b, crossing.pairs, crossing.depth, crossing.where});
     result.validity.warnings.push_back(sentence(a, b, crossing, prediction.scene->units.length,

@@ -6,20 +6,16 @@
 
 #include <vasorod/result.h>
 
-#include "judge/crossings.h"
 #include "predict/prediction.h"
 
 namespace vasorod {
 
-/// A crossing of the predicted surfaces with the names of its vessels.
-struct NamedCrossing {
-  std::string a, b;
-  Crossing crossing;
-};
-
 /// Where the predicted surfaces pass through themselves or each other; in fidelity rod those that
 /// the rods carry, without what two joined vessels do, whose seam nothing closed.
 std::vector<NamedCrossing> named_crossings(const Prediction& prediction);
+
+/// The depth of the deepest of them, length; 0: there is none. They stay in `crossings`.
+double deepest_crossing(Prediction& prediction);
 
 /// Fills `self_intersections` from the predicted surfaces, with a warning for each, and puts the
 /// validity out of range. Where surfaces were solved, the status becomes self_intersecting at

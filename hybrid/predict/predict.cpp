@@ -5,6 +5,7 @@
 #include <vasorod/error.h>
 #include <vasorod/predict.h>
 
+#include "data/index.h"
 #include "data/scene_place.h"
 #include "data/sentence.h"
 #include "judge/choose_fidelity.h"
@@ -187,10 +188,19 @@ void take_vessels(const Fidelity& fidelity, const FittedVessels& fitted, Predict
   }
 }
 
-void fit_one(PreparedVessel& vessel, const Scene& scene, EarlyStages& stages) {
-  if (vessel.obstacle()) return;
-  stages.begin("fitting vessel " + vessel.spec.name);
-  placed(place_in(scene, vessel.spec.line), [&] { fit(vessel); });
+// As many at once as there are threads.
+void fit_vessels(const std::vector<PreparedVessel*>& vessels, const Scene& scene,
+                 EarlyStages& stages) {
+  const int each = threads(), count = static_cast<int>(vessels.size());
+  for (int first = 0; first < count; first += each) {
+    const int size = std::min(each, count - first);
+    for (int v = first; v < first + size; ++v)
+      stages.begin("fitting vessel " + vessels[index(v)]->spec.name);
+    in_parallel(each, size, [&](int v) {
+      PreparedVessel& vessel = *vessels[index(first + v)];
+      placed(place_in(scene, vessel.spec.line), [&] { fit(vessel); });
+    });
+  }
 }
 
 // A left and a right exchanged between vessels would be a scene that no patient has.
@@ -268,11 +278,13 @@ Result predict_from(const Scene& scene, const SolveOptions& options, const Fitte
         sizes[v] = static_cast<double>(vessel.prepared.vessel.surface.points.rows());
   require_memory(scene, fidelity->name, sizes);
   prediction.watch.lap("read");
-  for (PredictedVessel& vessel : prediction.vessels) {
-    if (vessel.prepared.obstacle()) continue;
-    if (fitted == nullptr) fit_one(vessel.prepared, scene, stages);
-    vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
-  }
+  std::vector<PreparedVessel*> to_fit;
+  for (PredictedVessel& vessel : prediction.vessels)
+    if (!vessel.prepared.obstacle()) to_fit.push_back(&vessel.prepared);
+  if (fitted == nullptr) fit_vessels(to_fit, scene, stages);
+  for (PredictedVessel& vessel : prediction.vessels)
+    if (!vessel.prepared.obstacle())
+      vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
   prediction.watch.lap("fit");
   if (fidelity->coarse_first && scene.glenn)
     for (const PredictedVessel& vessel : prediction.vessels)
@@ -338,10 +350,12 @@ FittedVessels fit_vessels(const Scene& scene, const SolveOptions& given) {
   set_threads(options.threads);
   EarlyStages stages(options);
   FittedVessels fitted;
-  for (const VesselSpec& spec : scene.vessels) {
+  for (const VesselSpec& spec : scene.vessels)
     fitted.vessels.push_back(read_one(spec, scene, stages, inputs));
-    fit_one(fitted.vessels.back(), scene, stages);
-  }
+  std::vector<PreparedVessel*> to_fit;
+  for (PreparedVessel& vessel : fitted.vessels)
+    if (!vessel.obstacle()) to_fit.push_back(&vessel);
+  fit_vessels(to_fit, scene, stages);
   fitted.inputs = inputs.hashes();
   return fitted;
 }

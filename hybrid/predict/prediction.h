@@ -9,6 +9,7 @@
 #include <vasorod/predict.h>
 
 #include "bodies/surface_solution.h"
+#include "judge/crossings.h"
 #include "predict/stopwatch.h"
 #include "rod/newton.h"
 #include "surgery/operation.h"
@@ -43,6 +44,12 @@ struct SolvedSurfaces {
   std::vector<FaceExtremes> faces;  ///< per vessel: strains of its wall's faces; empty: no walls
 };
 
+/// A crossing of the predicted surfaces with the names of its vessels.
+struct NamedCrossing {
+  std::string a, b;
+  Crossing crossing;
+};
+
 /// A scene while it is solved.
 struct Prediction {
   const Scene* scene = nullptr;          ///< the scene that is solved
@@ -50,8 +57,10 @@ struct Prediction {
   std::vector<PredictedVessel> vessels;  ///< in the scene's order, then the stump
   /// The vessels before a Glenn operation; empty: there is none, or the fidelity needs none.
   std::vector<PreparedVessel> whole;
-  std::optional<Operation> operation;           ///< the operation; empty: none
-  std::optional<SolvedSurfaces> surfaces;       ///< empty at fidelities without surface energies
+  std::optional<Operation> operation;      ///< the operation; empty: none
+  std::optional<SolvedSurfaces> surfaces;  ///< empty at fidelities without surface energies
+  /// Of the vessels where they are now; empty: they were not searched for any.
+  std::optional<std::vector<NamedCrossing>> crossings;
   std::vector<std::string> notes;               ///< sentences for the certificate
   std::vector<Stage> stages;                    ///< for the report's pictures
   std::map<std::string, std::string> left_out;  ///< what was left out, and why

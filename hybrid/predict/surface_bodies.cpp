@@ -72,6 +72,7 @@ BodyProblem body_problem(const Prediction& prediction) {
 
 void take_surfaces(SolvedSurfaces&& surfaces, const std::string& what, Prediction& prediction) {
   prediction.surfaces = std::move(surfaces);
+  prediction.crossings.reset();
   prediction.work += prediction.surfaces->solution.work;
   for (size_t v = 0; v < prediction.vessels.size(); ++v) {
     PredictedVessel& vessel = prediction.vessels[v];

@@ -107,6 +107,45 @@ TEST(BoxTree, MeetingPairsAreThoseOfTryingAllWithAMark) {
   }
 }
 
+// Enough of them for several parts.
+TEST(BoxTree, ThePartsOfASharedSearchHaveThePairsInTheSameOrder) {
+  const std::vector<Box> all = boxes(9000);
+  const BoxTree tree(all);
+  std::vector<char> marked(all.size(), 0);
+  for (std::size_t i = 0; i < all.size(); i += 2) marked[i] = 1;
+  using Pairs = std::vector<std::pair<int, int>>;
+  Pairs expected;
+  tree.meeting_pairs(marked, [&](int i, int j) {
+    expected.emplace_back(i, j);
+    return true;
+  });
+  for (const int threads : {1, 3}) {
+    std::vector<Pairs> parts;
+    tree.meeting_pairs(
+        marked, threads, [&](std::size_t count) { parts.resize(count); },
+        [&](std::size_t part, int i, int j) {
+          parts[part].emplace_back(i, j);
+          return true;
+        });
+    EXPECT_GT(parts.size(), 8U);
+    Pairs found;
+    for (const Pairs& part : parts) found.insert(found.end(), part.begin(), part.end());
+    EXPECT_EQ(found, expected) << threads << " threads";
+    std::vector<int> seen(parts.size());
+    tree.meeting_pairs(
+        marked, threads, [](std::size_t) {},
+        [&](std::size_t part, int, int) { return ++seen[part] < 5; });
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      EXPECT_EQ(seen[p], std::min<int>(5, static_cast<int>(parts[p].size())));
+  }
+  int parts = 0;
+  const auto count = [&](std::size_t found) { parts += static_cast<int>(found); };
+  const auto never = [](std::size_t, int, int) { return ADD_FAILURE(), false; };
+  tree.meeting_pairs(std::vector<char>(all.size(), 0), 2, count, never);
+  BoxTree().meeting_pairs({}, 2, count, never);
+  EXPECT_EQ(parts, 0);
+}
+
 TEST(BoxTree, ASearchForPairsEndsWhereItIsToldTo) {
   const std::vector<Box> all = boxes(400);
   int seen = 0;

@@ -78,6 +78,22 @@ TEST(CrossingTriangles, AreThoseOfCgalInACrumpledSurface) {
   }
 }
 
+// Enough of them for several parts, of which each may be enough.
+TEST(CrossingTriangles, DoNotDependOnTheThreads) {
+  std::mt19937 random(11);
+  TriangleSurface surface = tube_surface(testing::straight_tube(40, 10, 48, 60));
+  std::uniform_real_distribution<double> off(-1, 1);
+  for (double& x : surface.points.reshaped()) x += off(random);
+  const std::size_t count = of_cgal(surface).size();
+  EXPECT_GT(count, 200U);
+  for (const std::size_t at_most : {count + 1, count, count - 1, count / 3, std::size_t{5}}) {
+    const auto alone = crossing_triangles(surface, all(surface), at_most);
+    EXPECT_EQ(alone.size(), std::min(count, at_most));
+    for (int repeat = 0; repeat < 20; ++repeat)
+      ASSERT_EQ(crossing_triangles(surface, all(surface), at_most, 3), alone) << at_most;
+  }
+}
+
 // In one plane nothing is decided by which side a point is on: folded neighbours overlap.
 TEST(CrossingTriangles, OverlapsInAPlaneAndTrianglesWithoutAreaAreFound) {
   TriangleSurface surface;

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "geometry/triangle_surface.h"
 #include "predict/name_crossings.h"
 #include "predict/small_scenes.h"
+#include "straight_tube.h"
 
 namespace vasorod {
 namespace {
@@ -46,6 +48,32 @@ TEST(NameCrossings, ASolvedWallInsideItselfDoesNotConverge) {
   EXPECT_GT(crossing.depth, 0.5);
   EXPECT_FALSE(result.validity.in_range);
   EXPECT_TRUE(warning(result).ends_with("the wall did not feel itself")) << warning(result);
+}
+
+TEST(NameCrossings, WhatWasFoundOnceIsNotSearchedAgain) {
+  Scene scene;
+  Prediction prediction;
+  prediction.scene = &scene;
+  PredictedVessel& vein = prediction.vessels.emplace_back();
+  vein.prepared.spec.name = "vein";
+  vein.prepared.vessel.surface = tube_surface(straight_tube(36, 6, 24, 24));
+  vein.prepared.vessel.mean_radius = 6;
+  vein.positions = vein.prepared.vessel.surface.points;
+  EXPECT_EQ(deepest_crossing(prediction), 0);
+  ASSERT_TRUE(prediction.crossings);
+  EXPECT_TRUE(prediction.crossings->empty());
+  for (auto point : vein.positions.rowwise())  // the second half pushed into the first
+    if (point.z() > 18) point += Vec3(1, 0, 36 - 2 * point.z()).transpose();
+  EXPECT_EQ(deepest_crossing(prediction), 0) << "it is told of no motion";
+  prediction.crossings.reset();
+  const double depth = deepest_crossing(prediction);
+  EXPECT_GT(depth, 0.1);
+  ASSERT_EQ(prediction.crossings->size(), 1U);
+  prediction.crossings->front().crossing.depth *= 2;
+  Result result;
+  name_crossings(prediction, result);
+  ASSERT_EQ(result.self_intersections.size(), 1U);
+  EXPECT_EQ(result.self_intersections[0].depth, 2 * depth);
 }
 
 TEST(NameCrossings, ACarriedWallIsOnlyWarnedOf) {

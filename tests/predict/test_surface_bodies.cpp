@@ -98,8 +98,10 @@ TEST(SurfaceBodies, WhatIsSolvedComesBackAndWhatWasLeftOutIsSaid) {
     body.positions = Points::Constant(4, 3, b);
     body.pressure = Eigen::VectorXd::Constant(4, 10 * b);
   }
+  f.prediction.crossings.emplace();
   take_surfaces(std::move(surfaces), "skin", f.prediction);
   ASSERT_TRUE(f.prediction.surfaces);
+  EXPECT_FALSE(f.prediction.crossings) << "those of where the walls were";
   for (int b = 0; b < 3; ++b) {
     EXPECT_EQ(f.prediction.vessels[static_cast<size_t>(b)].positions, Points::Constant(4, 3, b));
     EXPECT_EQ(f.prediction.vessels[static_cast<size_t>(b)].pressure[0], 10 * b);

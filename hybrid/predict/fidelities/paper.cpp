@@ -52,13 +52,6 @@ SurfaceSolution solve_from_rest(const Prediction& prediction, const SolveOptions
   return PaperSolver(paper).solve(problem, &way);
 }
 
-double deepest_crossing(const Prediction& prediction) {
-  double depth = 0;
-  for (const NamedCrossing& found : named_crossings(prediction))
-    depth = std::max(depth, found.crossing.depth);
-  return depth;
-}
-
 }  // namespace
 
 // The sections of a vein that has to fold pass through each other, and the surface that is bound to

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
 
 #include "data/crew.h"
@@ -36,7 +37,7 @@ void in_parallel(int threads, int count, Task task) {
       failure = std::current_exception();
     }
   };
-  Crew::mine().run(threads - 1, work);
+  Crew::mine().run(threads - 1, std::ref(work));
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -1,5 +1,5 @@
-// Threads that stay for the next work to share. To begin one takes longer than to multiply by a
-// front of a factor, and one that has just worked looks for more before it sleeps.
+// Threads that stay for the next work to share: to begin and end one takes longer than much of what
+// is shared. One that has just worked looks for more before it sleeps.
 #pragma once
 
 #include <atomic>

@@ -71,7 +71,8 @@ std::vector<std::array<int, 2>> crossing_triangles(const TriangleSurface& surfac
     if (flat[index(t)] && moved[index(t)]) pairs.push_back({t, t});
   }
   std::vector<Pairs> found;
-  std::atomic<std::size_t> last = std::numeric_limits<std::size_t>::max();  // part that is enough
+  // The first part that alone has enough: those after it are not asked for.
+  std::atomic<std::size_t> last = std::numeric_limits<std::size_t>::max();
   BoxTree(triangle_boxes(surface))
       .meeting_pairs(
           moved, threads, [&](std::size_t parts) { found.resize(parts); },
@@ -80,8 +81,9 @@ std::vector<std::array<int, 2>> crossing_triangles(const TriangleSurface& surfac
             if (!flat[index(s)] && !flat[index(t)] && corners.cross(s, t))
               found[part].push_back({std::min(s, t), std::max(s, t)});
             if (found[part].size() < most) return true;
-            for (std::size_t before = last; part < before;)
-              if (last.compare_exchange_weak(before, part)) break;
+            std::size_t before = last;
+            while (part < before && !last.compare_exchange_weak(before, part)) {
+            }
             return false;
           });
   for (const Pairs& more : found) pairs.insert(pairs.end(), more.begin(), more.end());

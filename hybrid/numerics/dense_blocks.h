@@ -80,8 +80,8 @@ void minus_product(int rows_a, int rows_b, int columns, const Scalar* a, const S
                              &zero, c, &stride_c);
 }
 
-/// x = L^-1 x, or L^-T x, column by column: what trsv of OpenBLAS does with so few, bit for bit,
-/// but without its lock, at which threads with small blocks wait longer than they compute.
+/// x = L^-1 x, or L^-T x, column by column in the order of OpenBLAS's trsv, but without its lock,
+/// at which threads with small blocks wait longer than they compute.
 template <class Scalar>
 void divide_small(bool transposed, int size, const Scalar* l, int stride, Scalar* x) {
   const int step = 1;
@@ -109,7 +109,7 @@ void divide(bool transposed, int size, int count, const Scalar* l, int stride, S
   const char* t = transposed ? "T" : "N";
   const Scalar one = 1;
   const int step = 1;
-  constexpr int small = 64;  // columns that trsv takes at once
+  constexpr int small = 64;  // columns; more are taken in blocks, where trsv is faster
   if (count == 1 && size <= small)
     divide_small(transposed, size, l, stride, x);
   else if (count == 1)

@@ -1,4 +1,4 @@
-// The threads of a solve.
+// The threads of a solve; data/in_parallel.h shares work between them.
 #pragma once
 
 #include <atomic>

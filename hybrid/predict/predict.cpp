@@ -188,9 +188,9 @@ void take_vessels(const Fidelity& fidelity, const FittedVessels& fitted, Predict
   }
 }
 
-// As many at once as there are threads.
-void fit_vessels(const std::vector<PreparedVessel*>& vessels, const Scene& scene,
-                 EarlyStages& stages) {
+// As many at once as there are threads, without obstacles.
+void fit_all(std::vector<PreparedVessel*> vessels, const Scene& scene, EarlyStages& stages) {
+  std::erase_if(vessels, [](const PreparedVessel* vessel) { return vessel->obstacle(); });
   const int each = threads(), count = static_cast<int>(vessels.size());
   for (int first = 0; first < count; first += each) {
     const int size = std::min(each, count - first);
@@ -278,10 +278,11 @@ Result predict_from(const Scene& scene, const SolveOptions& options, const Fitte
         sizes[v] = static_cast<double>(vessel.prepared.vessel.surface.points.rows());
   require_memory(scene, fidelity->name, sizes);
   prediction.watch.lap("read");
-  std::vector<PreparedVessel*> to_fit;
-  for (PredictedVessel& vessel : prediction.vessels)
-    if (!vessel.prepared.obstacle()) to_fit.push_back(&vessel.prepared);
-  if (fitted == nullptr) fit_vessels(to_fit, scene, stages);
+  if (fitted == nullptr) {
+    std::vector<PreparedVessel*> all;
+    for (PredictedVessel& vessel : prediction.vessels) all.push_back(&vessel.prepared);
+    fit_all(std::move(all), scene, stages);
+  }
   for (PredictedVessel& vessel : prediction.vessels)
     if (!vessel.prepared.obstacle())
       vessel.conditions = end_conditions(scene, vessel.prepared.spec.name, vessel.prepared.vessel);
@@ -352,10 +353,9 @@ FittedVessels fit_vessels(const Scene& scene, const SolveOptions& given) {
   FittedVessels fitted;
   for (const VesselSpec& spec : scene.vessels)
     fitted.vessels.push_back(read_one(spec, scene, stages, inputs));
-  std::vector<PreparedVessel*> to_fit;
-  for (PreparedVessel& vessel : fitted.vessels)
-    if (!vessel.obstacle()) to_fit.push_back(&vessel);
-  fit_vessels(to_fit, scene, stages);
+  std::vector<PreparedVessel*> all;
+  for (PreparedVessel& vessel : fitted.vessels) all.push_back(&vessel);
+  fit_all(std::move(all), scene, stages);
   fitted.inputs = inputs.hashes();
   return fitted;
 }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "numerics/three_columns.h"
+
 extern "C" {
 void dpotrf_(const char*, const int*, double*, const int*, int*);
 void spotrf_(const char*, const int*, float*, const int*, int*);
@@ -110,7 +112,9 @@ void divide(bool transposed, int size, int count, const Scalar* l, int stride, S
   const Scalar one = 1;
   const int step = 1;
   constexpr int small = 64;  // columns; more are taken in blocks, where trsv is faster
-  if (count == 1 && size <= small)
+  if (count == 3)
+    divide_three(transposed, size, l, stride, x, stride_x);
+  else if (count == 1 && size <= small)
     divide_small(transposed, size, l, stride, x);
   else if (count == 1)
     of<Scalar>(dtrsv_, strsv_)("L", t, "N", &size, l, &stride, x, &step);
@@ -122,6 +126,10 @@ void divide(bool transposed, int size, int count, const Scalar* l, int stride, S
 template <class Scalar>
 void subtract_product(bool transposed, int rows, int columns, int count, const Scalar* a,
                       int stride, const Scalar* x, int stride_x, Scalar* y, int stride_y) {
+  if (count == 3) {
+    subtract_product_three(transposed, rows, columns, a, stride, x, stride_x, y, stride_y);
+    return;
+  }
   const char* t = transposed ? "T" : "N";
   const Scalar one = 1, minus = -1;
   const int step = 1, *out = transposed ? &columns : &rows, *in = transposed ? &rows : &columns;

@@ -18,22 +18,29 @@ constexpr int most_backtracks = 30;
 // is the rounding of the sum itself. `cancelled` applies where large forces cancel in a small
 // energy. In both cases the residual decides: it must fall, in the second case to less than half.
 constexpr double last_digits = 1e-14, cancelled = 1e-8;
-// The same with LbfgsOptions::by_slopes.
+// The rounding of a sum of many terms. Below it flattens() decides, not the energy, which would let
+// steps through that overshoot; nor must the residual fall, which it does on the shortest steps.
+constexpr double many_terms = 1e-12;
+// The fraction that may be lost with LbfgsOptions::by_slopes.
 constexpr double lost_to_stiffness = 1e-5;
 
-// Steps along a line to where its slope is flatter, by regula falsi; the first is 1.
+// Whether a step along a line has come to where the line is flatter than at its beginning, or is 1
+// and still leads down: no step goes beyond that of a Newton iteration.
+bool flattens(double step, double slope, double first) {
+  return std::abs(slope) <= 0.9 * std::abs(first) || (step == 1 && slope < 0);
+}
+
+// Steps along a line to where it flattens, by regula falsi; the first is 1.
 class SlopeSearch {
  public:
   explicit SlopeSearch(double slope) : first_(slope), slope_below_(slope) {}
 
   double step() const { return step_; }
 
-  /// Takes the slope at step(). True: it is flatter, or step() is 1 and still leads down. False:
-  /// there is another step.
-  bool flattens(double slope) {
-    if (std::abs(slope) <= flatter * std::abs(first_)) return true;
+  /// Takes the slope at step(). False: there is another step.
+  bool ends(double slope) {
+    if (flattens(step_, slope, first_)) return true;
     if (slope < 0) {
-      if (step_ == 1) return true;  // no step beyond that of a Newton iteration
       below_ = step_;
       slope_below_ = slope;
     } else {
@@ -46,7 +53,6 @@ class SlopeSearch {
   }
 
  private:
-  static constexpr double flatter = 0.9;  // of the slope at the beginning
   double first_, step_ = 1, below_ = 0, slope_below_, above_ = 1, slope_above_ = 0;
 };
 
@@ -125,11 +131,13 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       new_x = x + step * direction;
       new_energy = evaluate(new_x, new_gradient, new_residual);
       ++summary.evaluations;
+      const double change = new_energy - energy, size = std::abs(energy);
+      const bool lost = std::max(std::abs(change), -step * slope) <= many_terms * size;
       accepted = std::isfinite(new_energy) && std::isfinite(new_residual) &&
-                 (new_energy < energy + armijo * step * slope ||
-                  (new_energy <= energy + last_digits * std::abs(energy) &&
-                   new_residual < summary.residual) ||
-                  (std::max(new_energy - energy, -step * slope) <= cancelled * std::abs(energy) &&
+                 ((lost ? flattens(step, new_gradient.dot(direction), slope)
+                        : change < armijo * step * slope) ||
+                  (change <= last_digits * size && new_residual < summary.residual) ||
+                  (std::max(change, -step * slope) <= cancelled * size &&
                    new_residual < 0.5 * summary.residual));
       if (accepted) break;
       const double curvature = 2 * (new_energy - energy - step * slope) / (step * step);
@@ -144,7 +152,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
         new_x = x + step * direction;
         new_energy = evaluate(new_x, new_gradient, new_residual);
         ++summary.evaluations;
-        flatter = search.flattens(new_gradient.dot(direction));
+        flatter = search.ends(new_gradient.dot(direction));
       }
       const double change = std::max(new_energy - energy, -step * slope);
       accepted =

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "numerics/lbfgs.h"
@@ -128,6 +129,33 @@ TEST(Lbfgs, BySlopesItGoesOnWhereEnergiesHaveNoDigitsLeft) {
   options.by_slopes = true;
   EXPECT_EQ(lbfgs(dented, overshoots, x, options).status, LbfgsStatus::converged);
   EXPECT_LT(x.norm(), 1e-9);
+}
+
+// A valley of curvatures 1 to 1000. Its energy has lost its last digits, as a sum of many terms
+// has: below a residual of 1e-5 it is noise.
+TEST(Lbfgs, FindsTheMinimumOfAnEnergyThatIsNoiseThere) {
+  const VectorXd curvature =
+      VectorXd::LinSpaced(30, 0, 3).unaryExpr([](double power) { return std::pow(10, power); });
+  const auto run = [&](double rounding, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> noise(-rounding, rounding);
+    const Evaluation valley = [&](const VectorXd& at, VectorXd& g, double& residual) {
+      g = curvature.cwiseProduct(at);
+      residual = g.norm();
+      return 1 + 0.5 * at.dot(g) + noise(random);
+    };
+    VectorXd x = VectorXd::Ones(30);
+    LbfgsOptions options;
+    options.tolerance = 1e-9;
+    return lbfgs(valley, identity, x, options);
+  };
+  const LbfgsSummary exact = run(0, 1);
+  EXPECT_EQ(exact.status, LbfgsStatus::converged) << exact.brief_report();
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const LbfgsSummary noisy = run(1e-13, seed);
+    EXPECT_EQ(noisy.status, LbfgsStatus::converged) << noisy.brief_report();
+    EXPECT_LT(noisy.evaluations, 2 * exact.evaluations) << noisy.brief_report();
+  }
 }
 
 // On a slope that is as steep everywhere the residual never falls, but each step gains as much as

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "bodies/normal_foot.h"
@@ -39,11 +40,11 @@ double offset_at(const ContactSide& side, int vertex) {
 }
 
 Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const Points& normals, const ContactSide& side, const Vec3& point,
+                       const NormalOf& normal_of, const ContactSide& side, const Vec3& point,
                        const Vec3& point_normal, const ClosestPoint::Hit& hit) {
   Feature feature;
   if (hit.on_boundary) return feature;
-  const NormalFoot foot = normal_foot(finder, surface, normals, point, hit);
+  const NormalFoot foot = normal_foot(finder, surface, normal_of, point, hit);
   feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
     const int v = surface.triangles(foot.triangle, k);
@@ -73,8 +74,10 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
                    ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) * edge_
                    : std::numeric_limits<double>::infinity()),
       area_(vertex_areas(slave_.rest)),
-      slave_rest_normals_(vertex_normals(slave_.rest)),
-      master_rest_normals_(vertex_normals(master_.rest)),
+      slave_rest_normals_(slave_.rest),
+      master_rest_normals_(master_.rest),
+      slave_normals_(slave_.rest),
+      master_normals_(master_.rest),
       looked_(static_cast<size_t>(slave_.rest.points.rows())),
       master_then_(master_.rest.points),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
@@ -93,9 +96,10 @@ double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
     if (!rest_) rest_.emplace(master_.rest);
-    const Feature feature = facing_feature(
-        *rest_, master_.rest, master_rest_normals_, master_, slave_.rest.points.row(vertex),
-        slave_rest_normals_.row(vertex), rest_->query(slave_.rest.points.row(vertex)));
+    const Feature feature =
+        facing_feature(*rest_, master_.rest, std::ref(master_rest_normals_), master_,
+                       slave_.rest.points.row(vertex), slave_rest_normals_(vertex),
+                       rest_->query(slave_.rest.points.row(vertex)));
     const double gap =
         feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
@@ -133,14 +137,14 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     current_.emplace(now);
   else
     current_->refit(master);
-  const Points slave_normals = vertex_normals({slave, slave_.rest.triangles});
-  const Points& master_normals = current_->normals();
+  slave_normals_.move(slave);
+  master_normals_.move(master);
   for (const int i : near) {
     const ClosestPoint::Hit hit = current_->query(slave.row(i), looked_[index(i)].triangle);
     looked_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
                          hit.triangle};
-    const Feature feature = facing_feature(*current_, now, master_normals, master_, slave.row(i),
-                                           slave_normals.row(i), hit);
+    const Feature feature = facing_feature(*current_, now, std::ref(master_normals_), master_,
+                                           slave.row(i), slave_normals_(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;

@@ -29,6 +29,7 @@
 
 #include "bodies/found_contacts.h"
 #include "geometry/closest_point.h"
+#include "geometry/normals_on_demand.h"
 
 namespace vasorod {
 
@@ -58,7 +59,7 @@ class ContactPair : public FoundContacts {
   double stiffness_;
   double deepest_;  // overlap beyond which walls are not in contact, length
   Eigen::VectorXd area_;
-  Points slave_rest_normals_, master_rest_normals_;
+  NormalsOnDemand slave_rest_normals_, master_rest_normals_, slave_normals_, master_normals_;
   std::optional<ClosestPoint> rest_, current_;
   std::vector<Looked> looked_;
   double travel_ = 0;  // sum over all searches of the farthest that a vertex of the master went

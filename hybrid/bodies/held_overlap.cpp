@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "geometry/closest_point.h"
+#include "geometry/normals_on_demand.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -16,7 +18,7 @@ class Wall {
   Wall(const Triangles& triangles, const Points& points, const std::vector<char>& fixed)
       : triangles_(triangles),
         points_(points),
-        normals_(vertex_normals({points, triangles})),
+        normal_of_({points, triangles}),
         closest_(TriangleSurface{points, triangles}) {
     for (const Edge& e : edges_of(triangles))
       if (e.boundary() && fixed[static_cast<size_t>(e.a)] && fixed[static_cast<size_t>(e.b)])
@@ -29,11 +31,11 @@ class Wall {
     double along = 0;  // distance along the wall to the nearest held edge
     int vertex = -1;   // of that edge
   };
-  Place of(const Vec3& p) const {
+  Place of(const Vec3& p) {
     const ClosestPoint::Hit hit = closest_.query(p);
     Place place;
     for (int k = 0; k < 3; ++k)
-      place.normal += hit.barycentric[k] * normals_.row(triangles_(hit.triangle, k)).transpose();
+      place.normal += hit.barycentric[k] * normal_of_(triangles_(hit.triangle, k));
     place.normal.normalize();
     place.height = place.normal.dot(p - hit.point);
     place.along = std::numeric_limits<double>::infinity();
@@ -53,7 +55,7 @@ class Wall {
  private:
   const Triangles& triangles_;
   const Points& points_;
-  Points normals_;
+  NormalsOnDemand normal_of_;
   ClosestPoint closest_;
   std::vector<std::pair<int, int>> held_;
 };
@@ -68,18 +70,20 @@ HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
       return std::find(body.fixed.begin(), body.fixed.end(), 1) != body.fixed.end();
     };
     if (!held(from) || !held(to)) return;
-    const Wall now(to.rest.triangles, to.carried, to.fixed),
-        rest(to.rest.triangles, to.rest.points, to.fixed);
-    const Points normals = vertex_normals({from.carried, from.rest.triangles});
+    Wall now(to.rest.triangles, to.carried, to.fixed);
+    std::optional<Wall> rest;
+    NormalsOnDemand normal_of({from.carried, from.rest.triangles});
     const double offsets = from.offset + to.offset;
     for (size_t i = 0; i < from.fixed.size(); ++i) {
       if (!from.fixed[i]) continue;
       const auto row = static_cast<Eigen::Index>(i);
       const Wall::Place at = now.of(from.carried.row(row));
-      const double before = std::min(0.0, rest.of(from.rest.points.row(row)).height - offsets);
+      if (offsets - at.height <= at.along) continue;  // nor with what overlapped at rest
+      if (!rest) rest.emplace(to.rest.triangles, to.rest.points, to.fixed);
+      const double before = std::min(0.0, rest->of(from.rest.points.row(row)).height - offsets);
       const double depth = before - (at.height - offsets);
       // Walls that face the same way do not touch, e.g. the end of a vessel within a wider one.
-      if (depth <= at.along || at.normal.dot(normals.row(row)) > 0) continue;
+      if (depth <= at.along || at.normal.dot(normal_of(static_cast<int>(i))) > 0) continue;
       mine.push_back(static_cast<int>(i));
       other.push_back(at.vertex);
       overlap.depth = std::max(overlap.depth, depth);

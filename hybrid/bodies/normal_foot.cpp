@@ -34,19 +34,24 @@ bool solve_in(const Mat3& x, const Mat3& n, const Vec3& p, Vec3& weight, double&
   return false;
 }
 
-Mat3 corners(const TriangleSurface& surface, const Points& of_vertices, int triangle) {
+Mat3 corners(const TriangleSurface& surface, int triangle) {
   Mat3 columns;
-  for (int c = 0; c < 3; ++c) columns.col(c) = of_vertices.row(surface.triangles(triangle, c));
+  for (int c = 0; c < 3; ++c) columns.col(c) = surface.points.row(surface.triangles(triangle, c));
+  return columns;
+}
+
+Mat3 normals_at(const TriangleSurface& surface, const NormalOf& normal_of, int triangle) {
+  Mat3 columns;
+  for (int c = 0; c < 3; ++c) columns.col(c) = normal_of(surface.triangles(triangle, c));
   return columns;
 }
 
 std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface& surface,
-                               const Points& normals, const Vec3& p,
+                               const NormalOf& normal_of, const Vec3& p,
                                const ClosestPoint::Hit& closest) {
   ClosestPoint::Hit hit = closest;
   for (int k = 0; k < most_triangles; ++k) {
-    const Mat3 x = corners(surface, surface.points, hit.triangle),
-               n = corners(surface, normals, hit.triangle);
+    const Mat3 x = corners(surface, hit.triangle), n = normals_at(surface, normal_of, hit.triangle);
     Vec3 weight = hit.barycentric, normal = n * weight;
     double d = normal.dot(p - hit.point) / normal.squaredNorm();
     if (!std::isfinite(d) || !solve_in(x, n, p, weight, d)) return {};
@@ -65,10 +70,10 @@ std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface
 }  // namespace
 
 NormalFoot normal_foot(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const Points& normals, const Vec3& p, const ClosestPoint::Hit& closest) {
-  if (const std::optional<NormalFoot> foot = walk(finder, surface, normals, p, closest))
+                       const NormalOf& normal_of, const Vec3& p, const ClosestPoint::Hit& closest) {
+  if (const std::optional<NormalFoot> foot = walk(finder, surface, normal_of, p, closest))
     return *foot;
-  const Vec3 normal = corners(surface, normals, closest.triangle) * closest.barycentric;
+  const Vec3 normal = normals_at(surface, normal_of, closest.triangle) * closest.barycentric;
   return {closest.triangle, closest.barycentric, normal,
           normal.normalized().dot(p - closest.point)};
 }

@@ -9,6 +9,7 @@
 #include <vasorod/error.h>
 
 #include "geometry/box_tree.h"
+#include "geometry/normals_on_demand.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -61,7 +62,10 @@ double squared_distance(const TriangleSurface& surface, const Vec3& p, int t) {
 }  // namespace
 
 struct ClosestPoint::Tree {
-  explicit Tree(const TriangleSurface& given) : surface(given), boxes(triangle_boxes(surface)) {
+  explicit Tree(const TriangleSurface& given)
+      : surface(given),
+        boxes(triangle_boxes(surface)),
+        around(surface.triangles, surface.points.rows()) {
     const Triangles& triangles = surface.triangles;
     if (triangles.rows() == 0) throw InputError("a surface without triangles has no closest point");
     const auto count = static_cast<size_t>(triangles.rows());
@@ -78,32 +82,26 @@ struct ClosestPoint::Tree {
                 e.triangle[1 - side];
       }
     }
-    find_normals();
   }
 
   void move(const Points& moved) {
     surface.points = moved;
     boxes.refit(triangle_boxes(surface));
-    find_normals();
   }
 
-  void find_normals() {
-    normals.resize(surface.triangles.rows(), 3);
-    for (int t = 0; t < surface.triangles.rows(); ++t) {
-      const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
-      const Vec3 n = (b - a).cross(c - a);
-      const double length = n.norm();
-      normals.row(t) = (length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero())).transpose();
-    }
-    vertex_normal = vertex_normals(surface);
+  // Unit, zero where degenerate.
+  Vec3 normal(int t) const {
+    const Vec3 n = triangle_normal(surface, t);
+    const double length = n.norm();
+    return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
   }
+  Vec3 vertex_normal(int vertex) const { return around.normal(surface, vertex); }
 
   Vec3 corner(int t, int k) const { return surface.points.row(surface.triangles(t, k)); }
 
   TriangleSurface surface;
-  BoxTree boxes;         // of the triangles
-  Points normals;        // unit, per triangle; zero where degenerate
-  Points vertex_normal;  // unit, angle-weighted
+  BoxTree boxes;  // of the triangles
+  TrianglesAround around;
   std::vector<std::array<int, 3>> neighbour;
   std::vector<char> on_boundary;  // per vertex
 };
@@ -128,27 +126,27 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
   const auto zeros = (hit.barycentric.array() <= 0).count();
   const auto& neighbour = tree.neighbour[static_cast<size_t>(t)];
   if (zeros == 0) {
-    hit.normal = tree.normals.row(t);
+    hit.normal = tree.normal(t);
   } else if (zeros == 1) {
     int k = 0;
     hit.barycentric.minCoeff(&k);
     const int across = neighbour[static_cast<size_t>(k)];
     hit.on_boundary = across < 0;
-    hit.normal = tree.normals.row(t);
-    if (across >= 0) hit.normal += tree.normals.row(across).transpose();
+    hit.normal = tree.normal(t);
+    if (across >= 0) hit.normal += tree.normal(across);
   } else {
     int k = 0;
     hit.barycentric.maxCoeff(&k);
     const int vertex = tree.surface.triangles(t, k);
     hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
-    hit.normal = tree.vertex_normal.row(vertex);
+    hit.normal = tree.vertex_normal(vertex);
   }
   // A degenerate triangle, or two triangles folded onto each other, has no normal: use the vertex
   // normals.
   if (hit.normal.squaredNorm() < 1e-24) {
     int k = 0;
     hit.barycentric.maxCoeff(&k);
-    hit.normal = tree.vertex_normal.row(tree.surface.triangles(t, k));
+    hit.normal = tree.vertex_normal(tree.surface.triangles(t, k));
   }
   if (hit.normal.squaredNorm() > 0) hit.normal.normalize();
   const Vec3 away = point - hit.point;
@@ -203,10 +201,6 @@ ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) 
   ClosestPoint::Hit hit = ClosestPoint(patch).query(point);
   hit.triangle = near[static_cast<size_t>(hit.triangle)];
   return hit;
-}
-
-const Points& ClosestPoint::normals() const {
-  return tree_->vertex_normal;
 }
 
 void ClosestPoint::refit(const Points& points) {

@@ -37,9 +37,6 @@ class ClosestPoint {
   /// Moves the points (n x 3, as many as before); the triangles stay the same.
   void refit(const Points& points);
 
-  /// vertex_normals() of the surface.
-  const Points& normals() const;
-
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;

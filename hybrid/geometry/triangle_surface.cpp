@@ -162,20 +162,23 @@ Eigen::VectorXd vertex_areas(const TriangleSurface& surface) {
   return lumped;
 }
 
+Vec3 weighted_by_angle(const TriangleSurface& surface, int triangle, int corner,
+                       const Vec3& normal) {
+  const double length = normal.norm();
+  if (length == 0) return Vec3::Zero();
+  const auto point = [&](int k) -> Vec3 {
+    return surface.points.row(surface.triangles(triangle, k % 3));
+  };
+  const Vec3 here = point(corner), e = point(corner + 1) - here, f = point(corner + 2) - here;
+  return std::atan2(length, e.dot(f)) / length * normal;
+}
+
 Points vertex_normals(const TriangleSurface& surface) {
   Points normals = Points::Zero(surface.points.rows(), 3);
   for (int t = 0; t < surface.triangles.rows(); ++t) {
-    std::array<Vec3, 3> p;
-    for (size_t k = 0; k < 3; ++k)
-      p[k] = surface.points.row(surface.triangles(t, static_cast<int>(k)));
-    const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double length = n.norm();
-    if (length == 0) continue;
-    for (size_t k = 0; k < 3; ++k) {
-      const Vec3 e = p[(k + 1) % 3] - p[k], f = p[(k + 2) % 3] - p[k];
-      const double angle = std::atan2(length, e.dot(f));
-      normals.row(surface.triangles(t, static_cast<int>(k))) += (angle / length) * n.transpose();
-    }
+    const Vec3 normal = triangle_normal(surface, t);
+    for (int k = 0; k < 3; ++k)
+      normals.row(surface.triangles(t, k)) += weighted_by_angle(surface, t, k, normal).transpose();
   }
   for (int i = 0; i < normals.rows(); ++i) {
     const double length = normals.row(i).norm();

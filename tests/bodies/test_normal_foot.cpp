@@ -13,7 +13,8 @@ struct Wall {
   explicit Wall(TriangleSurface given)
       : surface(std::move(given)), normals(vertex_normals(surface)), finder(surface) {}
   NormalFoot foot(const Vec3& p) const {
-    return normal_foot(finder, surface, normals, p, finder.query(p));
+    return normal_foot(
+        finder, surface, [this](int v) -> Vec3 { return normals.row(v); }, p, finder.query(p));
   }
   Vec3 point(const NormalFoot& f) const {
     Vec3 y = Vec3::Zero();

@@ -10,35 +10,6 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// The terms whose Hessian is constant and the same for x, y and z, plus a fraction of the springs'
-// bound.
-Matrix constant_terms(const PaperSystem& system, double spring_share) {
-  std::vector<Matrix> blocks;
-  Eigen::Index entries = 0;
-  for (const PaperBlock& block : system.blocks) {
-    const Matrix bending = bending_energy_hessian(block.k.bending, block.umbrella);
-    const Matrix binding = binding_energy_hessian(block.k.binding, block.count);
-    const Matrix springs =
-        stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count);
-    blocks.emplace_back(bending + springs + binding);
-    entries += blocks.back().nonZeros();
-  }
-  Matrix stacked(system.vertex_count(), system.vertex_count());
-  stacked.reserve(entries);
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    const int first = system.blocks[b].first;
-    for (int column = 0; column < blocks[b].outerSize(); ++column) {
-      stacked.startVec(first + column);
-      for (Matrix::InnerIterator it(blocks[b], column); it; ++it)
-        stacked.insertBack(first + it.row(), first + column) = it.value();
-    }
-  }
-  stacked.finalize();
-  if (!system.joins.empty())
-    stacked += joining_energy_hessian(system.k_j, system.joins, system.vertex_count());
-  return stacked;
-}
-
 }  // namespace
 
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
@@ -124,9 +95,39 @@ PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<
   return terms;
 }
 
-Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p,
-                          double spring_share) {
-  Matrix bound = constant_terms(system, spring_share);
+Matrix paper_energy_constant(const PaperSystem& system, double spring_share) {
+  std::vector<Matrix> blocks;
+  Eigen::Index entries = 0;
+  for (const PaperBlock& block : system.blocks) {
+    const Matrix bending = bending_energy_hessian(block.k.bending, block.umbrella);
+    const Matrix binding = binding_energy_hessian(block.k.binding, block.count);
+    const Matrix springs =
+        stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count);
+    blocks.emplace_back(bending + springs + binding);
+    entries += blocks.back().nonZeros();
+  }
+  Matrix stacked(system.vertex_count(), system.vertex_count());
+  stacked.reserve(entries);
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const int first = system.blocks[b].first;
+    for (int column = 0; column < blocks[b].outerSize(); ++column) {
+      stacked.startVec(first + column);
+      for (Matrix::InnerIterator it(blocks[b], column); it; ++it)
+        stacked.insertBack(first + it.row(), first + column) = it.value();
+    }
+  }
+  stacked.finalize();
+  if (!system.joins.empty())
+    stacked += joining_energy_hessian(system.k_j, system.joins, system.vertex_count());
+  return stacked;
+}
+
+Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Points>& p) {
+  return paper_energy_bound(system, paper_energy_constant(system), p);
+}
+
+Matrix paper_energy_bound(const PaperSystem& system, Matrix bound,
+                          const Eigen::Ref<const Points>& p) {
   if (!system.contacts.empty()) bound += contact_energy_bound(system.contacts, p);
   std::vector<Eigen::Triplet<double>> guarded;
   for (const PaperBlock& block : system.blocks)
@@ -146,7 +147,7 @@ Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Poin
 
 Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Points>& p,
                             double blend) {
-  const Matrix constant = constant_terms(system, 0);
+  const Matrix constant = paper_energy_constant(system, 0);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<size_t>(2 * constant.nonZeros() + 60 * system.vertex_count()));
   const auto is_fixed = [&](int i) { return system.fixed[static_cast<size_t>(i)] != 0; };

@@ -34,8 +34,10 @@ VectorXd PaperMinimiser::displacements(const Points& p) const {
 
 void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
   ++work_.counts.hessians;
-  const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, p, spring_share);
+  if (constant_part_.rows() == 0) constant_part_ = paper_energy_constant(system_, spring_share);
+  const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, constant_part_, p);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
+  pairs_.clear();
   if (!constant_.factorise(matrix, stop))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
 }
@@ -146,7 +148,9 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   if (unfinished() && summary.iterations < options.max_iterations) {
     inner.max_iterations = options.max_iterations - summary.iterations;
     inner.patience = options.max_factorisations > 0 ? options.patience : 0;
+    inner.pairs = &pairs_;  // between two factors only multipliers and features change
     take(lbfgs(evaluation, by_constant, x, inner));
+    inner.pairs = nullptr;
   }
   inner.patience = 0;
   double blend = 0;

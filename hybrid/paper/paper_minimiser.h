@@ -79,6 +79,8 @@ class PaperMinimiser {
   Work& work_;
   KeptFactor bound_;  // for the local-global iteration only
   Cholesky hessian_;
+  Eigen::SparseMatrix<double> constant_part_;  // of the constant matrix, without contacts
+  LbfgsPairs pairs_;                           // of the runs with the factor of constant_
   PaperGradient terms_;
   double largest_diagonal_ = 0;
   Eigen::MatrixXd columns_, solution_;

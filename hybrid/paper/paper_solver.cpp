@@ -21,9 +21,9 @@ namespace vasorod {
 namespace {
 
 // A rough minimum is sufficient while the multipliers still change.
-constexpr double first_tolerance = 1e-4;
+constexpr double first_tolerance = 1e-3;
 constexpr double tolerance_step = 0.1;
-constexpr int settling_iterations = 15, most_settling = 25;
+constexpr int settling_iterations = 10, most_settling = 25;
 constexpr double finest_tolerance = 1e-12;
 // Seconds between two calls of PaperOptions::keep: the report that it needs costs a few iterations.
 constexpr double between_kept = 1;
@@ -179,6 +179,8 @@ class PaperRun {
         return;
       }
       if (!seam_closed) stack_.update_seams();
+      // The slowest pattern of pressures goes on to its limit, unless others press now.
+      if (!contact.pressed_changed) stack_.contacts->extrapolate();
       // Rough minima while features and multipliers still change much; then the tolerance is
       // reduced step by step to the requested one.
       const double least =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "bodies/normal_foot.h"
@@ -40,7 +39,7 @@ double offset_at(const ContactSide& side, int vertex) {
 }
 
 Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const NormalOf& normal_of, const ContactSide& side, const Vec3& point,
+                       NormalsOnDemand& normal_of, const ContactSide& side, const Vec3& point,
                        const Vec3& point_normal, const ClosestPoint::Hit& hit) {
   Feature feature;
   if (hit.on_boundary) return feature;
@@ -96,10 +95,9 @@ double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
     if (!rest_) rest_.emplace(master_.rest);
-    const Feature feature =
-        facing_feature(*rest_, master_.rest, std::ref(master_rest_normals_), master_,
-                       slave_.rest.points.row(vertex), slave_rest_normals_(vertex),
-                       rest_->query(slave_.rest.points.row(vertex)));
+    const Feature feature = facing_feature(
+        *rest_, master_.rest, master_rest_normals_, master_, slave_.rest.points.row(vertex),
+        slave_rest_normals_(vertex), rest_->query(slave_.rest.points.row(vertex)));
     const double gap =
         feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
@@ -143,8 +141,8 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     const ClosestPoint::Hit hit = current_->query(slave.row(i), looked_[index(i)].triangle);
     looked_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
                          hit.triangle};
-    const Feature feature = facing_feature(*current_, now, std::ref(master_normals_), master_,
-                                           slave.row(i), slave_normals_(i), hit);
+    const Feature feature = facing_feature(*current_, now, master_normals_, master_, slave.row(i),
+                                           slave_normals_(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;

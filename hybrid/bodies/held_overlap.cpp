@@ -78,7 +78,7 @@ HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
       if (!from.fixed[i]) continue;
       const auto row = static_cast<Eigen::Index>(i);
       const Wall::Place at = now.of(from.carried.row(row));
-      if (offsets - at.height <= at.along) continue;  // nor with what overlapped at rest
+      if (offsets - at.height <= at.along) continue;  // an overlap at rest only takes from it
       if (!rest) rest.emplace(to.rest.triangles, to.rest.points, to.fixed);
       const double before = std::min(0.0, rest->of(from.rest.points.row(row)).height - offsets);
       const double depth = before - (at.height - offsets);

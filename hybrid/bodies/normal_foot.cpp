@@ -40,14 +40,14 @@ Mat3 corners(const TriangleSurface& surface, int triangle) {
   return columns;
 }
 
-Mat3 normals_at(const TriangleSurface& surface, const NormalOf& normal_of, int triangle) {
+Mat3 normals_at(const TriangleSurface& surface, NormalsOnDemand& normal_of, int triangle) {
   Mat3 columns;
   for (int c = 0; c < 3; ++c) columns.col(c) = normal_of(surface.triangles(triangle, c));
   return columns;
 }
 
 std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface& surface,
-                               const NormalOf& normal_of, const Vec3& p,
+                               NormalsOnDemand& normal_of, const Vec3& p,
                                const ClosestPoint::Hit& closest) {
   ClosestPoint::Hit hit = closest;
   for (int k = 0; k < most_triangles; ++k) {
@@ -70,7 +70,8 @@ std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface
 }  // namespace
 
 NormalFoot normal_foot(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const NormalOf& normal_of, const Vec3& p, const ClosestPoint::Hit& closest) {
+                       NormalsOnDemand& normal_of, const Vec3& p,
+                       const ClosestPoint::Hit& closest) {
   if (const std::optional<NormalFoot> foot = walk(finder, surface, normal_of, p, closest))
     return *foot;
   const Vec3 normal = normals_at(surface, normal_of, closest.triangle) * closest.barycentric;

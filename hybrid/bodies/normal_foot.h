@@ -8,9 +8,8 @@
 // moves continuously with p as long as d times the curvature of the surface is below 1.
 #pragma once
 
-#include <functional>
-
 #include "geometry/closest_point.h"
+#include "geometry/normals_on_demand.h"
 
 namespace vasorod {
 
@@ -22,12 +21,9 @@ struct NormalFoot {
   double height = 0;           ///< d, length, positive outside
 };
 
-/// Unit normal of a vertex.
-using NormalOf = std::function<Vec3(int vertex)>;
-
 /// The foot near `closest`, the closest point of p. If no nearby normal reaches p, in a crease or
 /// beyond an open rim, the closest point itself is returned.
 NormalFoot normal_foot(const ClosestPoint& finder, const TriangleSurface& surface,
-                       const NormalOf& normal_of, const Vec3& p, const ClosestPoint::Hit& closest);
+                       NormalsOnDemand& normal_of, const Vec3& p, const ClosestPoint::Hit& closest);
 
 }  // namespace vasorod

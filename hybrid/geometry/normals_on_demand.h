@@ -20,7 +20,7 @@ class TrianglesAround {
   std::vector<int> first_, triangle_;  // those of vertex v: first_[v] up to first_[v + 1]
 };
 
-/// The same of one surface, each computed once for a place of the surface. Not thread-safe.
+/// The same of one surface, each computed once until the surface moves. Not thread-safe.
 class NormalsOnDemand {
  public:
   explicit NormalsOnDemand(const TriangleSurface& surface);

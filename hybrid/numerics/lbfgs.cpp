@@ -18,9 +18,13 @@ constexpr int most_backtracks = 30;
 // is the rounding of the sum itself. `cancelled` applies where large forces cancel in a small
 // energy. In both cases the residual decides: it must fall, in the second case to less than half.
 constexpr double last_digits = 1e-14, cancelled = 1e-8;
-// The rounding of a sum of many terms. Below it flattens() decides, not the energy, which would let
-// steps through that overshoot; nor must the residual fall, which it does on the shortest steps.
+// The rounding of a sum of many terms: changes below it are noise. There the energy would let steps
+// through that overshoot, and the residual falls on the shortest steps, so flattens() decides.
 constexpr double many_terms = 1e-12;
+// The residual has come to its own rounding where so many steps in that noise did not lower it by a
+// tenth.
+constexpr int most_idle = 20;
+constexpr double falls = 0.9;
 // The fraction that may be lost with LbfgsOptions::by_slopes.
 constexpr double lost_to_stiffness = 1e-5;
 
@@ -29,6 +33,27 @@ constexpr double lost_to_stiffness = 1e-5;
 bool flattens(double step, double slope, double first) {
   return std::abs(slope) <= 0.9 * std::abs(first) || (step == 1 && slope < 0);
 }
+
+// The point of least residual among those whose energies differ by noise.
+struct BestInNoise {
+  VectorXd x;  // empty: the last step was not in the noise
+  double energy = 0, residual = 0, idle_from = 0;
+  int idle = 0;
+
+  void take(const VectorXd& at, double its_energy, double its_residual) {
+    if (x.size() > 0 && its_residual > falls * idle_from) {
+      ++idle;
+    } else {
+      idle_from = its_residual;
+      idle = 0;
+    }
+    if (x.size() > 0 && its_residual >= residual) return;
+    x = at;
+    energy = its_energy;
+    residual = its_residual;
+  }
+  void leave() { *this = {}; }
+};
 
 // Steps along a line to where it flattens, by regula falsi; the first is 1.
 class SlopeSearch {
@@ -85,9 +110,15 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   double energy = evaluate(x, gradient, summary.residual);
   summary.evaluations = 1;
   std::vector<double> residuals{summary.residual}, energies{energy};
+  BestInNoise best;
   const auto finish = [&](LbfgsStatus status) {
     summary.status = status;
     summary.energy = energy;
+    if (best.x.size() > 0 && best.residual < summary.residual) {
+      x = best.x;
+      summary.energy = best.energy;
+      summary.residual = best.residual;
+    }
     return summary;
   };
   const auto gains_little = [&] {
@@ -103,6 +134,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
     if (summary.iterations >= options.max_iterations) return finish(LbfgsStatus::iteration_limit);
     if (options.stop && options.stop(summary.iterations, energy, summary.residual))
       return finish(LbfgsStatus::interrupted);
+    if (best.idle >= most_idle) return finish(LbfgsStatus::stalled);
     if (options.patience > 0 && summary.iterations >= options.patience && gains_little())
       return finish(LbfgsStatus::slow);
 
@@ -126,13 +158,13 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       slope *= share;
     }
     double step = 1, new_energy = 0, new_residual = 0;
-    bool accepted = false;
+    bool accepted = false, lost = false;
     for (int k = 0; k < most_backtracks && !accepted; ++k) {
       new_x = x + step * direction;
       new_energy = evaluate(new_x, new_gradient, new_residual);
       ++summary.evaluations;
       const double change = new_energy - energy, size = std::abs(energy);
-      const bool lost = std::max(std::abs(change), -step * slope) <= many_terms * size;
+      lost = std::max(std::abs(change), -step * slope) <= many_terms * size;
       accepted = std::isfinite(new_energy) && std::isfinite(new_residual) &&
                  ((lost ? flattens(step, new_gradient.dot(direction), slope)
                         : change < armijo * step * slope) ||
@@ -164,6 +196,12 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       continue;
     }
 
+    if (lost) {
+      if (best.x.size() == 0) best.take(x, energy, summary.residual);
+      best.take(new_x, new_energy, new_residual);
+    } else {
+      best.leave();
+    }
     pairs.add(step, direction, gradient, new_gradient);
     std::swap(x, new_x);
     std::swap(gradient, new_gradient);

@@ -1,6 +1,7 @@
 // Limited-memory BFGS with a given preconditioner as the initial inverse Hessian and Armijo line
-// search starting at step length 1. The energy never rises by more than its rounding error, which
-// LbfgsOptions::by_slopes takes for larger.
+// search starting at step length 1. The energy never rises by more than its rounding error, 1e-12
+// of it in a step, which LbfgsOptions::by_slopes takes for larger. Where a step changes it by less,
+// slopes decide.
 //
 // Sources: Nocedal, Updating quasi-Newton matrices with limited storage, 1980; with the constant
 // matrix of the local-global iteration as preconditioner: Liu, Bouaziz, Kavan, Quasi-Newton methods
@@ -49,7 +50,7 @@ enum class LbfgsStatus {
   converged,
   iteration_limit,
   slow,     ///< see LbfgsOptions::patience
-  stalled,  ///< no step lowers the energy any more: rounding limit
+  stalled,  ///< rounding limit: no step lowers the energy, or those in its noise the residual
   interrupted
 };
 std::string to_string(LbfgsStatus);
@@ -84,7 +85,8 @@ struct StagedSummary {
 using Evaluation =
     std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, double& residual)>;
 
-/// Minimises starting at x. On return x is the best point found, whatever the status.
+/// Minimises starting at x. On return x is the best point found, whatever the status: of points
+/// whose energies differ by noise that of least residual.
 LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& precondition,
                    Eigen::VectorXd& x, const LbfgsOptions& options = {});
 

@@ -1,5 +1,6 @@
 // Products and solves of dense column-major blocks with three right-hand sides: x, y and z of the
-// vertices. A BLAS packs the blocks of such a solve for products that are too small for it.
+// vertices. A BLAS copies the blocks into packed buffers first, which costs more than such small
+// products.
 // `stride` is the distance of two columns.
 #pragma once
 
@@ -18,7 +19,7 @@ constexpr int at_once = 4;
 template <class Scalar>
 using Three = Scalar[3][at_once];
 
-/// Numbers that one instruction takes; every processor of 64 bits has these.
+/// Vectors of 16 bytes, which every 64-bit x86 or ARM processor has.
 template <class Scalar>
 struct Packet {
   static constexpr int size = 16 / sizeof(Scalar);
@@ -28,6 +29,7 @@ struct Packet {
     std::memcpy(&packet, from, sizeof packet);
     return packet;
   }
+  static void store(const Type& packet, Scalar* to) { std::memcpy(to, &packet, sizeof packet); }
   static Scalar sum(const Type& packet) {
     Scalar total = packet[0];
     for (int i = 1; i < size; ++i) total += packet[i];
@@ -54,13 +56,17 @@ void with_columns(int columns, Task task) {
 template <int columns, class Scalar>
 void subtract_few(int rows, const Scalar* a, std::ptrdiff_t stride, const Three<Scalar>& m,
                   Scalar* y, std::ptrdiff_t stride_y) {
-#pragma GCC ivdep
-  for (int i = 0; i < rows; ++i)
+  using P = Packet<Scalar>;
+  int i = 0;
+  for (; i + P::size <= rows; i += P::size)
     for (int r = 0; r < 3; ++r) {
-      Scalar sum = y[r * stride_y + i];
-      for (int k = 0; k < columns; ++k) sum -= a[k * stride + i] * m[r][k];
-      y[r * stride_y + i] = sum;
+      auto sum = P::load(y + r * stride_y + i);
+      for (int k = 0; k < columns; ++k) sum -= P::load(a + k * stride + i) * m[r][k];
+      P::store(sum, y + r * stride_y + i);
     }
+  for (; i < rows; ++i)
+    for (int r = 0; r < 3; ++r)
+      for (int k = 0; k < columns; ++k) y[r * stride_y + i] -= a[k * stride + i] * m[r][k];
 }
 
 /// M = A^T X for a few columns of A.
@@ -87,6 +93,7 @@ void dot_few(int rows, const Scalar* a, std::ptrdiff_t stride, const Scalar* x,
 template <class Scalar>
 void divide_three(bool transposed, int size, const Scalar* l, std::ptrdiff_t stride, Scalar* x,
                   std::ptrdiff_t stride_x) {
+  if (size == 0) return;
   const auto few_from = [size](int j) { return std::min(at_once, size - j); };
   Three<Scalar> m;
   for (int j = 0; !transposed && j < size; j += at_once) {

@@ -148,7 +148,7 @@ PaperMinimiserSummary PaperMinimiser::minimise(Points& p, const PaperMinimiserOp
   if (unfinished() && summary.iterations < options.max_iterations) {
     inner.max_iterations = options.max_iterations - summary.iterations;
     inner.patience = options.max_factorisations > 0 ? options.patience : 0;
-    inner.pairs = &pairs_;  // between two factors only multipliers and features change
+    inner.pairs = &pairs_;  // between two factors only multipliers and contact planes change
     take(lbfgs(evaluation, by_constant, x, inner));
     inner.pairs = nullptr;
   }

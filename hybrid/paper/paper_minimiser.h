@@ -32,11 +32,12 @@ struct PaperMinimiserSummary : StagedSummary {
   int factorisations = 0;  ///< of the true Hessian
 };
 
-/// Minimiser of one PaperSystem; keeps its factors between calls.
+/// Minimiser of one PaperSystem; keeps its factors, and what L-BFGS learnt, between calls.
 class PaperMinimiser {
  public:
-  /// `system` and `constant` must outlive this; the multipliers of the joins and the contacts may
-  /// change between calls. `constant` keeps the factor of the constant matrix, also for a later
+  /// `system` and `constant` must outlive this. Between calls contacts, multipliers and offsets of
+  /// the joins and carried points may change; bodies, stiffnesses and which vertices are joined may
+  /// not. `constant` keeps the factor of the constant matrix, also for a later
   /// system with the same matrix; it counts by itself. What this does is added to `work`, which
   /// must outlive it.
   PaperMinimiser(const PaperSystem& system, KeptFactor& constant, Work& work)

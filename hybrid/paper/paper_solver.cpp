@@ -180,7 +180,7 @@ class PaperRun {
       }
       if (!seam_closed) stack_.update_seams();
       // The slowest pattern of pressures goes on to its limit, unless others press now.
-      if (!contact.pressed_changed) stack_.contacts->extrapolate();
+      if (!contact.pressed_changed && summary.residual <= tolerance) stack_.contacts->extrapolate();
       // Rough minima while features and multipliers still change much; then the tolerance is
       // reduced step by step to the requested one.
       const double least =

@@ -11,10 +11,12 @@ using namespace testing;
 
 struct Wall {
   explicit Wall(TriangleSurface given)
-      : surface(std::move(given)), normals(vertex_normals(surface)), finder(surface) {}
+      : surface(std::move(given)),
+        normals(vertex_normals(surface)),
+        normal_of(surface),
+        finder(surface) {}
   NormalFoot foot(const Vec3& p) const {
-    return normal_foot(
-        finder, surface, [this](int v) -> Vec3 { return normals.row(v); }, p, finder.query(p));
+    return normal_foot(finder, surface, normal_of, p, finder.query(p));
   }
   Vec3 point(const NormalFoot& f) const {
     Vec3 y = Vec3::Zero();
@@ -24,6 +26,7 @@ struct Wall {
   }
   TriangleSurface surface;
   Points normals;
+  mutable NormalsOnDemand normal_of;
   ClosestPoint finder;
 };
 

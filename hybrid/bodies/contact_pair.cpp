@@ -73,14 +73,21 @@ ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness
                    ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) * edge_
                    : std::numeric_limits<double>::infinity()),
       area_(vertex_areas(slave_.rest)),
-      slave_rest_normals_(slave_.rest),
-      master_rest_normals_(master_.rest),
-      slave_normals_(slave_.rest),
-      master_normals_(master_.rest),
       looked_(static_cast<size_t>(slave_.rest.points.rows())),
       master_then_(master_.rest.points),
       allowance_(static_cast<size_t>(slave_.rest.points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
+
+void ContactPair::Lookup::move(const Points& slave, const Points& master) {
+  closest.refit(master);
+  slave_normal.move(slave);
+  master_normal.move(master);
+}
+
+ContactPair::Lookup& ContactPair::at_rest() {
+  if (!rest_) rest_.emplace(slave_.rest, master_.rest);
+  return *rest_;
+}
 
 void ContactPair::walls_are_parted() {
   if (slave_.joined && slave_.met_up_to_seam) deepest_ = through_parted_walls * edge_;
@@ -94,10 +101,11 @@ bool ContactPair::is_clear(int vertex, const Vec3& place, double margin) const {
 double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
-    if (!rest_) rest_.emplace(master_.rest);
-    const Feature feature = facing_feature(
-        *rest_, master_.rest, master_rest_normals_, master_, slave_.rest.points.row(vertex),
-        slave_rest_normals_(vertex), rest_->query(slave_.rest.points.row(vertex)));
+    Lookup& rest = at_rest();
+    const Vec3 place = slave_.rest.points.row(vertex);
+    const Feature feature =
+        facing_feature(rest.closest, master_.rest, rest.master_normal, master_, place,
+                       rest.slave_normal(vertex), rest.closest.query(place));
     const double gap =
         feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
@@ -108,8 +116,7 @@ double ContactPair::allowance(int vertex) {
 }
 
 bool ContactPair::inside_at_rest(int vertex) {
-  if (!rest_) rest_.emplace(master_.rest);
-  const ClosestPoint::Hit hit = rest_->query(slave_.rest.points.row(vertex));
+  const ClosestPoint::Hit hit = at_rest().closest.query(slave_.rest.points.row(vertex));
   return !hit.on_boundary && hit.signed_distance < 0;
 }
 
@@ -131,18 +138,16 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     return;
   }
   const TriangleSurface now{master, master_.rest.triangles};
-  if (!current_)
-    current_.emplace(now);
+  if (current_)
+    current_->move(slave, master);
   else
-    current_->refit(master);
-  slave_normals_.move(slave);
-  master_normals_.move(master);
+    current_.emplace(TriangleSurface{slave, slave_.rest.triangles}, now);
   for (const int i : near) {
-    const ClosestPoint::Hit hit = current_->query(slave.row(i), looked_[index(i)].triangle);
+    const ClosestPoint::Hit hit = current_->closest.query(slave.row(i), looked_[index(i)].triangle);
     looked_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
                          hit.triangle};
-    const Feature feature = facing_feature(*current_, now, master_normals_, master_, slave.row(i),
-                                           slave_normals_(i), hit);
+    const Feature feature = facing_feature(current_->closest, now, current_->master_normal, master_,
+                                           slave.row(i), current_->slave_normal(i), hit);
     const double noise = 0.1 * std::sqrt(area_[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;

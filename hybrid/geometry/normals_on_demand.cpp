@@ -23,9 +23,10 @@ Vec3 TrianglesAround::normal(const TriangleSurface& surface, int vertex) const {
   for (int i = first_[index(vertex)]; i < first_[index(vertex) + 1]; ++i) {
     const int triangle = triangle_[index(i)];
     const Vec3 normal = triangle_normal(surface, triangle);
-    for (int k = 0; k < 3; ++k)
+    const double twice_area = normal.norm();
+    for (int k = 0; k < 3 && twice_area > 0; ++k)
       if (surface.triangles(triangle, k) == vertex)
-        sum += weighted_by_angle(surface, triangle, k, normal);
+        sum += corner_angle(surface, triangle, k, twice_area) / twice_area * normal;
   }
   const double length = sum.norm();
   if (length > 0) sum /= length;

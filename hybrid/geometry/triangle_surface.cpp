@@ -162,23 +162,22 @@ Eigen::VectorXd vertex_areas(const TriangleSurface& surface) {
   return lumped;
 }
 
-Vec3 weighted_by_angle(const TriangleSurface& surface, int triangle, int corner,
-                       const Vec3& normal) {
-  const double length = normal.norm();
-  if (length == 0) return Vec3::Zero();
+double corner_angle(const TriangleSurface& surface, int triangle, int corner, double twice_area) {
   const auto point = [&](int k) -> Vec3 {
     return surface.points.row(surface.triangles(triangle, k % 3));
   };
   const Vec3 here = point(corner), e = point(corner + 1) - here, f = point(corner + 2) - here;
-  return std::atan2(length, e.dot(f)) / length * normal;
+  return std::atan2(twice_area, e.dot(f));
 }
 
 Points vertex_normals(const TriangleSurface& surface) {
   Points normals = Points::Zero(surface.points.rows(), 3);
   for (int t = 0; t < surface.triangles.rows(); ++t) {
     const Vec3 normal = triangle_normal(surface, t);
-    for (int k = 0; k < 3; ++k)
-      normals.row(surface.triangles(t, k)) += weighted_by_angle(surface, t, k, normal).transpose();
+    const double length = normal.norm();
+    for (int k = 0; k < 3 && length > 0; ++k)
+      normals.row(surface.triangles(t, k)) +=
+          (corner_angle(surface, t, k, length) / length * normal).transpose();
   }
   for (int i = 0; i < normals.rows(); ++i) {
     const double length = normals.row(i).norm();

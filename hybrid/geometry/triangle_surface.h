@@ -32,10 +32,9 @@ std::vector<int> components(const Triangles& triangles, int vertex_count);
 
 /// Normal of one triangle, outward in an outward surface; its length is twice the area, length^2.
 Vec3 triangle_normal(const TriangleSurface& surface, int triangle);
-/// What a triangle with this triangle_normal() adds to the normal of its corner: the unit normal
-/// times the angle there.
-Vec3 weighted_by_angle(const TriangleSurface& surface, int triangle, int corner,
-                       const Vec3& normal);
+/// Angle of one triangle at its corner (0 to 2), radians. `twice_area`: the length of its
+/// triangle_normal().
+double corner_angle(const TriangleSurface& surface, int triangle, int corner, double twice_area);
 /// Centre of one triangle, length.
 Vec3 triangle_center(const TriangleSurface& surface, int triangle);
 /// Areas of the triangles, length^2.

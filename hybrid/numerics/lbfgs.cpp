@@ -22,7 +22,7 @@ constexpr double last_digits = 1e-14, cancelled = 1e-8;
 // through that overshoot, and the residual falls on the shortest steps, so flattens() decides.
 constexpr double many_terms = 1e-12;
 // The residual has come to its own rounding where so many steps in that noise did not lower it by a
-// tenth.
+// tenth, or none of a run did.
 constexpr int most_idle = 20;
 constexpr double falls = 0.9;
 // The fraction that may be lost with LbfgsOptions::by_slopes.
@@ -31,28 +31,26 @@ constexpr double lost_to_stiffness = 1e-5;
 // Whether a step along a line has come to where the line is flatter than at its beginning, or is 1
 // and still leads down: no step goes beyond that of a Newton iteration.
 bool flattens(double step, double slope, double first) {
-  return std::abs(slope) <= 0.9 * std::abs(first) || (step == 1 && slope < 0);
+  constexpr double flatter = 0.9;
+  return std::abs(slope) <= flatter * std::abs(first) || (step == 1 && slope < 0);
 }
 
-// The point of least residual among those whose energies differ by noise.
+// The point of least residual, within a tenth, among those whose energies differ by noise.
 struct BestInNoise {
   VectorXd x;  // empty: the last step was not in the noise
-  double energy = 0, residual = 0, idle_from = 0;
-  int idle = 0;
+  double energy = 0, residual = 0;
+  int idle = 0;  // steps since then
 
   void take(const VectorXd& at, double its_energy, double its_residual) {
-    if (x.size() > 0 && its_residual > falls * idle_from) {
+    if (x.size() > 0 && its_residual > falls * residual) {
       ++idle;
-    } else {
-      idle_from = its_residual;
-      idle = 0;
+      return;
     }
-    if (x.size() > 0 && its_residual >= residual) return;
     x = at;
     energy = its_energy;
     residual = its_residual;
+    idle = 0;
   }
-  void leave() { *this = {}; }
 };
 
 // Steps along a line to where it flattens, by regula falsi; the first is 1.
@@ -112,7 +110,9 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
   std::vector<double> residuals{summary.residual}, energies{energy};
   BestInNoise best;
   const auto finish = [&](LbfgsStatus status) {
-    summary.status = status;
+    const bool ended_early = status == LbfgsStatus::slow || status == LbfgsStatus::iteration_limit;
+    const bool nothing_fell = best.idle > 0 && best.idle == summary.iterations;
+    summary.status = ended_early && nothing_fell ? LbfgsStatus::stalled : status;
     summary.energy = energy;
     if (best.x.size() > 0 && best.residual < summary.residual) {
       x = best.x;
@@ -187,6 +187,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
         flatter = search.ends(new_gradient.dot(direction));
       }
       const double change = std::max(new_energy - energy, -step * slope);
+      lost = false;
       accepted =
           flatter && std::isfinite(new_residual) && change <= lost_to_stiffness * std::abs(energy);
     }
@@ -200,7 +201,7 @@ LbfgsSummary lbfgs(const Evaluation& evaluate, const Preconditioner& preconditio
       if (best.x.size() == 0) best.take(x, energy, summary.residual);
       best.take(new_x, new_energy, new_residual);
     } else {
-      best.leave();
+      best = {};
     }
     pairs.add(step, direction, gradient, new_gradient);
     std::swap(x, new_x);

@@ -89,16 +89,14 @@ void dot_few(int rows, const Scalar* a, std::ptrdiff_t stride, const Scalar* x,
     }
 }
 
-/// X = L^-1 X, or L^-T X.
+/// X = L^-1 X.
 template <class Scalar>
-void divide_three(bool transposed, int size, const Scalar* l, std::ptrdiff_t stride, Scalar* x,
-                  std::ptrdiff_t stride_x) {
-  if (size == 0) return;
-  const auto few_from = [size](int j) { return std::min(at_once, size - j); };
+void divide_down(int size, const Scalar* l, std::ptrdiff_t stride, Scalar* x,
+                 std::ptrdiff_t stride_x) {
   Three<Scalar> m;
-  for (int j = 0; !transposed && j < size; j += at_once) {
+  for (int j = 0; j < size; j += at_once) {
     const Scalar* block = l + j * stride + j;
-    const int few = few_from(j);
+    const int few = std::min(at_once, size - j);
     for (int r = 0; r < 3; ++r)
       for (int k = 0; k < few; ++k) {
         Scalar& value = x[r * stride_x + j + k];
@@ -109,11 +107,18 @@ void divide_three(bool transposed, int size, const Scalar* l, std::ptrdiff_t str
       subtract_few<columns>(size - j - few, block + few, stride, m, x + j + few, stride_x);
     });
   }
-  for (int j = (size - 1) / at_once * at_once; transposed && j >= 0; j -= at_once) {
+}
+
+/// X = L^-T X.
+template <class Scalar>
+void divide_up(int size, const Scalar* l, std::ptrdiff_t stride, Scalar* x,
+               std::ptrdiff_t stride_x) {
+  Three<Scalar> m;
+  for (int end = size; end > 0;) {
+    const int j = (end - 1) / at_once * at_once, few = end - j;
     const Scalar* block = l + j * stride + j;
-    const int few = few_from(j);
     with_columns(few, [&](auto columns) {
-      dot_few<columns>(size - j - few, block + few, stride, x + j + few, stride_x, m);
+      dot_few<columns>(size - end, block + few, stride, x + end, stride_x, m);
     });
     for (int r = 0; r < 3; ++r)
       for (int k = few - 1; k >= 0; --k) {
@@ -122,7 +127,18 @@ void divide_three(bool transposed, int size, const Scalar* l, std::ptrdiff_t str
         for (int h = k + 1; h < few; ++h) value -= block[k * stride + h] * x[r * stride_x + j + h];
         value /= block[k * stride + k];
       }
+    end = j;
   }
+}
+
+/// X = L^-1 X, or L^-T X.
+template <class Scalar>
+void divide_three(bool transposed, int size, const Scalar* l, std::ptrdiff_t stride, Scalar* x,
+                  std::ptrdiff_t stride_x) {
+  if (transposed)
+    divide_up(size, l, stride, x, stride_x);
+  else
+    divide_down(size, l, stride, x, stride_x);
 }
 
 /// Y -= A X, or A^T X.

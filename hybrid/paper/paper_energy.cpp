@@ -126,8 +126,9 @@ Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Poin
   return paper_energy_bound(system, paper_energy_constant(system), p);
 }
 
-Matrix paper_energy_bound(const PaperSystem& system, Matrix bound,
+Matrix paper_energy_bound(const PaperSystem& system, const Matrix& constant,
                           const Eigen::Ref<const Points>& p) {
+  Matrix bound = constant;
   if (!system.contacts.empty()) bound += contact_energy_bound(system.contacts, p);
   std::vector<Eigen::Triplet<double>> guarded;
   for (const PaperBlock& block : system.blocks)

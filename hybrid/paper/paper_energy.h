@@ -86,9 +86,9 @@ Eigen::SparseMatrix<double> paper_energy_constant(const PaperSystem& system,
 /// The pattern changes only with the contacts.
 Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system,
                                                const Eigen::Ref<const Points>& p);
-/// The same with its `constant` part known.
+/// The same with its part paper_energy_constant() given.
 Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system,
-                                               Eigen::SparseMatrix<double> constant,
+                                               const Eigen::SparseMatrix<double>& constant,
                                                const Eigen::Ref<const Points>& p);
 
 /// The Hessian at p, 3V x 3V, lower triangle; fixed unknowns keep only a positive diagonal.

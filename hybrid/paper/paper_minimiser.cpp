@@ -34,8 +34,9 @@ VectorXd PaperMinimiser::displacements(const Points& p) const {
 
 void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
   ++work_.counts.hessians;
-  if (constant_part_.rows() == 0) constant_part_ = paper_energy_constant(system_, spring_share);
-  const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, constant_part_, p);
+  if (without_contacts_.rows() == 0)
+    without_contacts_ = paper_energy_constant(system_, spring_share);
+  const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, without_contacts_, p);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   pairs_.clear();
   if (!constant_.factorise(matrix, stop))

@@ -37,9 +37,8 @@ class PaperMinimiser {
  public:
   /// `system` and `constant` must outlive this. Between calls contacts, multipliers and offsets of
   /// the joins and carried points may change; bodies, stiffnesses and which vertices are joined may
-  /// not. `constant` keeps the factor of the constant matrix, also for a later
-  /// system with the same matrix; it counts by itself. What this does is added to `work`, which
-  /// must outlive it.
+  /// not. `constant` keeps the factor of the constant matrix, also for a later system with the same
+  /// matrix; it counts by itself. What this does is added to `work`, which must outlive it.
   PaperMinimiser(const PaperSystem& system, KeptFactor& constant, Work& work)
       : system_(system), constant_(constant), work_(work), bound_(&work), hessian_(&work) {}
 
@@ -80,8 +79,8 @@ class PaperMinimiser {
   Work& work_;
   KeptFactor bound_;  // for the local-global iteration only
   Cholesky hessian_;
-  Eigen::SparseMatrix<double> constant_part_;  // of the constant matrix, without contacts
-  LbfgsPairs pairs_;                           // of the runs with the factor of constant_
+  Eigen::SparseMatrix<double> without_contacts_;  // the constant matrix
+  LbfgsPairs pairs_;                              // of the runs with the factor of constant_
   PaperGradient terms_;
   double largest_diagonal_ = 0;
   Eigen::MatrixXd columns_, solution_;

@@ -178,6 +178,13 @@ TEST(Lbfgs, StallsAtTheGradientsOwnRounding) {
   EXPECT_EQ(summary.status, LbfgsStatus::stalled) << summary.brief_report();
   EXPECT_LT(summary.iterations, 60);
   EXPECT_LT(summary.residual, 1.2 * least);
+
+  // From there also a run that ends before, whichever end that is.
+  options.max_iterations = 4;
+  EXPECT_EQ(lbfgs(valley, identity, x, options).status, LbfgsStatus::stalled);
+  options.max_iterations = 3000;
+  options.patience = 4;
+  EXPECT_EQ(lbfgs(valley, identity, x, options).status, LbfgsStatus::stalled);
 }
 
 // On a slope that is as steep everywhere the residual never falls, but each step gains as much as

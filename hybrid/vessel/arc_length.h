@@ -6,18 +6,24 @@
 namespace vasorod {
 
 /// Arc length of the curve from its start, by 5-point Gauss quadrature on every knot interval.
-/// Negative before the start.
+/// Negative before the start; the curve goes on straight beyond its ends.
 class ArcLength {
  public:
   explicit ArcLength(const Spline<3>& axis) : axis_(axis) {
-    for (int i = 0; i < axis_.intervals; ++i)
-      at_knot_.push_back(at_knot_.back() + integral(knot(i), knot(i + 1)));
+    for (int i = 0; i < axis_.intervals; ++i) {
+      // The basis' derivatives, sorted by powers.
+      const Vec3* p = axis_.control.data() + i;
+      velocity_.push_back(
+          {(p[2] - p[0]) / 2, p[0] - 2 * p[1] + p[2], (p[3] - p[0] + 3 * (p[1] - p[2])) / 2});
+      at_knot_.push_back(at_knot_.back() + velocity_.back().length(1));
+    }
   }
   double operator()(double u) const {
-    // Held to the intervals before it becomes an int, which would not hold every double.
-    const double at = (u - axis_.start) / axis_.step();
-    const int i = at > 0 ? static_cast<int>(std::min(at, axis_.intervals - 1.0)) : 0;
-    return at_knot_[static_cast<size_t>(i)] + integral(knot(i), u);
+    const double at = (u - axis_.start) / axis_.step(), last = axis_.intervals;
+    if (!(at > 0)) return at * velocity_.front().speed(0);
+    if (at > last) return at_knot_.back() + (at - last) * velocity_.back().speed(1);
+    const int i = std::min(static_cast<int>(at), axis_.intervals - 1);
+    return at_knot_[static_cast<size_t>(i)] + velocity_[static_cast<size_t>(i)].length(at - i);
   }
   double inverse(double length) const {
     double u = axis_.start + length / at_knot_.back() * (axis_.end - axis_.start);
@@ -30,18 +36,23 @@ class ArcLength {
   }
 
  private:
-  double knot(int i) const { return axis_.start + i * axis_.step(); }
-  double integral(double a, double b) const {
-    constexpr std::array<double, 3> x{0, 0.538469310105683, 0.906179845938664};
-    constexpr std::array<double, 3> w{0.568888888888889, 0.478628670499366, 0.236926885056189};
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = w[0] * axis_.derivative(middle).norm();
-    for (size_t k = 1; k < 3; ++k)
-      sum += w[k] * (axis_.derivative(middle - half * x[k]).norm() +
-                     axis_.derivative(middle + half * x[k]).norm());
-    return half * sum;
-  }
+  // The derivative by the place t in an interval, constant + linear t + square t^2.
+  struct Velocity {
+    Vec3 constant, linear, square;
+    double speed(double t) const { return (constant + t * (linear + t * square)).norm(); }
+    // From the interval's start to t.
+    double length(double t) const {
+      constexpr std::array<double, 3> x{0, 0.538469310105683, 0.906179845938664};
+      constexpr std::array<double, 3> w{0.568888888888889, 0.478628670499366, 0.236926885056189};
+      const double half = 0.5 * t;
+      double sum = w[0] * speed(half);
+      for (size_t k = 1; k < 3; ++k)
+        sum += w[k] * (speed(half - half * x[k]) + speed(half + half * x[k]));
+      return half * sum;
+    }
+  };
   const Spline<3>& axis_;
+  std::vector<Velocity> velocity_;
   std::vector<double> at_knot_{0};
 };
 

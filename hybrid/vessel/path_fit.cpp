@@ -44,11 +44,12 @@ double section_through(const Spline<3>& axis, const Vec3& p, double u, double ra
   for (int k = 0; k < 6; ++k) {
     const auto [position, tangent, bend] = axis.jet(u);
     const Vec3 d = p - position;
-    const double slope = std::max(tangent.squaredNorm() - d.dot(bend), 0.1 * tangent.squaredNorm());
-    if (!(slope > 0)) break;  // the axis is a point there
-    const double step = std::clamp(d.dot(tangent) / slope, -radius, radius);
+    const double least = 0.1 * tangent.squaredNorm(), slope = tangent.squaredNorm() - d.dot(bend);
+    const double step = std::clamp(d.dot(tangent) / std::max(slope, least), -radius, radius);
+    if (!std::isfinite(step)) break;  // the axis is a point there
     u += step;
-    if (std::abs(step) < 1e-10 * radius) break;  // quadratic: the next step is about step^2
+    // Newton's next step is about as long as this one squared.
+    if (std::abs(step) < (slope > least ? 1e-6 : 1e-10) * radius) break;
   }
   return u;
 }
@@ -80,10 +81,14 @@ void PathFit::project() {
     u_[i] = section_through(curve.axis, point(path_.vertices[i]), u_[i], radius());
   const std::vector<double> angle = directions();
   share_.assign(u_.size(), 0);
+  // The difference of two angles from -pi to pi, which lies there too.
+  const auto turned = [](double to, double from) {
+    const double by = to - from;
+    return std::abs(by) > M_PI ? by - std::copysign(2 * M_PI, by) : by;
+  };
   for (const auto& t : triangles_) {
     const double s1 = u_[t[1]] - u_[t[0]], s2 = u_[t[2]] - u_[t[0]];
-    const double a1 = std::remainder(angle[t[1]] - angle[t[0]], 2 * M_PI);
-    const double a2 = std::remainder(angle[t[2]] - angle[t[0]], 2 * M_PI);
+    const double a1 = turned(angle[t[1]], angle[t[0]]), a2 = turned(angle[t[2]], angle[t[0]]);
     const double third = radius() * (a1 * s2 - a2 * s1) / 6;
     for (const size_t i : t) share_[i] += third;
   }
@@ -208,11 +213,11 @@ std::vector<double> PathFit::directions() const {
   }
   std::vector<double> angle(u_.size());
   for (size_t i = 0; i < u_.size(); ++i) {
-    const Vec3 rho = point(path_.vertices[i]) - curve.axis(u_[i]),
-               t = curve.axis.derivative(u_[i]).normalized();
+    const auto [position, tangent, bend] = curve.axis.jet(u_[i]);
+    const Vec3 rho = point(path_.vertices[i]) - position, t = tangent.normalized();
     const auto k = static_cast<size_t>(
         std::clamp(std::round((u_[i] - curve.axis.start) / step), 0.0, samples * 1.0));
-    const Vec3 d1 = (frames[k].col(0) - frames[k].col(0).dot(t) * t).normalized();
+    const Vec3 d1 = frames[k].col(0) - frames[k].col(0).dot(t) * t;  // of any length
     angle[i] = std::atan2(rho.dot(t.cross(d1)), rho.dot(d1));
   }
   return angle;

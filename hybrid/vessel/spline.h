@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace vasorod {
@@ -19,24 +20,25 @@ struct Spline {
 
   double step() const { return (end - start) / intervals; }
 
-  /// First control point and the four basis values (order 0) or their derivatives (order 1, 2) at u
-  /// inside the domain.
-  std::pair<int, std::array<double, 4>> basis(double u, int order = 0) const {
+  /// Interval of u inside the domain, and how far u is into it, 0 to 1.
+  std::pair<int, double> place(double u) const {
     const double x = (u - start) / step();
-    const int i = std::clamp(static_cast<int>(std::floor(x)), 0, intervals - 1);
-    const double t = x - i, h = step(), r = 1 - t;
-    if (order == 0)
-      return {i,
-              {r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
-               (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6}};
-    if (order == 1)
-      return {i,
-              {-r * r / (2 * h), (3 * t * t - 4 * t) / (2 * h), (4 * r - 3 * r * r) / (2 * h),
-               t * t / (2 * h)}};
-    return {i, {r / (h * h), (3 * t - 2) / (h * h), (3 * r - 2) / (h * h), t / (h * h)}};
+    const int i = std::clamp(static_cast<int>(x), 0, intervals - 1);
+    return {i, x - i};
   }
-  Value sum(double u, int order) const {
-    const auto [i, b] = basis(u, order);
+  /// The four basis values (order 0) or their derivatives by the place (order 1, 2) at t.
+  static std::array<double, 4> basis(double t, int order = 0) {
+    const double r = 1 - t;
+    if (order == 0)
+      return {r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+              (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6};
+    if (order == 1)
+      return {-r * r / 2, (3 * t * t - 4 * t) / 2, (4 * r - 3 * r * r) / 2, t * t / 2};
+    return {r, 3 * t - 2, 3 * r - 2, t};
+  }
+  /// The same basis times the control points of interval i.
+  Value at(int i, double t, int order) const {
+    const std::array<double, 4> b = basis(t, order);
     Value value = Value::Zero();
     for (size_t k = 0; k < 4; ++k) value += b[k] * control[static_cast<size_t>(i) + k];
     return value;
@@ -44,22 +46,26 @@ struct Spline {
   /// Value, first and second derivative.
   std::array<Value, 3> jet(double u) const {
     if (u < start || u > end) return {(*this)(u), derivative(u), Value::Zero()};
-    std::array<Value, 3> values{Value::Zero(), Value::Zero(), Value::Zero()};
-    for (int order = 0; order < 3; ++order) {
-      const auto [i, b] = basis(u, order);
-      for (size_t k = 0; k < 4; ++k)
-        values[static_cast<size_t>(order)] += b[k] * control[static_cast<size_t>(i) + k];
-    }
-    return values;
+    const auto [i, t] = place(u);
+    const double h = step();
+    return {at(i, t, 0), at(i, t, 1) / h, at(i, t, 2) / (h * h)};
   }
   Value operator()(double u) const {
     const double inside = std::clamp(u, start, end);
-    Value value = sum(inside, 0);
-    if (u != inside) value += (u - inside) * sum(inside, 1);
+    const auto [i, t] = place(inside);
+    Value value = at(i, t, 0);
+    if (u != inside) value += (u - inside) / step() * at(i, t, 1);
     return value;
   }
-  Value derivative(double u) const { return sum(std::clamp(u, start, end), 1); }
-  Value second(double u) const { return u < start || u > end ? Value::Zero() : sum(u, 2); }
+  Value derivative(double u) const {
+    const auto [i, t] = place(std::clamp(u, start, end));
+    return at(i, t, 1) / step();
+  }
+  Value second(double u) const {
+    if (u < start || u > end) return Value::Zero();
+    const auto [i, t] = place(u);
+    return at(i, t, 2) / (step() * step());
+  }
 };
 
 /// One data point: value at u, with a weight.
@@ -86,8 +92,9 @@ void fit_penalised(Spline<D>& spline, const std::vector<SplineDatum<D>>& data,
   std::vector<Eigen::Matrix<double, D, 1>> right(n, Eigen::Matrix<double, D, 1>::Zero());
   for (const auto& d : data) {
     if (d.weight <= 0 || d.u < spline.start || d.u > spline.end) continue;
-    const auto [first, b] = spline.basis(d.u);
-    const auto i = static_cast<size_t>(first);
+    const auto [interval, t] = spline.place(d.u);
+    const std::array<double, 4> b = Spline<D>::basis(t);
+    const auto i = static_cast<size_t>(interval);
     for (size_t j = 0; j < 4; ++j) {
       for (size_t k = j; k < 4; ++k) band[i + j][k - j] += d.weight * b[j] * b[k];
       right[i + j] += d.weight * b[j] * d.value;

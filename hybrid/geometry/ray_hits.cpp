@@ -3,11 +3,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
 #include "data/index.h"
 #include "geometry/box_tree.h"
+#include "geometry/triangle_surface.h"
 
 namespace vasorod {
 namespace {
@@ -20,60 +22,62 @@ using Triangle3 = Kernel::Triangle_3;
 // are taken so much larger that rounding loses none.
 class RayAndBox {
  public:
-  RayAndBox(const Vec3& origin, const Vec3& direction, double farthest, double extent)
-      : origin_(origin),
-        inverse_(direction.cwiseInverse()),
-        farthest_(farthest),
-        slack_(1e-12 * (extent + origin.cwiseAbs().maxCoeff())) {}
+  RayAndBox(const Vec3& origin, const Vec3& direction, double farthest, double extent) {
+    const double slack = 1e-12 * (extent + origin.cwiseAbs().maxCoeff());
+    first_ = -slack;
+    last_ = farthest + slack;
+    for (int c = 0; c < 3; ++c) {
+      const double inverse = 1 / direction[c];
+      faces_[index(c)] = {!std::isfinite(inverse), inverse < 0, inverse, origin[c] + slack,
+                          origin[c] - slack};
+    }
+  }
 
   bool operator()(const Box& box) const {
-    double from = -slack_, to = farthest_ + slack_;
+    double from = first_, to = last_;
     for (int c = 0; c < 3; ++c) {
-      const double low = box.low[c] - slack_ - origin_[c], high = box.high[c] + slack_ - origin_[c];
-      if (!std::isfinite(inverse_[c])) {
+      const Faces& faces = faces_[index(c)];
+      const double low = box.low[c] - faces.low_from, high = box.high[c] - faces.high_from;
+      if (faces.parallel) {
         if (low > 0 || high < 0) return false;
         continue;
       }
-      const double a = low * inverse_[c], b = high * inverse_[c];
-      from = std::max(from, std::min(a, b));
-      to = std::min(to, std::max(a, b));
+      from = std::max(from, (faces.backwards ? high : low) * faces.inverse);
+      to = std::min(to, (faces.backwards ? low : high) * faces.inverse);
     }
     return from <= to;
   }
 
  private:
-  Vec3 origin_, inverse_;
-  double farthest_, slack_;
+  // How the ray meets a box's two faces across one axis.
+  struct Faces {
+    bool parallel = false, backwards = false;  // backwards: the upper face first
+    double inverse = 0;                        // of the direction
+    double low_from = 0, high_from = 0;        // the origin, with the slack
+  };
+  std::array<Faces, 3> faces_;
+  double first_ = 0, last_ = 0;
 };
 
 }  // namespace
 
 struct RayHits::Tree {
-  explicit Tree(const TriangleSurface& surface) : triangles(surface.triangles) {
-    rebuild(surface.points);
+  explicit Tree(const TriangleSurface& whole) : surface(whole) { rebuild(); }
+
+  void rebuild() {
+    boxes = BoxTree(triangle_boxes(surface));
+    extent = surface.points.rows() > 0 ? surface.points.cwiseAbs().maxCoeff() : 0;
   }
 
-  void rebuild(const Points& points) {
-    const auto corner = [&](int t, int k) {
-      const auto p = points.row(triangles(t, k));
+  Triangle3 triangle(int t) const {
+    const auto corner = [&](int k) {
+      const auto p = surface.points.row(surface.triangles(t, k));
       return Kernel::Point_3(p.x(), p.y(), p.z());
     };
-    corners.clear();
-    corners.reserve(index(triangles.rows()));
-    normals.resize(triangles.rows(), 3);
-    for (int t = 0; t < triangles.rows(); ++t) {
-      corners.emplace_back(corner(t, 0), corner(t, 1), corner(t, 2));
-      const Vec3 a = points.row(triangles(t, 0)), b = points.row(triangles(t, 1)),
-                 c = points.row(triangles(t, 2));
-      normals.row(t) = (b - a).cross(c - a).transpose();
-    }
-    boxes = BoxTree(triangle_boxes({points, triangles}));
-    extent = points.rows() > 0 ? points.cwiseAbs().maxCoeff() : 0;
+    return {corner(0), corner(1), corner(2)};
   }
 
-  Triangles triangles;
-  std::vector<Triangle3> corners;
-  Points normals;  // twice the area long
+  TriangleSurface surface;
   BoxTree boxes;
   double extent = 0;  // the largest coordinate
 };
@@ -84,7 +88,8 @@ RayHits& RayHits::operator=(RayHits&&) noexcept = default;
 RayHits::~RayHits() = default;
 
 void RayHits::refit(const Points& points) {
-  tree_->rebuild(points);
+  tree_->surface.points = points;
+  tree_->rebuild();
 }
 
 std::vector<RayHit> RayHits::along(const Vec3& origin, const Vec3& direction,
@@ -104,13 +109,13 @@ void RayHits::along(const Vec3& origin, const Vec3& direction, double farthest,
   const RayAndBox touches(origin, direction, farthest, tree_->extent);
   const auto search = [&](const auto& line) {
     tree_->boxes.visit(touches, [&](int t) {
-      const Triangle3& corner = tree_->corners[index(t)];
-      const Vec3 normal = tree_->normals.row(t);
+      const Triangle3 triangle = tree_->triangle(t);
+      const Vec3 normal = triangle_normal(tree_->surface, t);
       const double steepness = normal.dot(direction);
       // CGAL asks for triangles with an area, and for numbers that are finite.
-      if (steepness == 0 || !std::isfinite(steepness) || corner.is_degenerate()) return;
-      if (!CGAL::do_intersect(line, corner)) return;
-      const auto& p = corner.vertex(0);
+      if (steepness == 0 || !std::isfinite(steepness) || triangle.is_degenerate()) return;
+      if (!CGAL::do_intersect(line, triangle)) return;
+      const auto& p = triangle.vertex(0);
       const double distance = normal.dot(Vec3(p.x(), p.y(), p.z()) - origin) / steepness;
       hits.push_back({t, distance, steepness > 0});
     });

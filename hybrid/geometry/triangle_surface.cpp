@@ -11,39 +11,39 @@
 
 namespace vasorod {
 
-std::vector<Edge> edges_of(const Triangles& triangles) {
-  struct Half {
-    int a, b, triangle, opposite;
-  };
+std::vector<HalfEdge> half_edges_by_edge(const Triangles& triangles) {
   if (triangles.rows() == 0) return {};
-  // Counting sort by a, then sorting by b among the few edges with the same a.
-  const int lowest = triangles.minCoeff();
-  const auto bucket = [&](int a) { return static_cast<size_t>(a - lowest); };
-  std::vector<size_t> first(bucket(triangles.maxCoeff()) + 2, 0);
+  std::vector<HalfEdge> halves;
+  halves.reserve(static_cast<size_t>(triangles.size()));
   for (int t = 0; t < triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k)
-      ++first[bucket(std::min(triangles(t, k), triangles(t, (k + 1) % 3))) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Half> halves(first.back());
-  std::vector<size_t> next(first.begin(), first.end() - 1);
-  for (int t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int i = triangles(t, k), j = triangles(t, (k + 1) % 3), o = triangles(t, (k + 2) % 3);
-      halves[next[bucket(std::min(i, j))]++] = {std::min(i, j), std::max(i, j), t, o};
-    }
-  for (size_t a = 0; a + 1 < first.size(); ++a)
-    std::sort(halves.begin() + static_cast<std::ptrdiff_t>(first[a]),
-              halves.begin() + static_cast<std::ptrdiff_t>(first[a + 1]),
-              [](const Half& l, const Half& r) {
-                return l.b != r.b ? l.b < r.b : l.triangle < r.triangle;
-              });
+      halves.push_back({triangles(t, k), triangles(t, (k + 1) % 3), triangles(t, (k + 2) % 3), t});
+  // Counting sorts by the second vertex of the edge, then by the first; each keeps what is alike in
+  // its order.
+  const int lowest = triangles.minCoeff(), highest = triangles.maxCoeff();
+  std::vector<HalfEdge> sorted(halves.size());
+  const auto sort_by = [&](auto&& vertex) {
+    std::vector<size_t> next(static_cast<size_t>(highest - lowest) + 2, 0);
+    for (const HalfEdge& h : halves) ++next[static_cast<size_t>(vertex(h) - lowest) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const HalfEdge& h : halves) sorted[next[static_cast<size_t>(vertex(h) - lowest)]++] = h;
+    halves.swap(sorted);
+  };
+  sort_by([](const HalfEdge& h) { return std::max(h.from, h.to); });
+  sort_by([](const HalfEdge& h) { return std::min(h.from, h.to); });
+  return halves;
+}
+
+std::vector<Edge> edges_of(const Triangles& triangles) {
+  const std::vector<HalfEdge> halves = half_edges_by_edge(triangles);
   std::vector<Edge> edges;
   edges.reserve(halves.size() / 2 + 1);
-  for (const Half& h : halves) {
-    if (edges.empty() || edges.back().a != h.a || edges.back().b != h.b) {
+  for (const HalfEdge& h : halves) {
+    const auto [a, b] = std::minmax(h.from, h.to);
+    if (edges.empty() || edges.back().a != a || edges.back().b != b) {
       Edge e;
-      e.a = h.a;
-      e.b = h.b;
+      e.a = a;
+      e.b = b;
       e.triangle[0] = h.triangle;
       e.opposite[0] = h.opposite;
       edges.push_back(e);
@@ -51,8 +51,8 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
       edges.back().triangle[1] = h.triangle;
       edges.back().opposite[1] = h.opposite;
     } else {
-      throw InputError("non-manifold edge: points " + std::to_string(h.a) + " and " +
-                       std::to_string(h.b) +
+      throw InputError("non-manifold edge: points " + std::to_string(a) + " and " +
+                       std::to_string(b) +
                        " are joined by three or more triangles, expected at most two");
     }
   }

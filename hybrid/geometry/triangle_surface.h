@@ -16,6 +16,17 @@ struct Edge {
   bool boundary() const { return triangle[1] < 0; }
 };
 
+/// One side of a triangle, in the triangle's direction.
+struct HalfEdge {
+  int from = 0, to = 0;
+  int opposite = 0;  ///< the triangle's third vertex
+  int triangle = 0;
+};
+
+/// The three sides of every triangle, sorted by the edge's lower vertex, by the other, and by the
+/// triangle: those of one edge are neighbours.
+std::vector<HalfEdge> half_edges_by_edge(const Triangles& triangles);
+
 /// All edges, sorted by (a, b). Throws InputError if an edge has three or more triangles.
 std::vector<Edge> edges_of(const Triangles& triangles);
 

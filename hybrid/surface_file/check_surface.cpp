@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <vector>
 
 #include <vasorod/error.h>
@@ -42,29 +41,12 @@ std::string length_text(double value, const std::string& unit) {
   return number_text(value, 3) + " " + unit;
 }
 
-struct Side {
-  int from, to, triangle;
-};
-
-// The three sides of every triangle, sorted so that the sides of one edge are neighbours.
-std::vector<Side> sorted_sides(const Triangles& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(static_cast<size_t>(triangles.rows()) * 3);
-  for (int t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) sides.push_back({triangles(t, k), triangles(t, (k + 1) % 3), t});
-  std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
-    return std::tuple(std::min(l.from, l.to), std::max(l.from, l.to), l.triangle) <
-           std::tuple(std::min(r.from, r.to), std::max(r.from, r.to), r.triangle);
-  });
-  return sides;
-}
-
-bool one_edge(const Side& a, const Side& b) {
+bool one_edge(const HalfEdge& a, const HalfEdge& b) {
   return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
 }
 
 void check_edges(const std::string& file, const TriangleSurface& surface) {
-  const auto sides = sorted_sides(surface.triangles);
+  const auto sides = half_edges_by_edge(surface.triangles);
   for (size_t i = 0; i < sides.size();) {
     size_t end = i + 1;
     while (end < sides.size() && one_edge(sides[i], sides[end])) ++end;

@@ -64,7 +64,7 @@ double narrowest_end(const TriangleSurface& surface) {
 }  // namespace
 
 BodyContacts::BodyContacts(const BodyProblem& problem, const ScaledBodies& scaled, double stiffness)
-    : problem_(problem), stiffness_(stiffness) {
+    : problem_(problem), stiffness_(stiffness), walls_(scaled.bodies.size()) {
   for (const auto& [a, b] : problem.contacts) {
     const bool a_first = first_is_slave(scaled.bodies[static_cast<size_t>(a)],
                                         scaled.bodies[static_cast<size_t>(b)]);
@@ -163,9 +163,17 @@ std::unique_ptr<FoundContacts> BodyContacts::within(const Pair& pair,
   std::vector<double> share(index(body.rest.points.rows()), 1);
   if (!up_to_seams_) leave_out(seam_band(body.rest, seam, body.thickness), share);
   leave_out(body.fixed, share);
-  ContactSide side{body.rest, body.offset, std::move(share), !seam.empty(), up_to_seams_, {}};
+  ContactSide side{
+      wall_of(pair.slave, scaled), body.offset, std::move(share), !seam.empty(), up_to_seams_, {}};
   if (up_to_seams_) side.seam = std::move(seam);
   return std::make_unique<SelfContact>(std::move(side), body.thickness, stiffness_of(pair, scaled));
+}
+
+ContactWall BodyContacts::wall_of(int body, const ScaledBodies& scaled) const {
+  const std::lock_guard lock(making_walls_);
+  std::optional<ContactWall>& wall = walls_[index(body)];
+  if (!wall) wall.emplace(scaled.bodies[index(body)].rest);
+  return *wall;
 }
 
 bool BodyContacts::keeps_its_shape(Pair& pair, const ScaledBody& body) {
@@ -185,7 +193,8 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
       }
   const auto held = [&](int index) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    return HeldBody{body.rest, body.carried, body.fixed, body.offset};
+    const ContactWall wall = wall_of(index, scaled);
+    return HeldBody{wall.at_rest(), wall.carried_to(body.carried), body.fixed, body.offset};
   };
   const HeldOverlap overlap = held_overlap(held(pair.slave), held(pair.master));
   pair.held_depth = overlap.depth;
@@ -196,8 +205,8 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
     // Two mean edges are subtracted because seam_band() adds them.
     leave_out(seam_band(body.rest, overlapping, held_band * overlap.depth - 2 * body.mean_edge),
               share);
-    return ContactSide{body.rest,    body.offset, std::move(share), pair.exchanged || !seam.empty(),
-                       up_to_seams_, {}};
+    return ContactSide{wall_of(index, scaled),          body.offset,  std::move(share),
+                       pair.exchanged || !seam.empty(), up_to_seams_, {}};
   };
   return std::make_unique<ContactPair>(side(pair.slave, slave_seam, overlap.in_a),
                                        side(pair.master, master_seam, overlap.in_b),

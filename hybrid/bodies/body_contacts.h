@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "bodies/found_contacts.h"
 #include "bodies/scaled_bodies.h"
@@ -147,6 +149,7 @@ class BodyContacts {
   std::unique_ptr<FoundContacts> within(const Pair& pair, const ScaledBodies& scaled) const;
   double stiffness_of(const Pair& pair, const ScaledBodies& scaled) const;
 
+  ContactWall wall_of(int body, const ScaledBodies& scaled) const;
   bool joined(const Pair& pair) const;
   std::vector<int> seam_of(int body) const;
 
@@ -155,6 +158,8 @@ class BodyContacts {
   std::vector<Eigen::VectorXd> expected_;
   bool without_own_ = false, hold_ = false, up_to_seams_ = false, parted_ = false;
   double allowed_ = 0;
+  mutable std::vector<std::optional<ContactWall>> walls_;  ///< of the bodies, made when asked for
+  mutable std::mutex making_walls_;
   /// One per contact of the problem, then, after meet_up_to_seams(), those whose roles are
   /// exchanged.
   std::vector<Pair> pairs_;

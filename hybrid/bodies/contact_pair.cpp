@@ -38,15 +38,15 @@ double offset_at(const ContactSide& side, int vertex) {
   return side.share.empty() ? side.offset : side.share[index(vertex)] * side.offset;
 }
 
-Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surface,
-                       NormalsOnDemand& normal_of, const ContactSide& side, const Vec3& point,
-                       const Vec3& point_normal, const ClosestPoint::Hit& hit) {
+Feature facing_feature(const ClosestPoint& finder, NormalsOnDemand& normal_of,
+                       const ContactSide& side, const Vec3& point, const Vec3& point_normal,
+                       const ClosestPoint::Hit& hit) {
   Feature feature;
   if (hit.on_boundary) return feature;
-  const NormalFoot foot = normal_foot(finder, surface, normal_of, point, hit);
+  const NormalFoot foot = normal_foot(finder, normal_of, point, hit);
   feature.weight = foot.weight;
   for (int k = 0; k < 3; ++k) {
-    const int v = surface.triangles(foot.triangle, k);
+    const int v = finder.surface().triangles(foot.triangle, k);
     if (side.left_out(v) && !side.met_up_to_seam) return feature;
     feature.vertex[index(k)] = v;
     feature.offset += foot.weight[k] * offset_at(side, v);
@@ -65,29 +65,19 @@ Feature facing_feature(const ClosestPoint& finder, const TriangleSurface& surfac
 }  // namespace
 
 ContactPair::ContactPair(ContactSide slave, ContactSide master, double stiffness)
-    : FoundContacts(slave.rest.points.rows(), mean_edge_length(slave.rest)),
+    : FoundContacts(slave.wall.rest().points.rows(), slave.wall.mean_edge()),
       slave_(std::move(slave)),
       master_(std::move(master)),
       stiffness_(stiffness),
       deepest_(slave_.joined
                    ? (slave_.met_up_to_seam ? through_the_seam : through_the_mouth) * edge_
                    : std::numeric_limits<double>::infinity()),
-      area_(vertex_areas(slave_.rest)),
-      looked_(static_cast<size_t>(slave_.rest.points.rows())),
-      master_then_(master_.rest.points),
-      allowance_(static_cast<size_t>(slave_.rest.points.rows()),
+      slave_rest_normal_(slave_.wall.at_rest()),
+      master_rest_normal_(master_.wall.at_rest()),
+      looked_(index(slave_.wall.rest().points.rows())),
+      master_then_(master_.wall.rest().points),
+      allowance_(index(slave_.wall.rest().points.rows()),
                  std::numeric_limits<double>::quiet_NaN()) {}
-
-void ContactPair::Lookup::move(const Points& slave, const Points& master) {
-  closest.refit(master);
-  slave_normal.move(slave);
-  master_normal.move(master);
-}
-
-ContactPair::Lookup& ContactPair::at_rest() {
-  if (!rest_) rest_.emplace(slave_.rest, master_.rest);
-  return *rest_;
-}
 
 void ContactPair::walls_are_parted() {
   if (slave_.joined && slave_.met_up_to_seam) deepest_ = through_parted_walls * edge_;
@@ -101,22 +91,21 @@ bool ContactPair::is_clear(int vertex, const Vec3& place, double margin) const {
 double ContactPair::allowance(int vertex) {
   double& value = allowance_[static_cast<size_t>(vertex)];
   if (std::isnan(value)) {
-    Lookup& rest = at_rest();
-    const Vec3 place = slave_.rest.points.row(vertex);
-    const Feature feature =
-        facing_feature(rest.closest, master_.rest, rest.master_normal, master_, place,
-                       rest.slave_normal(vertex), rest.closest.query(place));
+    const ClosestPoint& master = master_.wall.at_rest();
+    const Vec3 place = slave_.wall.rest().points.row(vertex);
+    const Feature feature = facing_feature(master, master_rest_normal_, master_, place,
+                                           slave_rest_normal_(vertex), master.query(place));
     const double gap =
         feature.valid ? feature.distance - offset_at(slave_, vertex) - feature.offset : 0;
     // Walls that touch at rest must not press on each other because of rounding. The slack added
     // here is far below any relevant length.
-    value = std::min(0.0, gap) - 1e-10 * (std::sqrt(area_[vertex]) + std::abs(gap));
+    value = std::min(0.0, gap) - 1e-10 * (std::sqrt(slave_.wall.areas()[vertex]) + std::abs(gap));
   }
   return value;
 }
 
 bool ContactPair::inside_at_rest(int vertex) {
-  const ClosestPoint::Hit hit = at_rest().closest.query(slave_.rest.points.row(vertex));
+  const ClosestPoint::Hit hit = master_.wall.at_rest().query(slave_.wall.rest().points.row(vertex));
   return !hit.on_boundary && hit.signed_distance < 0;
 }
 
@@ -128,27 +117,25 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
   const double margin = reach + slave_.offset + master_.offset;
   travel_ += (master - master_then_).rowwise().norm().maxCoeff();
   master_then_ = master;
+  const Eigen::VectorXd& area = slave_.wall.areas();
   std::vector<int> near;
   for (int i = 0; i < slave.rows(); ++i)
-    if (!slave_.left_out(i) && area_[i] > 0 && box.exteriorDistance(Vec3(slave.row(i))) <= margin &&
+    if (!slave_.left_out(i) && area[i] > 0 && box.exteriorDistance(Vec3(slave.row(i))) <= margin &&
         !is_clear(i, slave.row(i), margin))
       near.push_back(i);
   if (near.empty()) {
     end();
     return;
   }
-  const TriangleSurface now{master, master_.rest.triangles};
-  if (current_)
-    current_->move(slave, master);
-  else
-    current_.emplace(TriangleSurface{slave, slave_.rest.triangles}, now);
+  const ClosestPoint& wall = master_.wall.now_at(master);
+  NormalsOnDemand wall_normal(wall), own_normal(slave_.wall.now_at(slave));
   for (const int i : near) {
-    const ClosestPoint::Hit hit = current_->closest.query(slave.row(i), looked_[index(i)].triangle);
+    const ClosestPoint::Hit hit = wall.query(slave.row(i), looked_[index(i)].triangle);
     looked_[index(i)] = {hit.on_boundary ? 0 : hit.signed_distance, travel_, slave.row(i),
                          hit.triangle};
-    const Feature feature = facing_feature(current_->closest, now, current_->master_normal, master_,
-                                           slave.row(i), current_->slave_normal(i), hit);
-    const double noise = 0.1 * std::sqrt(area_[i]);
+    const Feature feature =
+        facing_feature(wall, wall_normal, master_, slave.row(i), own_normal(i), hit);
+    const double noise = 0.1 * std::sqrt(area[i]);
     if (feature.swallowed && feature.distance < -noise && !inside_at_rest(i)) ++swallowed_;
     const double faces = offset_at(slave_, i) + feature.offset;
     if (!feature.valid && keep(i, slave, master)) continue;
@@ -158,7 +145,7 @@ void ContactPair::refresh(const Points& slave, const Points& master, double reac
     if (feature.distance - faces - rest < -deepest_) continue;
     const double slack = faces + rest + allowed_depth(i, feature.distance - faces - rest);
     ContactPoint contact{i,     feature.vertex, feature.weight, feature.normal,
-                         slack, area_[i],       stiffness_,     0};
+                         slack, area[i],        stiffness_,     0};
     if (held()) stick(contact, i, slave, master);
     add(contact, i);
   }

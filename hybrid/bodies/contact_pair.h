@@ -24,11 +24,9 @@
 // vessel that a shallow one overlaps); the vertices and triangles that the caller excludes.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "bodies/found_contacts.h"
-#include "geometry/closest_point.h"
 #include "geometry/normals_on_demand.h"
 
 namespace vasorod {
@@ -51,16 +49,6 @@ class ContactPair : public FoundContacts {
     int triangle = -1;  // of the master, nearest then; -1: not looked at
   };
 
-  // What is asked of both surfaces where they are at rest, or now.
-  struct Lookup {
-    Lookup(const TriangleSurface& slave, const TriangleSurface& master)
-        : closest(master), slave_normal(slave), master_normal(master) {}
-    void move(const Points& slave, const Points& master);
-    ClosestPoint closest;  // on the master
-    NormalsOnDemand slave_normal, master_normal;
-  };
-
-  Lookup& at_rest();
   bool is_clear(int vertex, const Vec3& place, double margin) const;
   double allowance(int vertex);
   bool inside_at_rest(int vertex);
@@ -68,8 +56,7 @@ class ContactPair : public FoundContacts {
   ContactSide slave_, master_;
   double stiffness_;
   double deepest_;  // overlap beyond which walls are not in contact, length
-  Eigen::VectorXd area_;
-  std::optional<Lookup> rest_, current_;  // from when they are first asked for
+  NormalsOnDemand slave_rest_normal_, master_rest_normal_;
   std::vector<Looked> looked_;
   double travel_ = 0;  // sum over all searches of the farthest that a vertex of the master went
   Points master_then_;

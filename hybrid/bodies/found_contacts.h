@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "bodies/contact_energy.h"
+#include "bodies/contact_wall.h"
 
 namespace vasorod {
 
 /// One side of a pair.
 struct ContactSide {
-  TriangleSurface rest;
+  ContactWall wall;
   double offset = 0;          ///< from the surface to the wall's outer face, length
   std::vector<double> share;  ///< per vertex: of `offset` that counts; 0: left out; empty: all 1
   bool joined = false;        ///< to the other side's vessel, by a seam; or roles are exchanged

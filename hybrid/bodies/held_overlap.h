@@ -4,15 +4,15 @@
 
 #include <vector>
 
-#include <vasorod/types.h>
+#include "geometry/closest_point.h"
 
 namespace vasorod {
 
 /// A body and its held ends. All lengths in one unit.
 struct HeldBody {
-  const TriangleSurface& rest;
-  /// p' [6]: positions to which the rod's sections move the vertices rigidly.
-  const Points& carried;
+  const ClosestPoint& rest;
+  /// p' [6]: where the rod's sections move the vertices rigidly.
+  const ClosestPoint& carried;
   const std::vector<char>& fixed;  ///< per vertex: held at `carried`
   double offset = 0;               ///< from the surface to the outer face of the wall
 };

@@ -46,9 +46,9 @@ Mat3 normals_at(const TriangleSurface& surface, NormalsOnDemand& normal_of, int 
   return columns;
 }
 
-std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface& surface,
-                               NormalsOnDemand& normal_of, const Vec3& p,
-                               const ClosestPoint::Hit& closest) {
+std::optional<NormalFoot> walk(const ClosestPoint& finder, NormalsOnDemand& normal_of,
+                               const Vec3& p, const ClosestPoint::Hit& closest) {
+  const TriangleSurface& surface = finder.surface();
   ClosestPoint::Hit hit = closest;
   for (int k = 0; k < most_triangles; ++k) {
     const Mat3 x = corners(surface, hit.triangle), n = normals_at(surface, normal_of, hit.triangle);
@@ -69,12 +69,11 @@ std::optional<NormalFoot> walk(const ClosestPoint& finder, const TriangleSurface
 
 }  // namespace
 
-NormalFoot normal_foot(const ClosestPoint& finder, const TriangleSurface& surface,
-                       NormalsOnDemand& normal_of, const Vec3& p,
+NormalFoot normal_foot(const ClosestPoint& finder, NormalsOnDemand& normal_of, const Vec3& p,
                        const ClosestPoint::Hit& closest) {
-  if (const std::optional<NormalFoot> foot = walk(finder, surface, normal_of, p, closest))
-    return *foot;
-  const Vec3 normal = normals_at(surface, normal_of, closest.triangle) * closest.barycentric;
+  if (const std::optional<NormalFoot> foot = walk(finder, normal_of, p, closest)) return *foot;
+  const Vec3 normal =
+      normals_at(finder.surface(), normal_of, closest.triangle) * closest.barycentric;
   return {closest.triangle, closest.barycentric, normal,
           normal.normalized().dot(p - closest.point)};
 }

@@ -21,9 +21,9 @@ struct NormalFoot {
   double height = 0;           ///< d, length, positive outside
 };
 
-/// The foot near `closest`, the closest point of p. If no nearby normal reaches p, in a crease or
-/// beyond an open rim, the closest point itself is returned.
-NormalFoot normal_foot(const ClosestPoint& finder, const TriangleSurface& surface,
-                       NormalsOnDemand& normal_of, const Vec3& p, const ClosestPoint::Hit& closest);
+/// The foot near `closest`, the closest point of p on the surface of `finder`. If no nearby normal
+/// reaches p, in a crease or beyond an open rim, the closest point itself is returned.
+NormalFoot normal_foot(const ClosestPoint& finder, NormalsOnDemand& normal_of, const Vec3& p,
+                       const ClosestPoint::Hit& closest);
 
 }  // namespace vasorod

@@ -32,26 +32,26 @@ size_t slot_of(int vertex, bool outside) {
 }  // namespace
 
 SelfContact::SelfContact(ContactSide side, double thickness, double stiffness)
-    : FoundContacts(2 * side.rest.points.rows(), mean_edge_length(side.rest)),
+    : FoundContacts(2 * side.wall.rest().points.rows(), side.wall.mean_edge()),
       side_(std::move(side)),
       offset_{thickness - side_.offset, side_.offset},
       stiffness_(stiffness),
-      area_(vertex_areas(side_.rest)),
+      area_(side_.wall.areas()),
       deepest_(side_.joined ? deepest_when_joined * edge_
                             : std::numeric_limits<double>::infinity()),
-      never_(2 * index(side_.rest.points.rows()), 0) {
+      never_(2 * index(side_.wall.rest().points.rows()), 0) {
   near_ = std::make_unique<NearOnSurface>(
-      side_.rest, std::max((side_.joined ? bent_edges_when_joined : bent_edges) * edge_,
-                           std::numbers::pi * std::max(offset_[0], offset_[1])));
+      side_.wall.rest(), std::max((side_.joined ? bent_edges_when_joined : bent_edges) * edge_,
+                                  std::numbers::pi * std::max(offset_[0], offset_[1])));
   settled_ = settled * edge_;
-  on_seam_.resize(index(side_.rest.points.rows()), 0);
+  on_seam_.resize(index(side_.wall.rest().points.rows()), 0);
   for (const int v : side_.seam) on_seam_[index(v)] = 1;
-  side_.share.resize(index(side_.rest.points.rows()), 1);
-  for (const std::vector<int>& loop : boundary_loops(side_.rest.triangles)) {
+  side_.share.resize(index(side_.wall.rest().points.rows()), 1);
+  for (const std::vector<int>& loop : boundary_loops(side_.wall.rest().triangles)) {
     if (std::find(side_.seam.begin(), side_.seam.end(), loop.front()) != side_.seam.end()) continue;
     for (const int v : loop) side_.share[index(v)] = 0;
   }
-  for (int i = 0; i < side_.rest.points.rows(); ++i)
+  for (int i = 0; i < side_.wall.rest().points.rows(); ++i)
     if (!(area_[i] > 0) || side_.left_out(i))
       for (const bool outside : {false, true})
         never_[slot_of(i, outside)] = std::numeric_limits<double>::infinity();
@@ -65,8 +65,8 @@ SelfContact::~SelfContact() = default;
 double SelfContact::allowance(const FacingWall& wall, int vertex, bool outside) const {
   Vec3 at = Vec3::Zero();
   for (int k = 0; k < 3; ++k)
-    at += wall.weight[k] * side_.rest.points.row(wall.corner[index(k)]).transpose();
-  const double apart = (Vec3(side_.rest.points.row(vertex)) - at).norm();
+    at += wall.weight[k] * side_.wall.rest().points.row(wall.corner[index(k)]).transpose();
+  const double apart = (Vec3(side_.wall.rest().points.row(vertex)) - at).norm();
   return std::min(0.0, apart - 2 * offset_[outside ? 1 : 0]);
 }
 
@@ -148,7 +148,7 @@ void SelfContact::refresh(const Points& slave, const Points&, double reach) {
   }
   if (std::any_of(clearance_.begin(), clearance_.end(),
                   [nearer](double clearance) { return clearance <= nearer; })) {
-    if (!walls_) walls_ = std::make_unique<FacingWalls>(side_.rest);
+    if (!walls_) walls_ = std::make_unique<FacingWalls>(side_.wall.rest());
     walls_->refit(slave);
     now_ = slave;
     for (int i = 0; i < slave.rows(); ++i) search(i, nearer, reach);

@@ -2,14 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
-#include <vector>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include <vasorod/error.h>
 
+#include "data/index.h"
 #include "geometry/box_tree.h"
-#include "geometry/normals_on_demand.h"
 #include "geometry/triangle_surface.h"
 
 namespace vasorod {
@@ -61,32 +65,62 @@ double squared_distance(const TriangleSurface& surface, const Vec3& p, int t) {
 
 }  // namespace
 
-struct ClosestPoint::Tree {
-  explicit Tree(const TriangleSurface& given)
-      : surface(given),
-        boxes(triangle_boxes(surface)),
-        around(surface.triangles, surface.points.rows()) {
+// What stays the same when the points move.
+struct ClosestPoint::Links {
+  explicit Links(const TriangleSurface& surface)
+      : first(index(surface.points.rows()) + 1, 0),
+        around(index(surface.triangles.size())),
+        neighbour(index(surface.triangles.rows()), {-1, -1, -1}),
+        on_boundary(index(surface.points.rows()), 0) {
     const Triangles& triangles = surface.triangles;
-    if (triangles.rows() == 0) throw InputError("a surface without triangles has no closest point");
-    const auto count = static_cast<size_t>(triangles.rows());
-    neighbour.assign(count, {-1, -1, -1});
-    on_boundary.assign(static_cast<size_t>(surface.points.rows()), 0);
+    for (const int v : triangles.reshaped()) ++first[index(v) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (int t = 0; t < triangles.rows(); ++t)
+      for (int k = 0; k < 3; ++k) around[index(next[index(triangles(t, k))]++)] = t;
     for (const Edge& e : edges_of(triangles)) {
-      if (e.boundary())
-        on_boundary[static_cast<size_t>(e.a)] = on_boundary[static_cast<size_t>(e.b)] = 1;
+      if (e.boundary()) on_boundary[index(e.a)] = on_boundary[index(e.b)] = 1;
       for (size_t side = 0; side < 2; ++side) {
         if (e.triangle[side] < 0) continue;
-        for (int k = 0; k < 3; ++k)  // neighbour[k] lies across the edge opposite to corner k
+        for (int k = 0; k < 3; ++k)
           if (triangles(e.triangle[side], k) == e.opposite[side])
-            neighbour[static_cast<size_t>(e.triangle[side])][static_cast<size_t>(k)] =
-                e.triangle[1 - side];
+            neighbour[index(e.triangle[side])][index(k)] = e.triangle[1 - side];
       }
     }
   }
 
+  std::vector<int> first, around;             // triangles of vertex v: first[v] up to first[v + 1]
+  std::vector<std::array<int, 3>> neighbour;  // across the edge opposite to a triangle's corner
+  std::vector<char> on_boundary;              // per vertex
+};
+
+struct ClosestPoint::Tree {
+  Tree(TriangleSurface given, std::shared_ptr<const Links> its)
+      : surface(std::move(given)), links(std::move(its)) {
+    if (surface.triangles.rows() == 0)
+      throw InputError("a surface without triangles has no closest point");
+    if (!links) links = std::make_shared<Links>(surface);
+  }
+
   void move(const Points& moved) {
     surface.points = moved;
-    boxes.refit(triangle_boxes(surface));
+    fits = false;
+  }
+
+  // Made or moved by the first query: not every wall is asked wherever it goes.
+  const BoxTree& boxes() {
+    if (!fits.load(std::memory_order_acquire)) {
+      const std::lock_guard lock(fitting);
+      if (!fits.load(std::memory_order_relaxed)) {
+        const std::vector<Box> now = triangle_boxes(surface);
+        if (tree)
+          tree->refit(now);
+        else
+          tree.emplace(now);
+        fits.store(true, std::memory_order_release);
+      }
+    }
+    return *tree;
   }
 
   // Unit, zero where degenerate.
@@ -95,27 +129,44 @@ struct ClosestPoint::Tree {
     const double length = n.norm();
     return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
   }
-  Vec3 vertex_normal(int vertex) const { return around.normal(surface, vertex); }
+
+  Vec3 vertex_normal(int vertex) const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = links->first[index(vertex)]; i < links->first[index(vertex) + 1]; ++i) {
+      const int t = links->around[index(i)];
+      const Vec3 n = triangle_normal(surface, t);
+      const double twice_area = n.norm();
+      for (int k = 0; k < 3 && twice_area > 0; ++k)
+        if (surface.triangles(t, k) == vertex)
+          sum += corner_angle(surface, t, k, twice_area) / twice_area * n;
+    }
+    const double length = sum.norm();
+    if (length > 0) sum /= length;
+    return sum;
+  }
 
   Vec3 corner(int t, int k) const { return surface.points.row(surface.triangles(t, k)); }
 
   TriangleSurface surface;
-  BoxTree boxes;  // of the triangles
-  TrianglesAround around;
-  std::vector<std::array<int, 3>> neighbour;
-  std::vector<char> on_boundary;  // per vertex
+  std::shared_ptr<const Links> links;
+
+ private:
+  std::optional<BoxTree> tree;  // of the triangles' boxes
+  std::atomic<bool> fits = false;
+  std::mutex fitting;
 };
 
 ClosestPoint::ClosestPoint(const TriangleSurface& surface)
-    : tree_(std::make_unique<Tree>(surface)) {}
+    : tree_(std::make_unique<Tree>(surface, nullptr)) {}
+ClosestPoint::ClosestPoint(std::unique_ptr<Tree> tree) : tree_(std::move(tree)) {}
 ClosestPoint::~ClosestPoint() = default;
 ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
 ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
-  const Tree& tree = *tree_;
+  Tree& tree = *tree_;
   Hit hit;
-  const int found = tree.boxes.nearest(
+  const int found = tree.boxes().nearest(
       point, [&](int t) { return squared_distance(tree.surface, point, t); }, near);
   const int t = hit.triangle = std::max(found, 0);  // -1 where a point is not finite
   hit.barycentric =
@@ -124,7 +175,7 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
               hit.barycentric[2] * tree.corner(t, 2);
 
   const auto zeros = (hit.barycentric.array() <= 0).count();
-  const auto& neighbour = tree.neighbour[static_cast<size_t>(t)];
+  const auto& neighbour = tree.links->neighbour[index(t)];
   if (zeros == 0) {
     hit.normal = tree.normal(t);
   } else if (zeros == 1) {
@@ -138,7 +189,7 @@ ClosestPoint::Hit ClosestPoint::query(const Vec3& point, int near) const {
     int k = 0;
     hit.barycentric.maxCoeff(&k);
     const int vertex = tree.surface.triangles(t, k);
-    hit.on_boundary = tree.on_boundary[static_cast<size_t>(vertex)] != 0;
+    hit.on_boundary = tree.links->on_boundary[index(vertex)] != 0;
     hit.normal = tree.vertex_normal(vertex);
   }
   // A degenerate triangle, or two triangles folded onto each other, has no normal: use the vertex
@@ -206,6 +257,32 @@ ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) 
 void ClosestPoint::refit(const Points& points) {
   if (points == tree_->surface.points) return;
   tree_->move(points);
+}
+
+ClosestPoint ClosestPoint::moved(const Points& points) const {
+  return ClosestPoint(
+      std::make_unique<Tree>(TriangleSurface{points, tree_->surface.triangles}, tree_->links));
+}
+
+const TriangleSurface& ClosestPoint::surface() const {
+  return tree_->surface;
+}
+
+Vec3 ClosestPoint::vertex_normal(int vertex) const {
+  return tree_->vertex_normal(vertex);
+}
+
+std::vector<std::array<int, 2>> ClosestPoint::boundary_edges() const {
+  std::vector<std::array<int, 2>> edges;
+  const Triangles& triangles = tree_->surface.triangles;
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (tree_->links->neighbour[index(t)][index(k)] >= 0) continue;
+      const auto [a, b] = std::minmax(triangles(t, (k + 1) % 3), triangles(t, (k + 2) % 3));
+      edges.push_back({a, b});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
 }  // namespace vasorod

@@ -1,7 +1,9 @@
 // Closest point of a triangle surface, with the signed distance of the query point.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include <vasorod/types.h>
 
@@ -34,11 +36,22 @@ class ClosestPoint {
   /// -1; the answer does not depend on it. Thread-safe.
   Hit query(const Vec3& point, int near = -1) const;
 
-  /// Moves the points (n x 3, as many as before); the triangles stay the same.
+  /// Moves the points (n x 3, as many as before); the triangles stay the same. The first query
+  /// after it takes longer.
   void refit(const Points& points);
+  /// The same triangles with their points there (n x 3), for the price of the points.
+  ClosestPoint moved(const Points& points) const;
+
+  const TriangleSurface& surface() const;  ///< where it is now
+  /// That vertex's row of vertex_normals(), bit for bit.
+  Vec3 vertex_normal(int vertex) const;
+  /// The edges with one triangle, sorted, each with its lower vertex first.
+  std::vector<std::array<int, 2>> boundary_edges() const;
 
  private:
+  struct Links;
   struct Tree;
+  explicit ClosestPoint(std::unique_ptr<Tree> tree);
   std::unique_ptr<Tree> tree_;
 };
 

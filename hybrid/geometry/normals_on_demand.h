@@ -4,35 +4,21 @@
 
 #include <vector>
 
-#include <vasorod/types.h>
+#include "geometry/closest_point.h"
 
 namespace vasorod {
 
-/// The triangles around each vertex of a surface.
-class TrianglesAround {
- public:
-  TrianglesAround(const Triangles& triangles, Eigen::Index vertices);
-
-  /// That vertex's row of vertex_normals(), bit for bit. `surface` has these triangles.
-  Vec3 normal(const TriangleSurface& surface, int vertex) const;
-
- private:
-  std::vector<int> first_, triangle_;  // those of vertex v: first_[v] up to first_[v + 1]
-};
-
-/// The same of one surface, each computed once until the surface moves. Not thread-safe.
+/// The normals of a surface that does not move meanwhile, each computed once. Not thread-safe.
 class NormalsOnDemand {
  public:
-  explicit NormalsOnDemand(const TriangleSurface& surface);
+  /// `surface` must outlive this.
+  explicit NormalsOnDemand(const ClosestPoint& surface);
 
-  /// Moves the points (n x 3, as many as before).
-  void move(const Points& points);
-  /// Unit normal, zero where the triangles around the vertex have no area.
+  /// That vertex's row of vertex_normals(), bit for bit.
   Vec3 operator()(int vertex);
 
  private:
-  TriangleSurface surface_;
-  TrianglesAround around_;
+  const ClosestPoint& surface_;
   Points normals_;
   std::vector<char> known_;
 };

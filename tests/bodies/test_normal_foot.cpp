@@ -13,10 +13,10 @@ struct Wall {
   explicit Wall(TriangleSurface given)
       : surface(std::move(given)),
         normals(vertex_normals(surface)),
-        normal_of(surface),
-        finder(surface) {}
+        finder(surface),
+        normal_of(finder) {}
   NormalFoot foot(const Vec3& p) const {
-    return normal_foot(finder, surface, normal_of, p, finder.query(p));
+    return normal_foot(finder, normal_of, p, finder.query(p));
   }
   Vec3 point(const NormalFoot& f) const {
     Vec3 y = Vec3::Zero();
@@ -26,8 +26,8 @@ struct Wall {
   }
   TriangleSurface surface;
   Points normals;
-  mutable NormalsOnDemand normal_of;
   ClosestPoint finder;
+  mutable NormalsOnDemand normal_of;
 };
 
 // A tube of radius 1 whose middle is dented from +x: convex around, concave along.

@@ -131,6 +131,38 @@ TEST(ClosestPoint, OneQueryIsThatOfTheTree) {
   }
 }
 
+TEST(ClosestPoint, MovedItIsTheSurfaceThere) {
+  testing::TubeShape shape;
+  shape.jitter = 0.2;
+  TriangleSurface surface = testing::noisy_tube(shape);
+  const Points rest = surface.points;
+  const ClosestPoint first(surface);
+  surface.points.col(0) += 0.1 * surface.points.col(2).cwiseProduct(surface.points.col(1));
+  const ClosestPoint moved = first.moved(surface.points), fresh(surface);
+  EXPECT_EQ(moved.surface().points, surface.points);
+  EXPECT_EQ(first.surface().points, rest);
+  for (int v = 0; v < rest.rows(); v += 3) {
+    const Vec3 place = surface.points.row(v) + 0.2 * surface.points.row(v).reverse();
+    EXPECT_EQ(moved.query(place).triangle, fresh.query(place).triangle);
+    EXPECT_EQ(moved.query(place).signed_distance, fresh.query(place).signed_distance);
+    EXPECT_EQ(moved.query(place).on_boundary, fresh.query(place).on_boundary);
+  }
+}
+
+TEST(ClosestPoint, BoundaryEdgesAreThoseOfTheLoops) {
+  const TriangleSurface surface = testing::noisy_tube({});
+  std::vector<std::array<int, 2>> expected;
+  for (const std::vector<int>& loop : boundary_loops(surface.triangles))
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const auto [a, b] = std::minmax(loop[k], loop[(k + 1) % loop.size()]);
+      expected.push_back({a, b});
+    }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_GT(expected.size(), 20U);
+  EXPECT_EQ(ClosestPoint(surface).boundary_edges(), expected);
+  EXPECT_TRUE(ClosestPoint(cube()).boundary_edges().empty());
+}
+
 TEST(ClosestPoint, ASurfaceWithoutTrianglesIsRefused) {
   EXPECT_THROW(closest_on(TriangleSurface{}, Vec3::Zero()), InputError);
   EXPECT_THROW(ClosestPoint(TriangleSurface{}), InputError);

@@ -193,7 +193,7 @@ std::unique_ptr<FoundContacts> BodyContacts::between(Pair& pair, const ScaledBod
       }
   const auto held = [&](int index) {
     const ScaledBody& body = scaled.bodies[static_cast<size_t>(index)];
-    const ContactWall wall = wall_of(index, scaled);
+    ContactWall wall = wall_of(index, scaled);
     return HeldBody{wall.at_rest(), wall.carried_to(body.carried), body.fixed, body.offset};
   };
   const HeldOverlap overlap = held_overlap(held(pair.slave), held(pair.master));

@@ -40,10 +40,10 @@ double ContactWall::mean_edge() const {
 const Eigen::VectorXd& ContactWall::areas() const {
   return state_->areas;
 }
-const ClosestPoint& ContactWall::now_at(const Points& points) const {
+const ClosestPoint& ContactWall::now_at(const Points& points) {
   return state_->moved(state_->now, points);
 }
-const ClosestPoint& ContactWall::carried_to(const Points& points) const {
+const ClosestPoint& ContactWall::carried_to(const Points& points) {
   return state_->moved(state_->carried, points);
 }
 

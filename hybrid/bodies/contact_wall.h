@@ -22,9 +22,9 @@ class ContactWall {
 
   /// The wall moved to where it is now (n x 3). Several threads may ask at once for the same place;
   /// the reference holds until another one is asked for.
-  const ClosestPoint& now_at(const Points& points) const;
+  const ClosestPoint& now_at(const Points& points);
   /// The same of where its rod's sections carry it rigidly.
-  const ClosestPoint& carried_to(const Points& points) const;
+  const ClosestPoint& carried_to(const Points& points);
 
  private:
   struct State;

@@ -66,8 +66,7 @@ HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
     if (!held(from) || !held(to)) return;
     Wall now(to.carried, to.fixed);
     std::optional<Wall> rest;
-    const Points &carried = from.carried.surface().points,
-                 &before_that = from.rest.surface().points;
+    const Points &carried = from.carried.surface().points, &at_rest = from.rest.surface().points;
     const double offsets = from.offset + to.offset;
     for (size_t i = 0; i < from.fixed.size(); ++i) {
       if (!from.fixed[i]) continue;
@@ -75,7 +74,7 @@ HeldOverlap held_overlap(const HeldBody& a, const HeldBody& b) {
       const Wall::Place at = now.of(carried.row(row));
       if (offsets - at.height <= at.along) continue;  // an overlap at rest only takes from it
       if (!rest) rest.emplace(to.rest, to.fixed);
-      const double before = std::min(0.0, rest->of(before_that.row(row)).height - offsets);
+      const double before = std::min(0.0, rest->of(at_rest.row(row)).height - offsets);
       const double depth = before - (at.height - offsets);
       // Walls that face the same way do not touch, e.g. the end of a vessel within a wider one.
       const int vertex = static_cast<int>(i);

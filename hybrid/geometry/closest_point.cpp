@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -255,7 +256,11 @@ ClosestPoint::Hit closest_on(const TriangleSurface& surface, const Vec3& point) 
 }
 
 void ClosestPoint::refit(const Points& points) {
-  if (points == tree_->surface.points) return;
+  // Bit for bit: also where a solver has lost the wall and its points are no numbers, it moves
+  // once.
+  const Points& here = tree_->surface.points;
+  const size_t bytes = index(points.size()) * sizeof(double);
+  if (here.size() == points.size() && std::memcmp(here.data(), points.data(), bytes) == 0) return;
   tree_->move(points);
 }
 

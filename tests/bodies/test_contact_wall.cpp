@@ -23,7 +23,7 @@ void expect_alike(const ClosestPoint& wall, const TriangleSurface& surface) {
 
 TEST(ContactWall, IsOneWallForAllItsCopies) {
   TriangleSurface surface = tube(1, 6, 24, 21);
-  const ContactWall wall(surface), copy = wall;
+  ContactWall wall(surface), copy = wall;
   EXPECT_EQ(wall.mean_edge(), mean_edge_length(surface));
   EXPECT_EQ(wall.areas(), vertex_areas(surface));
   const TriangleSurface rest = surface;
@@ -41,7 +41,7 @@ TEST(ContactWall, IsOneWallForAllItsCopies) {
 
 TEST(ContactWall, MovesOnceForAllThreads) {
   TriangleSurface surface = tube(1, 6, 24, 21);
-  const ContactWall wall(surface);
+  ContactWall wall(surface);
   for (int step = 0; step < 20; ++step) {
     surface.points.col(0).array() += 0.1;
     const double expected = ClosestPoint(surface).query(Vec3::Zero()).signed_distance;

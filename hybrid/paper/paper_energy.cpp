@@ -10,6 +10,10 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
+Matrix lower(const Matrix& both_triangles) {
+  return both_triangles.triangularView<Eigen::Lower>();
+}
+
 }  // namespace
 
 int append_body(PaperSystem& system, const TriangleSurface& rest, const Points& carried,
@@ -104,7 +108,7 @@ Matrix paper_energy_constant(const PaperSystem& system, double spring_share) {
     const Matrix springs =
         stretching_energy_bound(spring_share * block.k.stretching, block.springs, block.count);
     blocks.emplace_back(bending + springs + binding);
-    entries += blocks.back().nonZeros();
+    entries += (blocks.back().nonZeros() + block.count) / 2;
   }
   Matrix stacked(system.vertex_count(), system.vertex_count());
   stacked.reserve(entries);
@@ -113,12 +117,12 @@ Matrix paper_energy_constant(const PaperSystem& system, double spring_share) {
     for (int column = 0; column < blocks[b].outerSize(); ++column) {
       stacked.startVec(first + column);
       for (Matrix::InnerIterator it(blocks[b], column); it; ++it)
-        stacked.insertBack(first + it.row(), first + column) = it.value();
+        if (it.row() >= column) stacked.insertBack(first + it.row(), first + column) = it.value();
     }
   }
   stacked.finalize();
   if (!system.joins.empty())
-    stacked += joining_energy_hessian(system.k_j, system.joins, system.vertex_count());
+    stacked += lower(joining_energy_hessian(system.k_j, system.joins, system.vertex_count()));
   return stacked;
 }
 
@@ -129,11 +133,12 @@ Matrix paper_energy_bound(const PaperSystem& system, const Eigen::Ref<const Poin
 Matrix paper_energy_bound(const PaperSystem& system, const Matrix& constant,
                           const Eigen::Ref<const Points>& p) {
   Matrix bound = constant;
-  if (!system.contacts.empty()) bound += contact_energy_bound(system.contacts, p);
+  if (!system.contacts.empty()) bound += lower(contact_energy_bound(system.contacts, p));
   std::vector<Eigen::Triplet<double>> guarded;
   for (const PaperBlock& block : system.blocks)
     if (block.guard)
       block.guard->bound(p.middleRows(block.first, block.count), block.first, guarded);
+  std::erase_if(guarded, [](const auto& entry) { return entry.row() < entry.col(); });
   if (!guarded.empty()) {
     Matrix barriers(bound.rows(), bound.cols());
     barriers.setFromTriplets(guarded.begin(), guarded.end());
@@ -150,12 +155,12 @@ Matrix paper_energy_hessian(const PaperSystem& system, const Eigen::Ref<const Po
                             double blend) {
   const Matrix constant = paper_energy_constant(system, 0);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<size_t>(2 * constant.nonZeros() + 60 * system.vertex_count()));
+  entries.reserve(static_cast<size_t>(3 * constant.nonZeros() + 60 * system.vertex_count()));
   const auto is_fixed = [&](int i) { return system.fixed[static_cast<size_t>(i)] != 0; };
   for (int column = 0; column < constant.outerSize(); ++column)
     for (Matrix::InnerIterator it(constant, column); it; ++it) {
       const int row = static_cast<int>(it.row());
-      if (row < column || (row != column && (is_fixed(row) || is_fixed(column)))) continue;
+      if (row != column && (is_fixed(row) || is_fixed(column))) continue;
       for (int c = 0; c < 3; ++c) entries.emplace_back(3 * row + c, 3 * column + c, it.value());
     }
   // Adds the 3 x 3 block of two vertices, or its lower triangle if they are the same vertex.

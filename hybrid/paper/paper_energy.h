@@ -76,14 +76,14 @@ PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<
                                     PaperGradient& gradient);
 
 /// The part of paper_energy_bound() that does not depend on p and the contacts: the terms whose
-/// Hessian is constant, and the springs' bound. With `spring_share` below 1 only this fraction of
+/// Hessian is constant, and the springs' bound; lower triangle. With `spring_share` below 1 only this fraction of
 /// the latter is added, and the matrix is no longer a bound.
 Eigen::SparseMatrix<double> paper_energy_constant(const PaperSystem& system,
                                                   double spring_share = 1);
 
 /// An upper bound of the Hessian as a V x V matrix, the same for x, y and z, including the contacts
-/// that carry pressure at p. Both triangles are stored. Fixed vertices keep only their diagonal.
-/// The pattern changes only with the contacts.
+/// that carry pressure at p; lower triangle. Fixed vertices keep only their diagonal. The pattern
+/// changes only with the contacts.
 Eigen::SparseMatrix<double> paper_energy_bound(const PaperSystem& system,
                                                const Eigen::Ref<const Points>& p);
 /// The same with its part paper_energy_constant() given.

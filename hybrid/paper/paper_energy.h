@@ -76,8 +76,8 @@ PaperTerms paper_energy_gradient_at(const PaperSystem& system, const Eigen::Ref<
                                     PaperGradient& gradient);
 
 /// The part of paper_energy_bound() that does not depend on p and the contacts: the terms whose
-/// Hessian is constant, and the springs' bound; lower triangle. With `spring_share` below 1 only this fraction of
-/// the latter is added, and the matrix is no longer a bound.
+/// Hessian is constant, and the springs' bound; lower triangle. With `spring_share` below 1 only
+/// this fraction of the latter is added, and the matrix is no longer a bound.
 Eigen::SparseMatrix<double> paper_energy_constant(const PaperSystem& system,
                                                   double spring_share = 1);
 

@@ -11,6 +11,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <random>
+#include <string_view>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -129,6 +131,16 @@ std::string staging_start(const fs::path& place) {
          ".writing-";
 }
 
+// As of mkdtemp(), which says the name only when the folder is there.
+std::string random_letters() {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> which(0, letters.size() - 1);
+  std::string six(6, ' ');
+  for (char& letter : six) letter = letters[which(random)];
+  return six;
+}
+
 // Whether the process that created the sibling has ended. Without a process in its name, a sibling
 // counts as abandoned after a day.
 bool is_left_over(const fs::path& sibling, const std::string& start) {
@@ -207,13 +219,19 @@ FolderReplacement::FolderReplacement(const fs::path& folder) : folder_(place_of(
     throw FileError(folder_.parent_path().string() + ": cannot be made: " + error.message());
   const std::string start = staging_start(folder_);
   remove_left_overs(folder_.parent_path(), start);
-  std::string name =
-      (folder_.parent_path() / (start + std::to_string(getpid()) + "-XXXXXX")).string();
-  if (mkdtemp(name.data()) == nullptr) fail(folder_.parent_path(), "no folder can be made in it");
-  staging_ = name;
-  note_unfinished(staging_);
+  const fs::path staging =
+      folder_.parent_path() / (start + std::to_string(getpid()) + "-" + random_letters());
+  // Before it is there: a signal that comes while it is made is delivered when it is.
+  note_unfinished(staging);
+  if (mkdir(staging.c_str(), 0700) != 0) {
+    const int cause = errno;
+    note_unfinished({});
+    errno = cause;
+    fail(folder_.parent_path(), "no folder can be made in it");
+  }
+  staging_ = staging;
   const mode_t mask =
-      umask(0);  // mkdtemp makes private folders; a result has the permissions of any new folder
+      umask(0);  // it was made for this user alone; a result has the permissions of any new folder
   umask(mask);
   chmod(staging_.c_str(), 0777 & ~mask);
 }

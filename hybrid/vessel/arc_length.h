@@ -1,6 +1,8 @@
 // Arc length along a spline curve.
 #pragma once
 
+#include <vasorod/types.h>
+
 #include "vessel/spline.h"
 
 namespace vasorod {

@@ -1,8 +1,10 @@
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include <vasorod/error.h>
@@ -186,6 +188,29 @@ TEST(FolderReplacement, ASignalHandlerRemovesWhatIsHalfWritten) {
   replacement.write("b.vtp", "half");
   EXPECT_TRUE(remove_unfinished_folder());
   EXPECT_TRUE(fs::is_empty(base.path));
+}
+
+// Processes that make result folders, one after the other, are stopped at some moment. Each makes
+// those of another place, or the next one would remove what it left.
+TEST(FolderReplacement, ASignalAtAnyMomentLeavesNothingHalfWritten) {
+  const test::TemporaryFolder base;
+  constexpr int processes = 60;
+  for (int k = 0; k < processes; ++k) {
+    const fs::path place = base.path / std::to_string(k);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      std::signal(SIGTERM, [](int) {
+        if (remove_unfinished_folder()) _exit(0);
+      });
+      while (true) const FolderReplacement replacement(place);
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(3000 + 37 * k));
+    kill(child, SIGTERM);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+  }
+  EXPECT_TRUE(fs::is_empty(base.path)) << entries(base.path) << " of " << processes << " left";
 }
 
 TEST(FolderReplacement, AFileInThePlaceOrAboveItIsRefused) {

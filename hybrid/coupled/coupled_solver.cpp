@@ -85,6 +85,7 @@ class CoupledSolver::Data {
     stiffening_ = false;
     start_is_ = Roughness::near;
     came_far_ = false;
+    updates_before_ = 0;
     const Easing easing{stack_};
     if (stack_.any_modelled()) {
       follow_path();
@@ -295,6 +296,7 @@ class CoupledSolver::Data {
     solution_.status = start.bring_near();
     if (start.is_near()) start_is_ = Roughness::near;
     crossed = start.is_crossed();
+    updates_before_ = start.updates();
     return solution_.status == Status::converged;
   }
 
@@ -380,8 +382,9 @@ class CoupledSolver::Data {
     bool updates = !alone || surfaces.may_meet() || stack_.contacts->pressing();
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
-    const int patience = options.hold_after > 0 ? 2 * options.hold_after : patience_with_contact;
-    LateContacts late(patience);
+    const bool crumples = options.hold_after > 0;
+    LateContacts late(crumples ? options.search_rarely_after() : patience_with_contact);
+    const int before = std::exchange(updates_before_, 0);
     CoupledStack::Placed best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
@@ -418,15 +421,16 @@ class CoupledSolver::Data {
       const double tie = stack_.system->worst_tie(stack_.z);
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
-      if (outer == options.hold_after) stack_.contacts->hold();
-      const bool search = options.hold_after == 0 || late.search(outer);
+      const int update = crumples ? before + outer : outer;  // of contacts
+      if (update == options.hold_after) stack_.contacts->hold();
+      const bool search = !crumples || late.search(update);
       const ContactState contact =
           search ? stack_.contacts->refresh(stack_.scaled) : stack_.contacts->update(stack_.scaled);
       if (!updates && stack_.contacts->pressing()) {  // it touches itself now
         updates = true;
         tolerance = std::max(first_tolerance, options.tolerance);
       }
-      const double slackness = late.is_late(outer) ? LateContacts::slackness : 1;
+      const double slackness = late.is_late(update) ? LateContacts::slackness : 1;
       // A vertex that opens and closes moves the soft sections, too.
       const bool tied =
           tie <= (stack_.contacts->pressing() ? slackness : 1) * options.tie_tolerance;
@@ -512,6 +516,7 @@ class CoupledSolver::Data {
   bool left_saddle_ = false;
   bool stiffening_ = false;
   Roughness start_is_ = Roughness::near;  // that of a given start, until it is minimised
+  int updates_before_ = 0;                // of contacts, from a smooth one, before the next minimum
   bool came_far_ = false;                 // its first minimum was not looked at yet
   CoupledSolution solution_;
 };

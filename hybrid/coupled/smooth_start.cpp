@@ -1,5 +1,6 @@
 #include "coupled/smooth_start.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vasorod {
@@ -9,11 +10,12 @@ namespace {
 constexpr double rough = 1e-2;
 // Most of what one convex Hessian gains for all walls it gains at once.
 constexpr int iterations_of_all = 4;
-// Of the patch of seam and contacts: for its first minimum, and how much less for each one after an
-// update.
-constexpr double first_tolerance = 1e-4, tolerance_step = 0.1;
+// Of the patch of seam and contacts: for its first minimum, how much less for each one after an
+// update, and for the last ones.
+constexpr double first_tolerance = 1e-4, tolerance_step = 0.1, finest_tolerance = 1e-5;
 // Each makes the change of the pressures some seven times smaller. More would settle what the whole
-// then changes by a few percent.
+// then changes by a few percent. Of walls that crumple the contacts are found differently each
+// time: until they are held and searched rarely, which costs the whole five times as much.
 constexpr int most_updates = 3;
 
 }  // namespace
@@ -57,19 +59,23 @@ bool SmoothStart::minimise(const CoupledMinimiserOptions& options) {
 void SmoothStart::settle_patch() {
   CoupledMinimiserOptions finer = minimising_;
   finer.tolerance = first_tolerance;
-  for (int update = 0; minimise(finer); ++update) {
+  const CoupledOptions& options = stack_.options;
+  const int most = std::max(most_updates, options.search_rarely_after());
+  while (minimise(finer)) {
     near_ = true;
     stack_.unstack();
-    if (update == 0 && stack_.passes_through()) {
+    if (updates_ == 0 && stack_.passes_through()) {
       crossed_ = true;
       return;
     }
-    if (update == most_updates) return;
+    if (updates_ == most) return;
+    ++updates_;
+    if (updates_ == options.hold_after) stack_.contacts->hold();
     const ContactState contact = stack_.contacts->refresh(stack_.scaled);
     stack_.stack_contacts();
     // What is touched only now joins the unknowns of the whole.
-    if (is_settled(contact, stack_.options) || !contact.touched.empty()) return;
-    finer.tolerance *= tolerance_step;
+    if (is_settled(contact, options) || !contact.touched.empty()) return;
+    finer.tolerance = std::max(finest_tolerance, finer.tolerance * tolerance_step);
     finer.reuse_hessian = true;
   }
 }

@@ -6,7 +6,8 @@
 //    contacts: in a larger patch a vein would bend into what it does not touch.
 // 2. All walls go towards their minimum with the convex part of one Hessian.
 // 3. What is near the seam and the contacts comes to rest; then the pressures of contacts are
-//    updated and these found again, a few times. The seam's multipliers are left to a minimum of
+//    updated and these found again, a few times, or, where walls crumple, until they are to be
+//    searched rarely (CoupledOptions::hold_after). The seam's multipliers are left to a minimum of
 //    all walls: they are updated once, and what gap that leaves depends on where.
 #pragma once
 
@@ -33,6 +34,8 @@ class SmoothStart {
   /// Whether its walls pass through each other (CoupledOptions::passes_through) before any
   /// pressure was updated; then none was.
   bool is_crossed() const { return crossed_; }
+  /// How often contacts were updated and searched in the patch.
+  int updates() const { return updates_; }
 
  private:
   bool minimise(const CoupledMinimiserOptions& options);
@@ -43,6 +46,7 @@ class SmoothStart {
   CoupledMinimiserOptions minimising_;
   std::function<void(const CoupledMinimiserSummary&)> count_;
   CoupledMinimiserSummary last_;
+  int updates_ = 0;
   bool near_ = false, crossed_ = false;
 };
 

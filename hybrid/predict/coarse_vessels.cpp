@@ -1,5 +1,7 @@
 #include "predict/coarse_vessels.h"
 
+#include <algorithm>
+
 #include "data/index.h"
 #include "geometry/closest_point.h"
 #include "geometry/triangle_surface.h"
@@ -12,6 +14,8 @@ namespace {
 // Three times as long, the bundled infant's mouth has 12 edges around, and its fine walls find no
 // minimum near that of the coarse ones.
 constexpr double edge_ratio = 2;
+// Of a vessel that is only touched, which the others push away over a length of its radius.
+constexpr double touched_edge_ratio = 4;
 // Over the mean radius.
 constexpr double longest_edge = 0.4;
 constexpr Eigen::Index fewest_vertices = 8000;
@@ -43,14 +47,19 @@ PreparedVessel coarser(const PreparedVessel& fine, double edge) {
 
 }  // namespace
 
-std::vector<PreparedVessel> coarse_vessels(const std::vector<PreparedVessel>& vessels) {
+std::vector<PreparedVessel> coarse_vessels(const std::vector<PreparedVessel>& vessels,
+                                           const std::set<std::string>& joined) {
   Eigen::Index vertices = 0;
   std::vector<double> edge;
   for (const PreparedVessel& vessel : vessels) {
-    edge.push_back(edge_ratio * mean_edge_length(vessel.vessel.surface));
+    const double fine = mean_edge_length(vessel.vessel.surface);
+    edge.push_back(edge_ratio * fine);
     if (vessel.obstacle()) continue;
     vertices += vessel.vessel.surface.points.rows();
-    if (edge.back() > longest_edge * vessel.vessel.mean_radius) return {};
+    const double longest = longest_edge * vessel.vessel.mean_radius;
+    if (edge.back() > longest) return {};
+    if (joined.count(vessel.spec.name) == 0)
+      edge.back() = std::min(touched_edge_ratio * fine, longest);
   }
   if (vertices < fewest_vertices) return {};
   std::vector<PreparedVessel> all(vessels.size());

@@ -20,7 +20,7 @@ PreparedVessel prepared(const VesselSpec& spec) {
 
 TEST(CoarseVessels, EdgesAreTwiceAsLongAndEverythingElseStays) {
   const PreparedVessel fine = prepared(tube("tube", 48, {1, 2, 3}, 90));
-  const std::vector<PreparedVessel> all = coarse_vessels({fine});
+  const std::vector<PreparedVessel> all = coarse_vessels({fine}, {"tube"});
   ASSERT_EQ(all.size(), 1u);
   const Vessel &coarse = all[0].vessel, &was = fine.vessel;
   EXPECT_NEAR(mean_edge_length(coarse.surface) / mean_edge_length(was.surface), 2, 0.3);
@@ -43,19 +43,38 @@ TEST(CoarseVessels, EdgesAreTwiceAsLongAndEverythingElseStays) {
             1e-9);
 }
 
+TEST(CoarseVessels, EdgesOfOneThatIsOnlyTouchedAreFourTimesAsLong) {
+  const PreparedVessel fine = prepared(tube("touched", 100, {0, 0, 0}, 100)),
+                       thick = prepared(tube("joined", 48, {20, 0, 0}, 90));
+  const std::vector<PreparedVessel> all = coarse_vessels({fine, thick}, {"joined"});
+  ASSERT_EQ(all.size(), 2u);
+  const auto ratio = [](const PreparedVessel& coarse, const PreparedVessel& was) {
+    return mean_edge_length(coarse.vessel.surface) / mean_edge_length(was.vessel.surface);
+  };
+  EXPECT_NEAR(ratio(all[0], fine), 4, 0.6);
+  EXPECT_NEAR(ratio(all[1], thick), 2, 0.3);
+}
+
+TEST(CoarseVessels, EdgesOfOneThatIsOnlyTouchedAreNoLongerThanItsShapeAllows) {
+  const PreparedVessel fine = prepared(tube("touched", 200, {0, 0, 0}, 42));
+  const std::vector<PreparedVessel> all = coarse_vessels({fine}, {});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NEAR(mean_edge_length(all[0].vessel.surface) / fine.vessel.mean_radius, 0.4, 0.06);
+}
+
 TEST(CoarseVessels, NoneWhereOneWouldBeTooCoarseToFold) {
   const PreparedVessel fine = prepared(tube("fine", 48, {0, 0, 0}, 90)),
                        coarse = prepared(tube("coarse", 48, {20, 0, 0}, 24));
-  EXPECT_TRUE(coarse_vessels({fine, coarse}).empty());
+  EXPECT_TRUE(coarse_vessels({fine, coarse}, {}).empty());
   VesselSpec obstacle = tube("obstacle", 48, {20, 0, 0}, 24);
   obstacle.role = Role::obstacle;
-  EXPECT_EQ(coarse_vessels({fine, prepared(obstacle)}).size(), 2u);
+  EXPECT_EQ(coarse_vessels({fine, prepared(obstacle)}, {}).size(), 2u);
 }
 
 TEST(CoarseVessels, NoneWhereTheFineOnesAreSmall) {
   const PreparedVessel small = prepared(tube("small", 48, {0, 0, 0}, 60));
   EXPECT_LT(small.vessel.surface.points.rows(), 8000);
-  EXPECT_TRUE(coarse_vessels({small}).empty());
+  EXPECT_TRUE(coarse_vessels({small}, {}).empty());
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ void close_seam(const Prediction& fine, CoupledStart& start) {
 }  // namespace
 
 std::optional<Prediction> coarse_prediction(const Prediction& fine, const SolveOptions& options) {
+  if (!fine.operation) return std::nullopt;
   std::vector<PreparedVessel> vessels = coarse_vessels(
       fine.whole, {fine.operation->vessels[0].name, fine.operation->vessels[1].name});
   if (vessels.empty()) return std::nullopt;

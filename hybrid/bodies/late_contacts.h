@@ -20,6 +20,9 @@ class LateContacts {
   /// each other by no more.
   static constexpr double largest_overlap = 0.05;
 
+  /// The patience with walls that stick after so many updates.
+  static constexpr int patience_with_held(int hold_after) { return 2 * hold_after; }
+
   /// `patience`: the updates, counted from 1, after which it is late.
   explicit LateContacts(int patience) : patience_(patience) {}
 

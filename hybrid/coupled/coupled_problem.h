@@ -81,11 +81,9 @@ struct CoupledOptions : SurfaceOptions {
   double tie_stiffness = 100;
   /// Multiplier updates after which walls that press on each other stick between searches
   /// (contact_pair.h): where walls crumple, contacts are found differently each time without end.
-  /// 0: never.
+  /// After twice as many, they are searched at a tenth of the updates only, later at fewer
+  /// (late_contacts.h). 0: never.
   int hold_after = 0;
-  /// Updates after which contacts that are still found differently are searched at few of them
-  /// only; 0: never.
-  int search_rarely_after() const { return 2 * hold_after; }
   /// After so many factorisations the solve ends without a minimum, at its next multiplier update;
   /// of walls that are let out each stage may take as many: to part them, to let them out, and to
   /// find the minimum. 0: no limit.

@@ -383,8 +383,9 @@ class CoupledSolver::Data {
     double tolerance = updates ? std::max(first_tolerance, options.tolerance) : options.tolerance;
     int failures = 0;
     const bool crumples = options.hold_after > 0;
-    LateContacts late(crumples ? options.search_rarely_after() : patience_with_contact);
-    const int before = std::exchange(updates_before_, 0);
+    LateContacts late(crumples ? LateContacts::patience_with_held(options.hold_after)
+                               : patience_with_contact);
+    const int before = crumples ? std::exchange(updates_before_, 0) : 0;
     CoupledStack::Placed best;  // the last minimum found
     for (int outer = 1;; ++outer) {
       ++solution_.surface.outer_iterations;
@@ -421,7 +422,7 @@ class CoupledSolver::Data {
       const double tie = stack_.system->worst_tie(stack_.z);
       const bool turned =
           moment_change <= options.moment_tolerance * stack_.system->largest_moment();
-      const int update = crumples ? before + outer : outer;  // of contacts
+      const int update = before + outer;  // of contacts
       if (update == options.hold_after) stack_.contacts->hold();
       const bool search = !crumples || late.search(update);
       const ContactState contact =

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bodies/late_contacts.h"
+
 namespace vasorod {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr int iterations_of_all = 4;
 constexpr double first_tolerance = 1e-4, tolerance_step = 0.1, finest_tolerance = 1e-5;
 // Each makes the change of the pressures some seven times smaller. More would settle what the whole
 // then changes by a few percent. Of walls that crumple the contacts are found differently each
-// time: until they are held and searched rarely, which costs the whole five times as much.
+// time: as long as they are searched at each, which costs less here than in the whole.
 constexpr int most_updates = 3;
 
 }  // namespace
@@ -60,7 +62,7 @@ void SmoothStart::settle_patch() {
   CoupledMinimiserOptions finer = minimising_;
   finer.tolerance = first_tolerance;
   const CoupledOptions& options = stack_.options;
-  const int most = std::max(most_updates, options.search_rarely_after());
+  const int most = std::max(most_updates, LateContacts::patience_with_held(options.hold_after));
   while (minimise(finer)) {
     near_ = true;
     stack_.unstack();

@@ -126,7 +126,7 @@ class PaperRun {
     double tolerance =
         constrained ? std::max(first_tolerance, options_.tolerance) : options_.tolerance;
     int settling_outers = 0;
-    LateContacts late(2 * options_.hold_after);
+    LateContacts late(LateContacts::patience_with_held(options_.hold_after));
     bool held = false;
     ContactState contact;
     for (int outer = 1;; ++outer) {

@@ -14,7 +14,7 @@ namespace {
 // Three times as long, the bundled infant's mouth has 12 edges around, and its fine walls find no
 // minimum near that of the coarse ones.
 constexpr double edge_ratio = 2;
-// Of a vessel that is only touched, which the others push away over a length of its radius.
+// Of a vessel that is only touched: it yields, and does not fold beside a seam.
 constexpr double touched_edge_ratio = 4;
 // Over the mean radius.
 constexpr double longest_edge = 0.4;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "bodies/late_contacts.h"
 #include "coupled/joined_tubes.h"
 #include "coupled/smooth_start.h"
 
@@ -105,7 +106,7 @@ TEST(SmoothStart, FindsThePressuresOfContacts) {
 
 // Contacts of walls that crumple would be found differently each time also in the whole, where that
 // costs more. Here they would settle, but by no tolerance.
-TEST(SmoothStart, SearchesContactsOfWallsThatCrumpleUntilTheyAreHeld) {
+TEST(SmoothStart, SearchesContactsOfWallsThatCrumpleUntilItIsLate) {
   for (const int hold_after : {0, 3}) {
     CoupledOptions options;
     options.hold_after = hold_after;
@@ -115,7 +116,7 @@ TEST(SmoothStart, SearchesContactsOfWallsThatCrumpleUntilTheyAreHeld) {
     Started started(std::move(problem), options);
     EXPECT_EQ(started.bring_near(), Status::converged);
     EXPECT_TRUE(started.near);
-    EXPECT_EQ(started.updates, hold_after > 0 ? options.search_rarely_after() : 3);
+    EXPECT_EQ(started.updates, hold_after > 0 ? LateContacts::patience_with_held(hold_after) : 3);
   }
 }
 
@@ -149,6 +150,24 @@ TEST(SmoothStart, IsTheWholeAgainWhereItIsStopped) {
     EXPECT_EQ(started.stack.system->unknowns(), whole);
     EXPECT_FALSE(started.near);
   }
+}
+
+// The updates in the patch count as the first ones of the whole, which is late at once: it accepts
+// what it could not before its own fifth update.
+TEST(SmoothStart, ItsUpdatesCountInTheWhole) {
+  CoupledOptions options;
+  options.hold_after = 2;
+  options.pressure_tolerance = 5e-7;
+  CoupledProblem problem = wide();
+  press(problem);
+  CoupledSolver solver(std::move(problem), options);
+  const CoupledSolution solution = solver.solve();
+  ASSERT_EQ(solution.status, Status::converged);
+  const int patience = LateContacts::patience_with_held(options.hold_after);
+  const int of_start = 2 + 1 + patience;  // minima of the seam, of all, of the patch
+  EXPECT_LE(solution.surface.outer_iterations - of_start, patience);
+  ASSERT_FALSE(solution.notes.empty());
+  EXPECT_EQ(solution.notes.front().find(LateContacts::note({})), 0u) << solution.notes.front();
 }
 
 // A solve from a smooth start begins so, one from a near one does not; both end in one minimum.

@@ -43,14 +43,12 @@ constexpr double rounding = 1e-14, share_of_load = 1e-2;
 CoupledMinimiser::CoupledMinimiser(CoupledSystem& system, Work& work)
     : system_(system), work_(work), rest_factor_(&work), factor_(&work) {
   renew_rest();
-  turns_.first = system.groups();
-  turns_.unknowns = system.unknowns();
-  turns_.turn.resize(turns_.first.size());
+  turns_.reset(system.groups(), system.unknowns());
 }
 
 void CoupledMinimiser::renew_rest() {
   ++work_.counts.hessians;
-  rest_ = system_.rest_hessian();
+  system_.rest_hessian().swap(rest_);
   weigh(rest_);
 }
 
@@ -94,11 +92,10 @@ void CoupledMinimiser::find_order() {
   if (!order_.empty()) return;
   // Only the pattern counts, which is that of any z.
   std::vector<ContactPoint> contacts = std::exchange(system_.contacts, {});
-  analysed_ = sparse_sum(rest_, system_.meeting_hessian(VectorXd::Zero(system_.unknowns())));
+  const Matrix free =
+      sparse_sum(rest_, system_.meeting_hessian(VectorXd::Zero(system_.unknowns())));
   system_.contacts = std::move(contacts);
-  order_ = elimination_order(analysed_, system_.groups(), Ordering::cheaper, &work_);
-  factor_.analyse(analysed_, order_);
-  order_nonzeros_ = factor_.factor_nonzeros();
+  order_ = elimination_order(free, system_.groups(), Ordering::cheaper, &work_);
 }
 
 // The pattern changes with the contacts that press: fewer need no new analysis. An elimination
@@ -110,7 +107,9 @@ void CoupledMinimiser::analyse(Cholesky& factor, const Matrix& matrix, const Bre
   }
   if (!order_.empty()) {
     factor.analyse(matrix, order_);
-    if (factor.factor_nonzeros() < worn_order * order_nonzeros_) return;
+    const double nonzeros = factor.factor_nonzeros();
+    if (order_nonzeros_ == 0) order_nonzeros_ = nonzeros;
+    if (nonzeros < worn_order * order_nonzeros_) return;
   }
   breaks.before("ordering");
   order_ = elimination_order(matrix, system_.groups(), Ordering::cheaper, &work_);
@@ -182,11 +181,8 @@ bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double&
   ++work_.counts.hessians;
   worn_ = false;
   pairs_.clear();
-  hessian_ = system_.hessian(z);
-  if (!pad(analysed_, hessian_)) {
-    analyse(factor_, hessian_, breaks);
-    analysed_ = hessian_;
-  }
+  system_.hessian(z).swap(hessian_);
+  match_pattern(hessian_, breaks);
   metric_.resize(0, 0);
   Matrix shifted;
   for (;;) {
@@ -215,7 +211,7 @@ bool CoupledMinimiser::factorise_turned_rest(const VectorXd& z, const Breaks& br
   breaks.before("Hessian at rest");
   Matrix turned = rest_;
   turn_matrix(turns_, turned);
-  turned = sparse_sum(turned, system_.meeting_hessian(z));
+  sparse_sum(turned, system_.meeting_hessian(z)).swap(turned);
   return factorise_as_analysed(turned, Precision::exact, breaks);
 }
 
@@ -227,16 +223,30 @@ bool CoupledMinimiser::factorise_convex(const VectorXd& z, Precision precision,
   return factorise_as_analysed(convex, precision, breaks);
 }
 
-// Factorises a positive definite matrix, with a new analysis where its pattern needs one.
+// Factorises a positive definite matrix.
 bool CoupledMinimiser::factorise_as_analysed(Matrix& matrix, Precision precision,
                                              const Breaks& breaks) {
   pairs_.clear();
-  if (!pad(analysed_, matrix)) {
-    analyse(factor_, matrix, breaks);
-    analysed_ = matrix;
-  }
+  match_pattern(matrix, breaks);
   breaks.before("factorisation");
   return factor_.factorise(matrix, breaks.inside, precision);
+}
+
+// Whether H is positive definite. Its factor is not kept: that of the last Hessian remains.
+bool CoupledMinimiser::is_stable(const VectorXd& z, const Breaks& breaks) {
+  breaks.before("Hessian");
+  ++work_.counts.hessians;
+  system_.hessian(z).swap(hessian_);
+  match_pattern(hessian_, breaks);
+  breaks.before("factorisation");
+  return factor_.is_positive_definite(hessian_, breaks.inside);
+}
+
+// Gives the matrix the analysed pattern, or analyses its own where it has more entries.
+void CoupledMinimiser::match_pattern(Matrix& matrix, const Breaks& breaks) {
+  if (pad(analysed_, matrix)) return;
+  analyse(factor_, matrix, breaks);
+  analysed_ = matrix;
 }
 
 // Leaves an equilibrium whose Hessian H is not positive definite. Inverse iteration with the
@@ -361,6 +371,16 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     const bool at_rest =
         factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest) shift = 0;  // the verdict is on the Hessian itself
+    if (options.rough_factors && options.certify && factored_at <= options.tolerance) {
+      ++summary.factorisations;
+      if (is_stable(z, breaks)) {
+        summary.positive = true;
+        summary.status = LbfgsStatus::converged;
+        summary.residual = factored_at;
+        return;
+      }
+      shift = first_shift;
+    }
     const int so_far = summary.factorisations;
     const int most =
         so_far + std::min(options.max_factorisations - so_far, options.max_shifted - shifted);

@@ -128,6 +128,8 @@ class CoupledMinimiser {
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   bool factorise(const Eigen::VectorXd& z, Precision precision, double& shift, int& factorisations,
                  int most, const Breaks& breaks);
+  bool is_stable(const Eigen::VectorXd& z, const Breaks& breaks);
+  void match_pattern(Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   enum class Saddle { left, neutral, kept };
   Saddle leave_saddle(Eigen::VectorXd& z);
 

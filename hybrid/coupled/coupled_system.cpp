@@ -355,9 +355,7 @@ void CoupledSystem::evaluate_wall(size_t w, const CoupledState& s, const VectorX
 GroupTurns CoupledSystem::turns(const std::vector<Mat3>& frames,
                                 const std::vector<std::vector<Mat3>>& section_frames) const {
   GroupTurns d;
-  d.first = groups_;
-  d.unknowns = unknowns_;
-  d.turn.resize(groups_.size());
+  d.reset(groups_, unknowns_);
   const auto group_at = [&](int unknown) {
     return index(std::lower_bound(groups_.begin(), groups_.end(), unknown) - groups_.begin());
   };
@@ -365,10 +363,10 @@ GroupTurns CoupledSystem::turns(const std::vector<Mat3>& frames,
     const CoupledWall& wall = walls_[w];
     for (int v = 0; v < wall.energy->vertices(); ++v)
       if (wall.unknown[index(3 * v)] >= 0)
-        d.turn[group_at(wall.unknown[index(3 * v)])] = frames[index(wall.first_vertex + v)];
+        d.set(group_at(wall.unknown[index(3 * v)]), frames[index(wall.first_vertex + v)]);
     for (size_t k = 0; k < wall.sections.size(); ++k)
       if (wall.sections[k].unknowns() > 0)
-        d.turn[group_at(wall.pose_unknown[k])] = wall.sections[k].turned_axes(section_frames[w][k]);
+        d.set(group_at(wall.pose_unknown[k]), wall.sections[k].turned_axes(section_frames[w][k]));
   }
   return d;
 }

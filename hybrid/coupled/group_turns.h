@@ -15,7 +15,14 @@ using Turn = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 struct GroupTurns {
   std::vector<int> first;  ///< first unknown of each group, ascending from 0
   int unknowns = 0;
-  std::vector<Turn> turn;  ///< per group; empty: the identity
+  std::vector<int> turn_of;  ///< per group: its row of `turn`; -1: the identity, as of most
+  std::vector<Turn> turn;
+  /// Makes D the identity of these groups.
+  void reset(const std::vector<int>& groups, int unknown_count);
+  void set(size_t g, const Turn& block);
+  const Turn* of(size_t g) const {  ///< null: the identity
+    return turn_of[g] < 0 ? nullptr : &turn[static_cast<size_t>(turn_of[g])];
+  }
   int width(size_t g) const { return (g + 1 < first.size() ? first[g + 1] : unknowns) - first[g]; }
 };
 

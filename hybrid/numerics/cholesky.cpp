@@ -134,6 +134,14 @@ bool Cholesky::factorise(const Matrix& matrix, const StopInside& stop, Precision
   return d.factorised;
 }
 
+bool Cholesky::is_positive_definite(const Matrix& matrix, const StopInside& stop) {
+  const FactorTime time(data_->done);
+  Data& d = *data_;
+  d.count();
+  if (!d.fronts) d.fronts.emplace(d.analysis->nodes());
+  return d.fronts->factorise(d.analysis->in_order(matrix), nullptr, d.threads(), stop);
+}
+
 // Asked of the first rough factor: one step of iterative refinement, whose residual is in double
 // precision, tells the error of a solve.
 bool Cholesky::single_will_do(const Matrix& matrix) {

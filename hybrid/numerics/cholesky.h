@@ -46,6 +46,10 @@ class Cholesky {
   bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {},
                  Precision precision = Precision::exact);
 
+  /// Whether a matrix with the analysed pattern is positive definite, as an exact factor finds it,
+  /// of which no numbers are kept: it needs little memory. The factor of another matrix remains.
+  bool is_positive_definite(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {});
+
   /// x = A^-1 b for `columns` right-hand sides, stored column-major; with the digits of a rough
   /// factor where the last one is.
   void solve(const double* b, double* x, int columns);

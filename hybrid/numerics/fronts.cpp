@@ -68,11 +68,22 @@ void Fronts<Scalar>::add_below(int k, int first, int end, Scalar* change) const 
   });
 }
 
+// Where the columns of a supernode go.
 template <class Scalar>
-bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* factor, Places& places,
-                               int threads) {
+Scalar* Fronts<Scalar>::columns_of(int k, Scalar* factor, Workspace& workspace) const {
   const Supernode node = nodes_[k];
-  Scalar* columns = factor + node.entry;
+  if (factor) return factor + node.entry;
+  const size_t size = index(node.rows) * index(node.columns);
+  if (workspace.columns.size() < size) workspace.columns.resize(size);
+  return workspace.columns.data();
+}
+
+template <class Scalar>
+bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* factor,
+                               Workspace& workspace, int threads) {
+  const Supernode node = nodes_[k];
+  Places& places = workspace.places;
+  Scalar* columns = columns_of(k, factor, workspace);
   for (int i = 0; i < node.rows; ++i) places[index(node.row[i])] = i;
   const auto release_children = [&] {
     nodes_.for_children(k, [&](int c) { changes_[index(c)].reset(); });
@@ -106,7 +117,8 @@ bool Fronts<Scalar>::eliminate(int k, const cholmod_sparse& matrix, Scalar* fact
 template <class Scalar>
 bool Fronts<Scalar>::factorise(const cholmod_sparse& matrix, Scalar* factor, int threads,
                                const StopInside& stop) {
-  std::vector<Places> places(index(threads), Places(index(nodes_.unknowns())));
+  std::vector<Workspace> workspaces(index(threads));
+  for (Workspace& mine : workspaces) mine.places.resize(index(nodes_.unknowns()));
   std::atomic<bool> good = true, stopped = false;
   const std::thread::id caller = std::this_thread::get_id();
   double operations = 0;  // of the calling thread since the last question
@@ -121,7 +133,7 @@ bool Fronts<Scalar>::factorise(const cholmod_sparse& matrix, Scalar* factor, int
         if (stopped) return;
       }
     }
-    if (!eliminate(k, matrix, factor, places[index(thread)], share)) good = false;
+    if (!eliminate(k, matrix, factor, workspaces[index(thread)], share)) good = false;
   });
   if (!good || stopped)
     for (std::unique_ptr<Scalar[]>& change : changes_) change.reset();

@@ -24,19 +24,25 @@ class Fronts {
   explicit Fronts(const Supernodes& nodes) : nodes_(nodes), changes_(index(nodes.size())) {}
 
   /// Fills `factor`, nodes.entries() numbers, from the lower triangle of a matrix in the order of
-  /// elimination. Returns false where the matrix is not positive definite; the factor is incomplete
-  /// then. The numbers do not depend on `threads`. `stop` is asked between fronts, from the calling
-  /// thread, each time they took some million operations. Throws Interruption where it says so,
-  /// and std::bad_alloc.
+  /// elimination; null: its columns are forgotten as soon as they are not needed any more. Returns
+  /// false where the matrix is not positive definite; the factor is incomplete then. The numbers do
+  /// not depend on `threads`. `stop` is asked between fronts, from the calling thread, each time
+  /// they took some million operations. Throws Interruption where it says so, and std::bad_alloc.
   bool factorise(const cholmod_sparse_struct& matrix, Scalar* factor, int threads,
                  const StopInside& stop = {});
 
  private:
   // Of one thread, per row of the matrix: its place in the front at hand.
   using Places = std::vector<int>;
+  // What one thread works with.
+  struct Workspace {
+    Places places;
+    std::vector<Scalar> columns;  // of the front at hand, where they are not kept
+  };
 
-  bool eliminate(int k, const cholmod_sparse_struct& matrix, Scalar* factor, Places& places,
+  bool eliminate(int k, const cholmod_sparse_struct& matrix, Scalar* factor, Workspace& workspace,
                  int threads);
+  Scalar* columns_of(int k, Scalar* factor, Workspace& workspace) const;
   void set_own(int k, const cholmod_sparse_struct& matrix, const Places& places, int first, int end,
                Scalar* columns) const;
   void add_below(int k, int first, int end, Scalar* change) const;

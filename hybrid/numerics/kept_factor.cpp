@@ -18,7 +18,8 @@ bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatri
 
 }  // namespace
 
-bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop) {
+bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop,
+                           Precision precision) {
   const bool analysed = cholesky_.analysed() && same_pattern(matrix, matrix_);
   if (analysed && cholesky_.factorised() &&
       std::equal(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), matrix_.valuePtr()))
@@ -32,7 +33,7 @@ bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const Stop
   }
   matrix_ = matrix;
   ++factorisations_;
-  return cholesky_.factorise(matrix_, stop);
+  return cholesky_.factorise(matrix_, stop, precision);
 }
 
 }  // namespace vasorod

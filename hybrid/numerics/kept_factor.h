@@ -13,8 +13,10 @@ class KeptFactor {
 
   /// Factorises a symmetric matrix, given by both triangles or by the lower one. An unchanged
   /// matrix costs only a comparison; an unchanged pattern needs no new analysis. Returns false when
-  /// the matrix is not positive definite. `stop`: as that of Cholesky::factorise().
-  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {});
+  /// the matrix is not positive definite. `stop` and `precision`: as those of
+  /// Cholesky::factorise(); one factor is kept with the same precision throughout.
+  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {},
+                 Precision precision = Precision::exact);
 
   /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns) { cholesky_.solve(b, x, columns); }

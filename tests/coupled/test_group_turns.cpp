@@ -15,13 +15,13 @@ struct Fixture {
   Eigen::SparseMatrix<double> lower;
   Eigen::MatrixXd d = Eigen::MatrixXd::Identity(13, 13);
   Fixture() {
-    turns.first = {0, 3, 4, 10};
-    turns.unknowns = 13;
+    turns.reset({0, 3, 4, 10}, 13);
     const Mat3 a = exp_rotation(Vec3(0.3, 1.1, -0.4)), b = exp_rotation(Vec3(-0.8, 0.2, 0.9));
     Turn six = Turn::Zero(6, 6);
     six.topLeftCorner<3, 3>() = a;
     six.bottomRightCorner<3, 3>() = b;
-    turns.turn = {Turn(b), Turn(), six, Turn()};
+    turns.set(0, b);
+    turns.set(2, six);
     d.block<3, 3>(0, 0) = b;
     d.block<6, 6>(4, 4) = six;
 

@@ -1,4 +1,5 @@
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <thread>
@@ -270,6 +271,32 @@ TEST(Cholesky, OrdersByBlocksOfThree) {
   Eigen::VectorXd x(60);
   cholesky.solve(rhs.data(), x.data(), 1);
   EXPECT_TRUE(x.isApprox(Eigen::MatrixXd(m).ldlt().solve(rhs), 1e-12));
+}
+
+// Without a factor of its own; the one of another matrix still solves.
+TEST(Cholesky, TellsWhetherAMatrixIsPositiveDefiniteBesideAFactor) {
+  const Matrix a = random_positive(900, 1, 0);
+  for (const double shift : {0.0, -3.4}) {  // smallest eigenvalues of either sign
+    const Matrix b = random_positive(900, 1, shift);
+    const bool positive = Eigen::MatrixXd(b).selfadjointView<Eigen::Lower>().eigenvalues()[0] > 0;
+    EXPECT_EQ(positive, shift == 0);
+    for (const Precision precision : {Precision::exact, Precision::rough}) {
+      Work work;
+      Cholesky cholesky(&work);
+      cholesky.analyse(a);
+      EXPECT_EQ(cholesky.is_positive_definite(b), positive);
+      EXPECT_FALSE(cholesky.factorised());
+      ASSERT_TRUE(cholesky.factorise(a, {}, precision));
+      EXPECT_EQ(cholesky.is_positive_definite(b), positive);
+      EXPECT_THROW(cholesky.is_positive_definite(b, [] { return true; }), Interruption);
+      EXPECT_EQ(work.counts.factorisations, 4);
+      ASSERT_TRUE(cholesky.factorised());
+      const Eigen::VectorXd rhs = Eigen::VectorXd::LinSpaced(a.rows(), -1, 2);
+      Eigen::VectorXd x(a.rows());
+      cholesky.solve(rhs.data(), x.data(), 1);
+      EXPECT_LT((a * x - rhs).norm(), 1e-5 * rhs.norm());
+    }
+  }
 }
 
 TEST(Cholesky, SaysWhenAMatrixIsNotPositiveDefinite) {

@@ -50,6 +50,17 @@ TEST(KeptFactor, IsRenewedOnlyWhereTheMatrixHasChanged) {
   EXPECT_EQ(factor.factorisations(), 3);
 }
 
+TEST(KeptFactor, IsInSinglePrecisionWhereARoughOneIsAskedFor) {
+  KeptFactor factor;
+  for (const double diagonal : {2.5, 2.5, 3.0}) {
+    ASSERT_TRUE(factor.factorise(chain(9, diagonal), {}, Precision::rough));
+    const double left = misfit(factor, chain(9, diagonal));
+    EXPECT_LT(left, 1e-5);
+    EXPECT_GT(left, 1e-12);
+  }
+  EXPECT_EQ(factor.factorisations(), 2);
+}
+
 TEST(KeptFactor, AFailedFactorIsTriedAgain) {
   KeptFactor factor;
   EXPECT_FALSE(factor.factorise(chain(9, 0.5)));

@@ -65,13 +65,9 @@ int FacingWalls::winding_outside(int vertex) const {
   const Vec3 normal = normals_.row(vertex);
   const Vec3 across = normal.unitOrthogonal();
   const Vec3 direction = (normal + slope_1 * across + slope_2 * normal.cross(across)).normalized();
-  rays_.along(now_.points.row(vertex), direction, std::numeric_limits<double>::infinity(), hits_);
+  rays_.along_from(vertex, direction, std::numeric_limits<double>::infinity(), hits_);
   int winding = 0;
-  for (const RayHit& hit : hits_) {
-    const auto corner = corners_of(hit.triangle);
-    if (std::find(corner.begin(), corner.end(), vertex) != corner.end()) continue;
-    winding += hit.leaves ? 1 : -1;
-  }
+  for (const RayHit& hit : hits_) winding += hit.leaves ? 1 : -1;
   return winding;
 }
 

@@ -30,8 +30,9 @@ class FacingWalls {
   const Points& normals() const { return normals_; }
 
   /// The first wall along the ray from `vertex`, outwards or inwards, up to `farthest` (length),
-  /// that faces it. `skip(corner)`: leaves out a wall altogether. `seen`: distance to the first
-  /// wall that is not left out, whichever way it faces; `farthest` where there is none.
+  /// that faces it, but for the triangles of the vertex. `skip(corner)`: leaves out a wall
+  /// altogether. `seen`: distance to the first wall that is not left out, whichever way it faces;
+  /// `farthest` where there is none.
   template <class Skip>
   FacingWall first(int vertex, bool outside, double farthest, const Skip& skip, double& seen) const;
 
@@ -59,7 +60,7 @@ FacingWall FacingWalls::first(int vertex, bool outside, double farthest, const S
   const Vec3 from = now_.points.row(vertex), normal = normals_.row(vertex);
   const Vec3 direction = outside ? normal : Vec3(-normal);
   seen = farthest;
-  rays_.along(from, direction, farthest, hits_);
+  rays_.along_from(vertex, direction, farthest, hits_);
   for (const RayHit& hit : hits_) {
     if (hit.triangle >= now_.triangles.rows() || skip(corners_of(hit.triangle))) continue;
     seen = std::min(seen, hit.distance);

@@ -101,6 +101,22 @@ std::vector<RayHit> RayHits::along(const Vec3& origin, const Vec3& direction,
 
 void RayHits::along(const Vec3& origin, const Vec3& direction, double farthest,
                     std::vector<RayHit>& hits) const {
+  find(
+      origin, direction, farthest, [](int) { return false; }, hits);
+}
+
+// Those triangles begin where the ray does: exact predicates would take their longest way to it.
+void RayHits::along_from(int vertex, const Vec3& direction, double farthest,
+                         std::vector<RayHit>& hits) const {
+  const auto has_vertex = [&](int t) {
+    return (tree_->surface.triangles.row(t).array() == vertex).any();
+  };
+  find(tree_->surface.points.row(vertex), direction, farthest, has_vertex, hits);
+}
+
+template <class LeavesOut>
+void RayHits::find(const Vec3& origin, const Vec3& direction, double farthest, LeavesOut leaves_out,
+                   std::vector<RayHit>& hits) const {
   hits.clear();
   // Walls that a solver has lost may be anywhere, or so far away that rounding takes the whole way.
   const Vec3 to = origin + (std::isfinite(farthest) ? farthest : 1) * direction;
@@ -109,6 +125,7 @@ void RayHits::along(const Vec3& origin, const Vec3& direction, double farthest,
   const RayAndBox touches(origin, direction, farthest, tree_->extent);
   const auto search = [&](const auto& line) {
     tree_->boxes.visit(touches, [&](int t) {
+      if (leaves_out(t)) return;
       const Triangle3 triangle = tree_->triangle(t);
       const Vec3 normal = triangle_normal(tree_->surface, t);
       const double steepness = normal.dot(direction);

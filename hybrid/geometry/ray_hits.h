@@ -36,8 +36,15 @@ class RayHits {
   /// The same into `hits`, whose storage is used again.
   void along(const Vec3& origin, const Vec3& direction, double farthest,
              std::vector<RayHit>& hits) const;
+  /// The same of a ray from a vertex of the surface, whose own triangles are left out.
+  void along_from(int vertex, const Vec3& direction, double farthest,
+                  std::vector<RayHit>& hits) const;
 
  private:
+  template <class LeavesOut>
+  void find(const Vec3& origin, const Vec3& direction, double farthest, LeavesOut leaves_out,
+            std::vector<RayHit>& hits) const;
+
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };

@@ -16,7 +16,7 @@ namespace vasorod {
 
 /// `exact`: in double precision. `rough`: for directions of search, in single precision, which
 /// takes about half the time, unless the first such factor is found not to be good enough: where
-/// one step of iterative refinement changes a solve by a thousandth, that one and all later ones
+/// one step of iterative refinement changes a solve by a hundredth, that one and all later ones
 /// are exact.
 enum class Precision { exact, rough };
 

@@ -42,6 +42,29 @@ TEST(RayHits, FromInsideThereIsOneAndBehindNone) {
   EXPECT_TRUE(rays.along({0, 0, 20}, Vec3::UnitZ()).empty());  // out of the open end
 }
 
+// What a ray from a vertex hits are the hits of the ray from there but for the vertex's triangles.
+TEST(RayHits, AVertexDoesNotMeetItsOwnTriangles) {
+  const TriangleSurface surface = tube();
+  const RayHits rays(surface);
+  const int vertex = 17 * 36 + 5;
+  const Vec3 from = surface.points.row(vertex);
+  std::vector<RayHit> hits;
+  size_t own = 0;
+  for (const Vec3& way : {Vec3(-from.x(), -from.y(), 1.3), Vec3(from.x(), from.y(), 1.3)}) {
+    rays.along_from(vertex, way.normalized(), 100, hits);
+    std::vector<int> expected, found;
+    for (const RayHit& hit : rays.along(from, way.normalized(), 100)) {
+      const bool is_own = (surface.triangles.row(hit.triangle).array() == vertex).any();
+      own += is_own ? 1 : 0;
+      if (!is_own) expected.push_back(hit.triangle);
+    }
+    for (const RayHit& hit : hits) found.push_back(hit.triangle);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(found.size(), way.x() * from.x() < 0 ? 1U : 0U);
+  }
+  EXPECT_EQ(own, 12U);  // of each ray all six
+}
+
 TEST(RayHits, WhatIsFartherThanAskedIsNotFound) {
   const RayHits rays(tube());
   const Vec3 from(-25, 0.4, 17.3);

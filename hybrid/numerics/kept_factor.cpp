@@ -4,17 +4,13 @@
 #include <numeric>
 #include <vector>
 
+#include "numerics/within_pattern.h"
+
 namespace vasorod {
 namespace {
 
 // From this number of unknowns on, nested dissection pays off within one solve.
 constexpr int large = 200000;
-
-bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
-}
 
 }  // namespace
 

@@ -21,8 +21,15 @@ void add_within(const Matrix& a, double factor, const Matrix& b, Matrix& sum) {
   }
 }
 
+bool same_pattern(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 bool pad(const Matrix& pattern, Matrix& matrix) {
   if (pattern.cols() != matrix.cols()) return false;
+  if (same_pattern(pattern, matrix)) return true;
   std::vector<double> values(static_cast<size_t>(pattern.nonZeros()), 0.0);
   const int* row = pattern.innerIndexPtr();
   for (int column = 0; column < matrix.cols(); ++column) {
@@ -34,10 +41,8 @@ bool pad(const Matrix& pattern, Matrix& matrix) {
       values[static_cast<size_t>(at)] = it.value();
     }
   }
-  if (pattern.nonZeros() != matrix.nonZeros()) {
-    matrix = pattern;
-    std::copy(values.begin(), values.end(), matrix.valuePtr());
-  }
+  matrix = pattern;
+  std::copy(values.begin(), values.end(), matrix.valuePtr());
   return true;
 }
 

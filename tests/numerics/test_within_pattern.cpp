@@ -35,6 +35,14 @@ TEST(WithinPattern, PadsWithZeros) {
   EXPECT_EQ(padded.toDense(), narrow.toDense());
 }
 
+TEST(WithinPattern, IsTheSameWhereTheEntriesAreAtTheSamePlaces) {
+  EXPECT_TRUE(same_pattern(wide, 2 * wide));
+  EXPECT_FALSE(same_pattern(wide, narrow));
+  EXPECT_FALSE(same_pattern(narrow, of(4, {{2, 0, 10}, {1, 1, 20}, {3, 2, 30}})));  // a column
+  EXPECT_FALSE(same_pattern(narrow, of(4, {{1, 0, 10}, {1, 1, 20}, {3, 3, 30}})));  // a row
+  EXPECT_FALSE(same_pattern(of(3, {}), of(4, {})));
+}
+
 TEST(WithinPattern, WhatThePatternLacksIsLeftAsItIs) {
   for (Matrix other : {of(4, {{1, 0, 1}}), of(4, {{3, 2, 1}}), of(3, {{0, 0, 1}})}) {
     const Matrix before = other;

@@ -81,17 +81,20 @@ Matrix group_graph(const Matrix& m, const std::vector<int>& groups) {
         g + 1 < count ? groups[static_cast<size_t>(g) + 1] : static_cast<int>(m.cols());
     std::fill(group_of.begin() + groups[static_cast<size_t>(g)], group_of.begin() + last, g);
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int g = 0; g < count; ++g) {
+  Matrix graph(count, count);
+  Eigen::Index entries = 0;
+  for (const int first : groups) entries += m.outerIndexPtr()[first + 1] - m.outerIndexPtr()[first];
+  graph.reserve(entries);
+  for (int g = 0; g < count; ++g) {  // rows ascend, and so do their groups
+    graph.startVec(g);
     int last = -1;
     for (Matrix::InnerIterator it(m, groups[static_cast<size_t>(g)]); it; ++it) {
       const int row = group_of[static_cast<size_t>(it.row())];
-      if (row != last) entries.emplace_back(row, g, 1.0);
+      if (row != last) graph.insertBack(row, g) = 1;
       last = row;
     }
   }
-  Matrix graph(count, count);
-  graph.setFromTriplets(entries.begin(), entries.end());
+  graph.finalize();
   return graph;
 }
 

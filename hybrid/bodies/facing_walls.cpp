@@ -1,7 +1,6 @@
 #include "bodies/facing_walls.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -41,9 +41,12 @@ constexpr double rounding = 1e-14, share_of_load = 1e-2;
 }  // namespace
 
 CoupledMinimiser::CoupledMinimiser(CoupledSystem& system, Work& work)
-    : system_(system), work_(work), rest_factor_(&work), factor_(&work) {
+    : system_(system),
+      work_(work),
+      turns_(system.groups(), system.unknowns()),
+      rest_factor_(&work),
+      factor_(&work) {
   renew_rest();
-  turns_.reset(system.groups(), system.unknowns());
 }
 
 void CoupledMinimiser::renew_rest() {
@@ -175,8 +178,9 @@ void CoupledMinimiser::by_rest(const VectorXd& g, VectorXd& direction) {
 
 // Factorises H or, if Cholesky fails, H + shift D K0 D^T with the smallest shift of a geometric
 // sequence for which it succeeds.
-bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double& shift,
+bool CoupledMinimiser::factorise(const VectorXd& z, Factor factor, double& shift,
                                  int& factorisations, int most, const Breaks& breaks) {
+  const Precision precision = factor == Factor::rough ? Precision::rough : Precision::exact;
   breaks.before("Hessian");
   ++work_.counts.hessians;
   worn_ = false;
@@ -189,7 +193,9 @@ bool CoupledMinimiser::factorise(const VectorXd& z, Precision precision, double&
     breaks.before("factorisation");
     ++factorisations;
     if (shift == 0) {
-      if (factor_.factorise(hessian_, breaks.inside, precision)) return true;
+      if (factor == Factor::unless_positive ? factor_.is_positive_definite(hessian_, breaks.inside)
+                                            : factor_.factorise(hessian_, breaks.inside, precision))
+        return true;
     } else {
       if (metric_.size() == 0) {
         metric_ = rest_;
@@ -230,16 +236,6 @@ bool CoupledMinimiser::factorise_as_analysed(Matrix& matrix, Precision precision
   match_pattern(matrix, breaks);
   breaks.before("factorisation");
   return factor_.factorise(matrix, breaks.inside, precision);
-}
-
-// Whether H is positive definite. Its factor is not kept: that of the last Hessian remains.
-bool CoupledMinimiser::is_stable(const VectorXd& z, const Breaks& breaks) {
-  breaks.before("Hessian");
-  ++work_.counts.hessians;
-  system_.hessian(z).swap(hessian_);
-  match_pattern(hessian_, breaks);
-  breaks.before("factorisation");
-  return factor_.is_positive_definite(hessian_, breaks.inside);
 }
 
 // Gives the matrix the analysed pattern, or analyses its own where it has more entries.
@@ -371,26 +367,25 @@ void CoupledMinimiser::run(VectorXd& z, const CoupledMinimiserOptions& options,
     const bool at_rest =
         factored_at <= options.tolerance || (stalls > 0 && factored_at < near_enough);
     if (at_rest) shift = 0;  // the verdict is on the Hessian itself
-    if (options.rough_factors && options.certify && factored_at <= options.tolerance) {
-      ++summary.factorisations;
-      if (is_stable(z, breaks)) {
-        summary.positive = true;
-        summary.status = LbfgsStatus::converged;
-        summary.residual = factored_at;
-        return;
-      }
-      shift = first_shift;
-    }
+    // A branch goes on from its minimum with the factor there, an operation ends.
+    const bool verdict =
+        options.rough_factors && options.certify && factored_at <= options.tolerance;
+    const Factor factor = verdict ? Factor::unless_positive : exact ? Factor::exact : Factor::rough;
     const int so_far = summary.factorisations;
     const int most =
         so_far + std::min(options.max_factorisations - so_far, options.max_shifted - shifted);
-    if (!factorise(z, exact ? Precision::exact : Precision::rough, shift, summary.factorisations,
-                   most, breaks)) {
+    if (!factorise(z, factor, shift, summary.factorisations, most, breaks)) {
       summary.unfactorised = true;
       summary.residual = factored_at;
       break;
     }
     fresh = shift == 0;
+    if (fresh && verdict) {
+      summary.positive = true;
+      summary.status = LbfgsStatus::converged;
+      summary.residual = factored_at;
+      return;
+    }
     if (!fresh) shifted += summary.factorisations - so_far;
     if (!fresh && options.release_step && ++indefinite > patience_on_branch) inner.largest_step = 0;
     if (closing && !(inner.largest_step > 0 && inner.largest_step < options.closing_step))

@@ -126,9 +126,11 @@ class CoupledMinimiser {
   bool factorise_as_analysed(Eigen::SparseMatrix<double>& matrix, Precision precision,
                              const Breaks& breaks);
   void analyse(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
-  bool factorise(const Eigen::VectorXd& z, Precision precision, double& shift, int& factorisations,
+  // `unless_positive`: exact, and not kept where H itself is positive definite; factor_ is then
+  // that of an earlier Hessian.
+  enum class Factor { rough, exact, unless_positive };
+  bool factorise(const Eigen::VectorXd& z, Factor factor, double& shift, int& factorisations,
                  int most, const Breaks& breaks);
-  bool is_stable(const Eigen::VectorXd& z, const Breaks& breaks);
   void match_pattern(Eigen::SparseMatrix<double>& matrix, const Breaks& breaks);
   enum class Saddle { left, neutral, kept };
   Saddle leave_saddle(Eigen::VectorXd& z);
@@ -142,7 +144,7 @@ class CoupledMinimiser {
   LbfgsPairs pairs_;  // of iterations with factor_
   bool without_contacts_ = false;
   std::vector<int> order_;                // elimination order
-  double order_nonzeros_ = 0;             // entries of the factor for which order_ was found
+  double order_nonzeros_ = 0;             // entries of the first factor in order_
   Eigen::SparseMatrix<double> analysed_;  // its pattern is the one analysed by factor_
   double mean_stiffness_ = 1;
   bool worn_ = false;  // the last minimum took more iterations with factor_ than a rough one costs

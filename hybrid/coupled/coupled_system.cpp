@@ -354,8 +354,7 @@ void CoupledSystem::evaluate_wall(size_t w, const CoupledState& s, const VectorX
 
 GroupTurns CoupledSystem::turns(const std::vector<Mat3>& frames,
                                 const std::vector<std::vector<Mat3>>& section_frames) const {
-  GroupTurns d;
-  d.reset(groups_, unknowns_);
+  GroupTurns d(groups_, unknowns_);
   const auto group_at = [&](int unknown) {
     return index(std::lower_bound(groups_.begin(), groups_.end(), unknown) - groups_.begin());
   };

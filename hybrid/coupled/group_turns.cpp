@@ -1,15 +1,12 @@
 #include "coupled/group_turns.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vasorod {
 
-void GroupTurns::reset(const std::vector<int>& groups, int unknown_count) {
-  first = groups;
-  unknowns = unknown_count;
-  turn_of.assign(groups.size(), -1);
-  turn.clear();
-}
+GroupTurns::GroupTurns(std::vector<int> groups, int unknown_count)
+    : first(std::move(groups)), unknowns(unknown_count), turn_of(first.size(), -1) {}
 
 void GroupTurns::set(size_t g, const Turn& block) {
   turn_of[g] = static_cast<int>(turn.size());

@@ -15,10 +15,11 @@ using Turn = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 struct GroupTurns {
   std::vector<int> first;  ///< first unknown of each group, ascending from 0
   int unknowns = 0;
-  std::vector<int> turn_of;  ///< per group: its row of `turn`; -1: the identity, as of most
+  std::vector<int> turn_of;  ///< per group: its place in `turn`; -1: the identity, as of most
   std::vector<Turn> turn;
-  /// Makes D the identity of these groups.
-  void reset(const std::vector<int>& groups, int unknown_count);
+  /// The identity.
+  GroupTurns(std::vector<int> groups, int unknown_count);
+  /// Once per group.
   void set(size_t g, const Turn& block);
   const Turn* of(size_t g) const {  ///< null: the identity
     return turn_of[g] < 0 ? nullptr : &turn[static_cast<size_t>(turn_of[g])];

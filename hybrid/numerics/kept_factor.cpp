@@ -14,8 +14,7 @@ constexpr int large = 200000;
 
 }  // namespace
 
-bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop,
-                           Precision precision) {
+bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop) {
   const bool analysed = cholesky_.analysed() && same_pattern(matrix, matrix_);
   if (analysed && cholesky_.factorised() &&
       std::equal(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), matrix_.valuePtr()))
@@ -29,7 +28,7 @@ bool KeptFactor::factorise(const Eigen::SparseMatrix<double>& matrix, const Stop
   }
   matrix_ = matrix;
   ++factorisations_;
-  return cholesky_.factorise(matrix_, stop, precision);
+  return cholesky_.factorise(matrix_, stop, precision_);
 }
 
 }  // namespace vasorod

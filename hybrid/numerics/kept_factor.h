@@ -8,15 +8,14 @@ namespace vasorod {
 /// A Cholesky factor that is reused as long as its matrix does not change.
 class KeptFactor {
  public:
-  /// `work`: as that of Cholesky.
-  explicit KeptFactor(Work* work = nullptr) : work_(work), cholesky_(work) {}
+  /// `work`: as that of Cholesky. `precision`: of all factors.
+  explicit KeptFactor(Work* work = nullptr, Precision precision = Precision::exact)
+      : work_(work), precision_(precision), cholesky_(work) {}
 
   /// Factorises a symmetric matrix, given by both triangles or by the lower one. An unchanged
   /// matrix costs only a comparison; an unchanged pattern needs no new analysis. Returns false when
-  /// the matrix is not positive definite. `stop` and `precision`: as those of
-  /// Cholesky::factorise(); one factor is kept with the same precision throughout.
-  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {},
-                 Precision precision = Precision::exact);
+  /// the matrix is not positive definite. `stop`: as that of Cholesky::factorise().
+  bool factorise(const Eigen::SparseMatrix<double>& matrix, const StopInside& stop = {});
 
   /// x = A^-1 b for `columns` right-hand sides, stored column-major.
   void solve(const double* b, double* x, int columns) { cholesky_.solve(b, x, columns); }
@@ -30,6 +29,7 @@ class KeptFactor {
 
  private:
   Work* work_;
+  Precision precision_;
   Cholesky cholesky_;
   Eigen::SparseMatrix<double> matrix_;
   int factorisations_ = 0;

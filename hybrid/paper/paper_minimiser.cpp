@@ -39,7 +39,7 @@ void PaperMinimiser::factorise(const Points& p, const StopInside& stop) {
   const Eigen::SparseMatrix<double> matrix = paper_energy_bound(system_, without_contacts_, p);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   pairs_.clear();
-  if (!constant_.factorise(matrix, stop, Precision::rough))
+  if (!constant_.factorise(matrix, stop))
     throw std::runtime_error("the surface's constant matrix is not positive definite");
 }
 

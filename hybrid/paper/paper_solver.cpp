@@ -246,7 +246,8 @@ std::optional<std::string> PaperOptions::is_invalid() const {
 PaperSolver::PaperSolver(PaperOptions options)
     : options_(std::move(options)),
       work_(std::make_unique<Work>()),
-      bound_(std::make_unique<KeptFactor>(work_.get())) {
+      // Only directions come from it.
+      bound_(std::make_unique<KeptFactor>(work_.get(), Precision::rough)) {
   if (const auto fault = options_.is_invalid()) throw InputError("options of paper: " + *fault);
 }
 PaperSolver::~PaperSolver() = default;

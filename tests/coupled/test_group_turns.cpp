@@ -11,11 +11,10 @@ namespace {
 // Groups of 3, 1, 6, 3 unknowns; the second and the last are not turned.
 struct Fixture {
   std::vector<int> sizes{3, 1, 6, 3};
-  GroupTurns turns;
+  GroupTurns turns{{0, 3, 4, 10}, 13};
   Eigen::SparseMatrix<double> lower;
   Eigen::MatrixXd d = Eigen::MatrixXd::Identity(13, 13);
   Fixture() {
-    turns.reset({0, 3, 4, 10}, 13);
     const Mat3 a = exp_rotation(Vec3(0.3, 1.1, -0.4)), b = exp_rotation(Vec3(-0.8, 0.2, 0.9));
     Turn six = Turn::Zero(6, 6);
     six.topLeftCorner<3, 3>() = a;

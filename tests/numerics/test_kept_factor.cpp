@@ -51,9 +51,9 @@ TEST(KeptFactor, IsRenewedOnlyWhereTheMatrixHasChanged) {
 }
 
 TEST(KeptFactor, IsInSinglePrecisionWhereARoughOneIsAskedFor) {
-  KeptFactor factor;
+  KeptFactor factor(nullptr, Precision::rough);
   for (const double diagonal : {2.5, 2.5, 3.0}) {
-    ASSERT_TRUE(factor.factorise(chain(9, diagonal), {}, Precision::rough));
+    ASSERT_TRUE(factor.factorise(chain(9, diagonal)));
     const double left = misfit(factor, chain(9, diagonal));
     EXPECT_LT(left, 1e-5);
     EXPECT_GT(left, 1e-12);
